@@ -89,7 +89,7 @@ void show_dye(book::Program& program) {
                   "The edge of a patch of dye at four times: the constraint keeps its area, and nothing "
                   "keeps its shape.");
   program.figure("volume", worst, "largest deviation of J from 1 around the patch");
-  program.claim(book::measured(worst) < 1e-9, "the motion keeps areas");
+  program.claim(book::measured(worst) < 1e-9, "the motion preserves areas");
 }
 
 // ---- 3. The pressure of a particle less that of another: the multiplier's derivatives along the straight

@@ -186,7 +186,7 @@ std::string about(QuantityOf const& entry) {
   account.tell("columns", columns_of(q));
   account.tell("needs", q.needs.empty() ? "the state alone" : listed(q.needs));
   account.tell("conserved",
-               q.conserved ? "yes: the motion keeps it, and its drift is in summary.json" : "no");
+               q.conserved ? "yes: the motion conserves it, and its drift is in summary.json" : "no");
   account.tell("statement", statement_in_words(q.statement));
   return account.text();
 }

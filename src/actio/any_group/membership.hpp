@@ -68,10 +68,11 @@ inline double distance_from_common_properties(MatrixAlgebra const& algebra, Eige
 /// Whether a matrix can be an element of the connected group with this algebra.
 ///
 /// It must take the algebra to itself, \f$g e_a g^{-1}\f$ being in the span, with a positive determinant. If
-/// the group has a name, restoring g through the library must leave it where it is. If not, g must keep what
-/// the algebra says that all elements keep: volumes where all traces vanish, the vectors and covectors that
-/// the algebra takes to zero; and a matrix near the identity must have its logarithm in the algebra. Farther
-/// away these conditions are necessary, and a matrix that meets them may belong to a larger group.
+/// the group has a name, restoring g through the library must leave it where it is. If not, g must preserve
+/// what the algebra says that all elements preserve: volumes where all traces vanish, the vectors and
+/// covectors that the algebra takes to zero; and a matrix near the identity must have its logarithm in the
+/// algebra. Farther away these conditions are necessary, and a matrix that meets them may belong to a larger
+/// group.
 ///
 /// @param distance  the largest of what was measured; infinite where g is not of the right size, not finite,
 ///                  or without an inverse. At most \ref largest_distance_from_group for an element

@@ -22,9 +22,9 @@ inline bool is_of_rigid_motions(MatrixAlgebra const& algebra) {
   return true;
 }
 
-/// Whether the coadjoint action keeps the length \f$\sum_a\mu_a^2\f$ of a momentum, and moves some: structure
-/// constants change their sign when any two of their indices are exchanged, and are not all zero. True of
-/// SO(n) and SU(2), in the bases of the library.
+/// Whether the coadjoint action preserves the length \f$\sum_a\mu_a^2\f$ of a momentum, and moves some:
+/// structure constants change their sign when any two of their indices are exchanged, and are not all zero.
+/// True of SO(n) and SU(2), in the bases of the library.
 inline bool keeps_length_of_momenta(MatrixAlgebra const& algebra) {
   auto const constant = [&](int a, int b, int c) {
     for (auto const& other : algebra.constants)

@@ -1,4 +1,4 @@
-// The inextensible string: a curve in space that keeps its lengths, with the tension as multiplier.
+// The inextensible string: a curve in space whose lengths are constant, with the tension as multiplier.
 #pragma once
 
 #include "actio/constraints/augmented.hpp"

@@ -64,8 +64,8 @@ Split<S> split_by_columns(AnyMatrix<S> q, AnyVector<S> const& w) {
 ///
 /// The derivative is taken with a dual number for h; the tangent space is the range of the bivector: on the
 /// dual of an algebra all \f$\mathrm{ad}^*_\eta\mu\f$. From 0 to 1. No Casimir function is needed, and none
-/// is missed. A family that starts with the identity, along which the bracket keeps its rank, preserves the
-/// leaf of x exactly if the defect vanishes at all steps up to h.
+/// is missed. A family that starts with the identity, along which the rank of the bracket is constant,
+/// preserves the leaf of x exactly if the defect vanishes at all steps up to h.
 /// @param space   any space of spaces.hpp
 /// @param family  (h, point) -> point, at every scalar, both at the same
 /// @param h       step, time; not zero

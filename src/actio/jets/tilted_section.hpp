@@ -38,7 +38,7 @@ auto tilted_jet(Map const& map, Matrix<S, rows, 1> const& u) {
   TiltedJet<S, n, N> tilted{{image.template head<rows>(), image.template tail<N>(), {}}, determinant(DX)};
   if (ordered_arithmetic<S>() && !(base_value(tilted.stretch) > Base<S>(0)))
     throw NotAnEmbedding("tilted_jet at u = " + show(u),
-                         "a tilted section covers an embedding that keeps the orientation; determinant",
+                         "a tilted section covers an embedding that preserves the orientation; determinant",
                          to_double(tilted.stretch), 0);
   tilted.jet.v = D_map.template bottomRows<N>() * inverse_matrix(DX, "tilted_jet");
   return tilted;

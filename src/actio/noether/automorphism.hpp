@@ -102,8 +102,8 @@ Jet<S, n, N> prolongation(Eta const& eta, Jet<S, n, N> const& j) {
   // [eq_9_2]
 }
 
-/// The lift of an automorphism to the dual jet bundle: the one that keeps the value of dual jets on jets, as
-/// forms on space-time.
+/// The lift of an automorphism to the dual jet bundle: the one that preserves the value of dual jets on jets,
+/// as forms on space-time.
 ///
 /// \f$p' = (\partial\eta_Y/\partial y)^{-\mathsf T}\,p\,(T\eta_X)^{\mathsf T}/\det T\eta_X\f$, and \f$\Pi'\f$
 /// the rest. It preserves the canonical forms, which prolongations to the jet bundle do only together

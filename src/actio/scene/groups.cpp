@@ -50,7 +50,7 @@ std::vector<LibraryGroup> const& library_groups() {
       {"SU(n)", "n^2 - 1", "Unitary matrices of determinant 1.",
        "those of i(E_kk - E_(k+1)(k+1)), then (x, y) as in U(n)", "actio::SU<n>",
        folder + "unitary_groups.hpp", "eq_3_19"},
-      {"Sp(2n)", "n (2n + 1)", "Real matrices that keep the symplectic form.",
+      {"Sp(2n)", "n (2n + 1)", "Real matrices that preserve the symplectic form.",
        "of ((P, Q), (R, -P^T)): P row by row, then the upper triangles of Q and of R", "actio::Sp<2 * n>",
        folder + "symplectic_groups.hpp", "eq_3_19"},
       {"Aff(1)", "2", "Maps x -> ax + b of the line with a > 0.", "rate of stretching, rate of shifting",

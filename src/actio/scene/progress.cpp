@@ -22,7 +22,8 @@ std::size_t terminal_width() {
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-/// Yellow beyond 1e-9, red beyond 1e-6: rounding stays below, a scheme that keeps what it should does too.
+/// Yellow beyond 1e-9, red beyond 1e-6: rounding stays below, a scheme that conserves what it should does
+/// too.
 char const* colour_of(double drift) { return drift > 1e-6 ? "\x1b[31m" : drift > 1e-9 ? "\x1b[33m" : ""; }
 
 }  // namespace

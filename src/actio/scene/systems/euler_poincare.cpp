@@ -69,8 +69,9 @@ std::vector<Method> methods() {
       {"natural_chart",
        {"2", "4", "6"},
        "The natural chart (3.25), order 2: over a step the group moves by exp(h v), and vectors are taken at "
-       "both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the coadjoint orbit, the "
-       "bracket and the momentum of the symmetry.",
+       "both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It preserves the coadjoint orbit "
+       "and the "
+       "bracket, and conserves the momentum of the symmetry.",
        "eq_3_26"},
       {"cayley_chart",
        {"2", "4", "6"},
@@ -80,7 +81,7 @@ std::vector<Method> methods() {
       {"galerkin",
        {"4", "2", "6", "8", "10", "12", "14", "16"},
        "Galerkin's method with s nodes of Gauss, order 2s: paths are polynomials in the natural chart. It "
-       "keeps what the natural chart keeps. Without carried vectors.",
+       "preserves and conserves what the natural chart does. Without carried vectors.",
        "eq_3_20"}};
 }
 

@@ -69,7 +69,7 @@ double length(std::vector<double> const& x) {
   return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).stableNorm();
 }
 
-/// A scheme that keeps the bracket has an energy that hardly changes, or no solution near the motion.
+/// A scheme that preserves the bracket has an energy that hardly changes, or no solution near the motion.
 /// @throws OutsideDomain  where a step changes the energy by more than half of the sizes of its parts
 void require_like_energy(ReducedSystem const& system, ReducedPoint const& start, ReducedPoint const& end,
                          std::vector<double> velocity) {

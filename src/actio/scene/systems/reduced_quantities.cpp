@@ -54,7 +54,8 @@ std::vector<Quantity> quantities_of_states() {
        false},
       {"casimir",
        Kind::list,
-       "The functions of degree one and two that every motion on the dual of the algebra keeps, as far as "
+       "The functions of degree one and two that every motion on the dual of the algebra conserves, as far "
+       "as "
        "there are any, with the carried vectors where there are some: `actio run SCENE --dry-run` writes "
        "them out.",
        "C(\\Pi, a)",
@@ -71,7 +72,8 @@ std::vector<Quantity> quantities_of_steps() {
   return {
       {"poisson_defect",
        Kind::scalar,
-       "How far the next step is from keeping the Lie-Poisson bracket: 0 to rounding where it does, 1 where "
+       "How far the next step is from preserving the Lie-Poisson bracket: 0 to rounding where it does, 1 "
+       "where "
        "nothing cancels.",
        "|A B A^T - B|/(|A B A^T| + |B|)",
        "1",
@@ -80,7 +82,7 @@ std::vector<Quantity> quantities_of_steps() {
        false},
       {"symplectic_defect",
        Kind::scalar,
-       "How far the next step is from keeping the canonical two-form of configurations and momenta.",
+       "How far the next step is from preserving the canonical two-form of configurations and momenta.",
        "|A^T\\Omega A - \\Omega|/(|A^T\\Omega A| + |\\Omega|)",
        "1",
        "eq_3_5",
@@ -137,7 +139,7 @@ std::vector<Quantity> named_quantities(SceneFile const& file) {
   return out;
 }
 
-/// Those of the scene: what the symmetry keeps depends on the side, and on whether a vector breaks it.
+/// Those of the scene: what the symmetry conserves depends on the side, and on whether a vector breaks it.
 std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& scene) {
   auto all = reduced_quantities();
   bool const left = scene.system->side == Side::left;

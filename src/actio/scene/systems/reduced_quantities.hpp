@@ -10,7 +10,7 @@ namespace actio::scene {
 std::vector<Quantity> reduced_quantities();
 /// Those that a scene names: the vectors that its motion carries.
 std::vector<Quantity> named_quantities(SceneFile const& file);
-/// All of a scene. What its symmetry keeps depends on the side, and on whether a vector breaks it.
+/// All of a scene. What its symmetry conserves depends on the side, and on whether a vector breaks it.
 std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& scene);
 
 }  // namespace actio::scene

@@ -161,13 +161,13 @@ std::vector<Method> methods() {
       {"moser_veselov",
        {"6", "4", "2"},
        "The scheme of Moser and Veselov, order 2: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T; composed "
-       "of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the spectrum of M, "
+       "of substeps 4 (Suzuki) and 6 (Kahan and Li). It conserves the spectrum of M, "
        "and that of a matrix polynomial with it.",
        "thm_5_2_1"},
       {"natural_chart",
        {"2", "4", "6"},
        "The scheme of the natural chart, order 2: the action of a step is that of a turn with constant "
-       "velocity; composed of substeps 4 and 6. It keeps the spectrum of M.",
+       "velocity; composed of substeps 4 and 6. It conserves the spectrum of M.",
        "eq_5_4"},
   };
 }
