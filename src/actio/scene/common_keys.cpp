@@ -34,8 +34,7 @@ std::vector<Parameter> keys_of_scene() {
       {"scene.seed", "a whole number, 0 or more", "1",
        "Where random numbers begin: with another one a random start is another one (initial.random and "
        "initial.ring of vorticity_sphere). Where nothing is random it changes no number of a run; it is "
-       "checked, "
-       "and written into the copy of the scene.",
+       "checked, and written into the copy of the scene.",
        "", "1"},
       {"scene.units", "a table with mass, length and time",
        "those of the body of the library, otherwise none",
@@ -66,8 +65,7 @@ std::vector<Parameter> keys_of_method(System const& system) {
       {"method.step", "a number > 0",
        "the longest that divides the times of the rows and turns the body by at most 0.05 radians",
        "The time that a step takes. Rows are at multiples of it, or anywhere with run.between_steps; an "
-       "exact "
-       "method does not use it.",
+       "exact method does not use it.",
        "time", "0.001"},
   };
 }
@@ -146,8 +144,7 @@ std::vector<Parameter> keys_of_output(System const& system) {
        "", "true"},
       {"output.error_estimate", "true or false", "true where it costs less than a third of the run",
        "Whether the error of attitude and momentum is estimated, for a method that is not exact, from a "
-       "second "
-       "motion with other steps.",
+       "second motion with other steps.",
        "", "true"},
   };
   if (system.snapshots)

@@ -19,13 +19,11 @@ std::vector<Parameter> parameters() {
   return {
       {"system.group", "a text", "or system.algebra",
        "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x "
-       "R^2\", "
-       "\"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
+       "R^2\", \"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
        "", "\"SE(2)\""},
       {"system.algebra", "a list of square matrices, each a list of rows", "or system.group",
        "A basis of the algebra of a group of one's own: linearly independent, and closed under commutators. "
-       "The "
-       "components of the velocity are then x1, x2, ...",
+       "The components of the velocity are then x1, x2, ...",
        "", "[[[0, 1], [0, 0]]]"},
       {"system.side",
        "a text",
@@ -37,19 +35,16 @@ std::vector<Parameter> parameters() {
        {"left", "right"}},
       {"system.lagrangian", "a formula", "needed",
        "The Lagrangian, a formula in the components of the velocity, the parameters and the components of "
-       "the "
-       "carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no abs, "
-       "min "
-       "or comparison.",
+       "the carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no "
+       "abs, min or comparison.",
        "", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
       {"system.parameters", "a table", "none", "Numbers that the Lagrangian knows by their names.", "",
        "{ c = 6 }"},
       {"system.advected", "a table of vectors", "none",
-       "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in space "
-       "on "
-       "the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] has the "
-       "components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. On SE(n) a "
-       "list of n numbers is a direction.",
+       "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in "
+       "space on the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] "
+       "has the components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. "
+       "On SE(n) a list of n numbers is a direction.",
        "", "{ gravity = [0, 0, -1] }"},
       {"initial.velocity", "a list of as many numbers as the group has dimensions", "needed",
        "The velocity at the start, in the order of the components.", "1/time", "[0.7, 1.0, 0.2]"},
@@ -58,8 +53,8 @@ std::vector<Parameter> parameters() {
       {"method.step", "a number > 0", "from the time asked",
        "The time that a step takes, a whole number of times in the time between two rows. By default a "
        "twentieth of the shortest time in which something changes at the start: the group turns, or the "
-       "linearized "
-       "equations of motion swing or grow; a hundredth of the time between two rows where nothing does.",
+       "linearized equations of motion swing or grow; a hundredth of the time between two rows where "
+       "nothing does.",
        "time", "0.01"},
   };
 }
@@ -68,10 +63,9 @@ std::vector<Method> methods() {
   return {
       {"natural_chart",
        {"2", "4", "6"},
-       "The natural chart (3.25), order 2: over a step the group moves by exp(h v), and vectors are taken at "
-       "both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It preserves the coadjoint orbit "
-       "and the "
-       "bracket, and conserves the momentum of the symmetry.",
+       "The natural chart (3.25), order 2: over a step the group moves by exp(h v), and vectors are taken "
+       "at both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It preserves the coadjoint "
+       "orbit and the bracket, and conserves the momentum of the symmetry.",
        "eq_3_26"},
       {"cayley_chart",
        {"2", "4", "6"},

@@ -55,8 +55,7 @@ std::vector<Quantity> quantities_of_states() {
       {"casimir",
        Kind::list,
        "The functions of degree one and two that every motion on the dual of the algebra conserves, as far "
-       "as "
-       "there are any, with the carried vectors where there are some: `actio run SCENE --dry-run` writes "
+       "as there are any, with the carried vectors where there are some: `actio run SCENE --dry-run` writes "
        "them out.",
        "C(\\Pi, a)",
        "of the momentum, or its square",
@@ -73,8 +72,7 @@ std::vector<Quantity> quantities_of_steps() {
       {"poisson_defect",
        Kind::scalar,
        "How far the next step is from preserving the Lie-Poisson bracket: 0 to rounding where it does, 1 "
-       "where "
-       "nothing cancels.",
+       "where nothing cancels.",
        "|A B A^T - B|/(|A B A^T| + |B|)",
        "1",
        "thm_3_2_1",
