@@ -62,10 +62,12 @@ class FastVorticityStep : public StepSetting<Stream> {
   using Factors = Eigen::Vector4d;
   /// A step that was made, as the first guess of the next one needs it.
   struct Past {
-    SkewHermitian<> displacement;  ///< A
-    Factors factors;               ///< of this step
-    double radius = 0;             ///< an estimate of the largest eigenvalue of A over |A|
-    int age = 0;                   ///< steps since it was made
+    SkewHermitian<> displacement;    ///< A
+    SkewHermitian<float> increment;  ///< Wt - W_0
+    Factors factors;                 ///< of this step
+    double first_change = 1;         ///< of A, relative, by the first of its rounds: how good the guess was
+    double radius = 0;               ///< an estimate of the largest eigenvalue of A over |A|
+    int age = 0;                     ///< steps since it was made
   };
   /// All that the next step depends on beside W: the steps before, the newest first.
   std::deque<Past> const& past() const { return past_; }
@@ -135,7 +137,9 @@ class FastVorticityStep : public StepSetting<Stream> {
       forget();
       throw;
     }
-    remember(plain.displacement(), plain.past().front().factors);
+    first_change_ = 1;
+    auto const& made = plain.past().front();
+    remember(plain.displacement(), made.increment, SkewHermitian<>(w.size()), made.factors);
     return report;
   }
 
@@ -160,14 +164,47 @@ class FastVorticityStep : public StepSetting<Stream> {
         a_.real += weight * past.displacement.real, a_.imaginary += weight * past.displacement.imaginary;
     }
   }
-  void remember(SkewHermitian<> const& displacement, Factors const& factors) {
+  /// @param increment  as a sum of two
+  void remember(SkewHermitian<> const& displacement, SkewHermitian<> const& increment,
+                SkewHermitian<> const& rest, Factors const& factors) {
     Past newest;
     // The memory of the oldest serves again.
     if (static_cast<int>(past_.size()) >= std::max(1, extrapolated_steps))
       newest = std::move(past_.back()), past_.pop_back();
     newest.displacement.real = displacement.real, newest.displacement.imaginary = displacement.imaginary;
-    newest.factors = factors, newest.radius = radius_, newest.age = ++age_;
+    newest.increment.real = (increment.real + rest.real).template cast<float>();
+    newest.increment.imaginary = (increment.imaginary + rest.imaginary).template cast<float>();
+    newest.factors = factors, newest.first_change = first_change_;
+    newest.radius = radius_, newest.age = ++age_;
     past_.push_front(std::move(newest));
+  }
+
+  /// Whether the guess of A is likely to be the solution: it was in the step before.
+  bool guess_is_enough() const {
+    return static_cast<int>(past_.size()) == extrapolated_steps &&
+           past_.front().first_change <= 0.5 * tolerance;
+  }
+  /// A flow that is smooth in time needs no round at all: the middle is extrapolated, too, and the double
+  /// precision of the finish says whether both are good enough.
+  bool find_by_guess(SkewHermitian<> const& w, double size, VorticityReport& report) {
+    middle_ = w;
+    double binomial = 1;
+    auto const count = static_cast<int>(past_.size());
+    for (int k = 0; k < count; ++k) {
+      binomial *= static_cast<double>(count - k) / (k + 1);
+      double const weight = k % 2 == 0 ? binomial : -binomial;
+      auto const& past = past_[static_cast<std::size_t>(k)].increment;
+      middle_.real += weight * past.real.template cast<double>();
+      middle_.imaginary += weight * past.imaginary.template cast<double>();
+    }
+    if (!(residual_of_middle(w) <= largest_residual_ * size)) return false;
+    if (of_energy()) average_ = w + commutator_;
+    find_displacement(w);
+    ++report.iterations;
+    first_change_ = report.residual = distance_to_next();
+    if (!(first_change_ <= tolerance)) return false;
+    cayley_.factor(a_, radius_of_displacement());
+    return true;
   }
 
   /// A and the middle, to the tolerance.
@@ -183,6 +220,7 @@ class FastVorticityStep : public StepSetting<Stream> {
       find_displacement(w);
       ++report.iterations;
       double const change = report.residual = distance_to_next();
+      if (std::isinf(before)) first_change_ = change;
       if (change <= tolerance) return true;
       if (!(change < 0.25 * before)) return change < lowest_;
       before = change;
@@ -244,24 +282,29 @@ class FastVorticityStep : public StepSetting<Stream> {
     return size == 0 ? std::sqrt(apart) : std::sqrt(apart / size);
   }
 
-  /// W_1 = W_0 + 2C + (U r U^* - r), with C and r in double precision.
+  /// |r|, with C and A Wt A in double precision.
+  double residual_of_middle(SkewHermitian<> const& w) {
+    products_.multiply(a_, middle_, commutator_);
+    products_.multiply_again(a_, remainder_);
+    residual_.real = (commutator_.real + remainder_.real - (middle_.real - w.real)).template cast<float>();
+    residual_.imaginary = (commutator_.imaginary + remainder_.imaginary - (middle_.imaginary - w.imaginary))
+                              .template cast<float>();
+    return static_cast<double>(norm(residual_));
+  }
+  /// The residual of the middle that was found in single precision.
   /// @return false where r is too large for single precision
-  bool finish(SkewHermitian<> const& w, double size) {
-    auto const residual = [&] {
-      products_.multiply(a_, middle_, commutator_);
-      products_.multiply_again(a_, remainder_);
-      residual_.real = (commutator_.real + remainder_.real - (middle_.real - w.real)).template cast<float>();
-      residual_.imaginary = (commutator_.imaginary + remainder_.imaginary - (middle_.imaginary - w.imaginary))
-                                .template cast<float>();
-      return static_cast<double>(norm(residual_));
-    };
+  bool settle(SkewHermitian<> const& w, double size) {
     // The polynomial of the transform is good on an interval of which the end was estimated.
-    for (int tries = 0; !(residual() <= largest_residual_ * size); ++tries) {
+    for (int tries = 0; !(residual_of_middle(w) <= largest_residual_ * size); ++tries) {
       if (tries == 4) return false;
       radius_ *= 1.2;
       cayley_.factor(a_, radius_of_displacement());
       find_middle(w);
     }
+    return true;
+  }
+  /// W_1 = W_0 + 2C + (U r U^* - r).
+  void finish(SkewHermitian<> const& w) {
     if (end_.size() != w.size()) end_ = SkewHermitian<>(w.size());
     cayley_.conjugate(residual_, twice_, square_);
     for (Eigen::Index c = 0; c < w.size(); ++c) {
@@ -275,7 +318,6 @@ class FastVorticityStep : public StepSetting<Stream> {
       put(w.imaginary, commutator_.imaginary, twice_.imaginary, square_.imaginary, end_.imaginary);
     }
     mirror_lower(end_);
-    return true;
   }
 
   /// Takes energy and angular momentum back to what they were, along the orbit. The A that is found on the
@@ -407,9 +449,10 @@ class FastVorticityStep : public StepSetting<Stream> {
   SkewHermitian<> a_, next_, p_, middle_, average_, half_change_, commutator_, remainder_, end_;
   SkewHermitian<float> single_, residual_, direction_, twice_, square_;
   Factors factors_ = Factors::Zero();
-  double radius_ = 0;      ///< the largest eigenvalue of A over |A|
-  int age_ = 0;            ///< steps since it was estimated
-  std::deque<Past> past_;  ///< the newest first
+  double first_change_ = 1;  ///< of A in this step, by the first of its rounds
+  double radius_ = 0;        ///< the largest eigenvalue of A over |A|
+  int age_ = 0;              ///< steps since it was estimated
+  std::deque<Past> past_;    ///< the newest first
 };
 
 template <class Stream>
@@ -423,11 +466,12 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
   // Without a history the factors are not known: what the polish finds then is where the next attempt begins.
   bool made = false, found = true;
   for (int tries = 0; found && !made && tries < (corrected_.count() == 0 ? 1 : 4); ++tries) {
-    found = find(w, report) && finish(w, size);
-    made = found && polish(w);
+    found = (tries == 0 && guess_is_enough() && find_by_guess(w, size, report)) ||
+            (find(w, report) && settle(w, size));
+    if (found) finish(w), made = polish(w);
   }
   if (!made) return plain_step(w);
-  remember(next_, factors_);
+  remember(next_, commutator_, remainder_, factors_);
   w.real.swap(end_.real), w.imaginary.swap(end_.imaginary);
   return report;
 }

@@ -18,7 +18,7 @@ double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved, boo
   // Each substep: products, unknowns and what they are made of, directions, and five steps to guess from;
   // matrices of single precision count for half.
   bool const all = conserved == Conserved::all_invariants;
-  double const before = 5 * (to_rounding && !poisson ? 4 : 2), plain = 5 + 14 + (all ? 6 : 0);
+  double const before = 5 * (!to_rounding ? 3 : poisson ? 2 : 4), plain = 5 + 14 + (all ? 6 : 0);
   count += static_cast<double>(substeps) * ((to_rounding ? plain : 18 + 5 + 15) + before);
   // A step that cannot be found in single precision is made by another one.
   if (!to_rounding) count += plain + 2;

@@ -26,20 +26,23 @@ TurningFrame frame_about_pole(QuantizedSphere const& sphere, SphereStream const&
 
 }  // namespace
 
-void remember_matrix(CheckpointStream& stream, SkewHermitian<>& w, int n) {
-  Eigen::MatrixXd half(n, n);
+template <class Real>
+void remember_matrix(CheckpointStream& stream, SkewHermitian<Real>& w, int n) {
+  typename SkewHermitian<Real>::Part half(n, n);
   if (!stream.reading()) {
-    half = w.real.triangularView<Eigen::StrictlyUpper>();
-    half.triangularView<Eigen::Lower>() = w.imaginary;
+    half = w.real.template triangularView<Eigen::StrictlyUpper>();
+    half.template triangularView<Eigen::Lower>() = w.imaginary;
   }
-  std::span<double> numbers(half.data(), static_cast<std::size_t>(half.size()));
+  std::span<Real> numbers(half.data(), static_cast<std::size_t>(half.size()));
   stream(numbers);
   if (!stream.reading()) return;
-  w = SkewHermitian<>(n);
-  w.imaginary.triangularView<Eigen::Lower>() = half;
-  w.real.triangularView<Eigen::StrictlyLower>() = -half.transpose();
+  w = SkewHermitian<Real>(n);
+  w.imaginary.template triangularView<Eigen::Lower>() = half;
+  w.real.template triangularView<Eigen::StrictlyLower>() = -half.transpose();
   mirror_lower(w);
 }
+template void remember_matrix(CheckpointStream&, SkewHermitian<double>&, int);
+template void remember_matrix(CheckpointStream&, SkewHermitian<float>&, int);
 
 StateDistance VorticityMotion::distance(Motion const& other) const {
   auto const& w = absolute_vorticity();

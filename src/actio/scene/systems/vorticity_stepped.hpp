@@ -11,7 +11,8 @@
 namespace actio::scene {
 
 /// A skew-Hermitian matrix in a checkpoint, of which half says the whole.
-void remember_matrix(CheckpointStream& stream, SkewHermitian<>& w, int n);
+template <class Real>
+void remember_matrix(CheckpointStream& stream, SkewHermitian<Real>& w, int n);
 
 /// A flow in steps, each of one substep or of several.
 /// @tparam Step    `VorticityStep<Stream>` or `FastVorticityStep<Stream>`
@@ -104,13 +105,13 @@ class SteppedVorticity : public VorticityMotion {
   void remember_past(CheckpointStream& stream, typename Step::Past& past) const {
     int const n = flow_->sphere.n;
     std::span<double> factors(past.factors.data(), 4);
-    if constexpr (requires { past.increment; }) {
-      remember_matrix(stream, past.increment, n);
+    remember_matrix(stream, past.increment, n);
+    if constexpr (requires { past.half_change; }) {
       if (scheme_.conserved != Conserved::lie_poisson) remember_matrix(stream, past.half_change, n);
       stream(factors);
     } else {
       remember_matrix(stream, past.displacement, n);
-      stream(factors), stream(past.radius), stream(past.age);
+      stream(factors), stream(past.first_change), stream(past.radius), stream(past.age);
     }
   }
 
