@@ -1,6 +1,8 @@
 // Scenes of bodies, put together section by section, and run.
 #pragma once
 
+#include <boost/test/unit_test.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +61,24 @@ inline bool contains(std::string const& text, std::string const& part) {
 /// The order that errors at steps h, h/2, h/4, ... show: of the last pair.
 inline double order_of(std::vector<double> const& errors) {
   return std::log2(errors[errors.size() - 2] / errors.back());
+}
+
+/// Checks orders two and four of the scene's method, by angular velocity and attitude at time 2.
+/// @param step  of the truth, which has order four
+/// @param name  for the report
+inline void check_orders(BodyScene scene, std::string const& step, std::string const& name) {
+  scene.run = "until = 2", scene.quantities = "'angular_velocity', 'attitude'";
+  scene.method = "order = 4\nstep = " + step;
+  auto const truth = last(run(scene));
+  for (auto const& [order, h] : {std::pair(2, 0.0625), std::pair(4, 0.125)}) {
+    std::vector<double> errors;
+    for (int k = 0; k < 3; ++k) {
+      scene.method = "order = " + std::to_string(order) + "\nstep = " + std::to_string(std::ldexp(h, -k));
+      errors.push_back(apart(last(run(scene)), truth));
+    }
+    BOOST_TEST_MESSAGE(name << ", order " << order << ": measured " << order_of(errors));
+    BOOST_TEST(std::abs(order_of(errors) - order) < 0.3);
+  }
 }
 
 }  // namespace command

@@ -35,20 +35,7 @@ BOOST_AUTO_TEST_CASE(the_benchmark_of_bruls_and_cardona_comes_out_to_its_digits)
 }
 
 BOOST_AUTO_TEST_CASE(orders_two_and_four_are_measured) {
-  auto scene = crooked;
-  scene.run = "until = 2";
-  scene.quantities = "'angular_velocity', 'attitude'";
-  scene.method = "order = 4\nstep = 0.0009765625";
-  auto const truth = last(command::run(scene));
-  for (auto const& [order, h] : {std::pair(2, 0.0625), std::pair(4, 0.125)}) {
-    std::vector<double> errors;
-    for (int k = 0; k < 3; ++k) {
-      scene.method = "order = " + std::to_string(order) + "\nstep = " + std::to_string(std::ldexp(h, -k));
-      errors.push_back(apart(last(command::run(scene)), truth));
-    }
-    BOOST_TEST_MESSAGE("heavy top, order " << order << ": measured " << command::order_of(errors));
-    BOOST_TEST(std::abs(command::order_of(errors) - order) < 0.3);
-  }
+  command::check_orders(crooked, "0.0009765625", "heavy top");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_kept_is_kept_in_every_row) {

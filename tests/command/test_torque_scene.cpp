@@ -39,21 +39,8 @@ std::string refusal(BodyScene const& scene, int status = 2) {
 BOOST_AUTO_TEST_SUITE(torque_scene)
 
 BOOST_AUTO_TEST_CASE(orders_two_and_four_are_measured_under_every_torque) {
-  for (auto const& torque : {still, orbit, weight, formula, wave}) {
-    auto scene = under(torque);
-    scene.run = "until = 2", scene.quantities = "'angular_velocity', 'attitude'";
-    scene.method = "order = 4\nstep = 0.001953125";
-    auto const truth = last(command::run(scene));
-    for (auto const& [order, h] : {std::pair(2, 0.0625), std::pair(4, 0.125)}) {
-      std::vector<double> errors;
-      for (int k = 0; k < 3; ++k) {
-        scene.method = "order = " + std::to_string(order) + "\nstep = " + std::to_string(std::ldexp(h, -k));
-        errors.push_back(apart(last(command::run(scene)), truth));
-      }
-      BOOST_TEST_MESSAGE(torque << ", order " << order << ": measured " << command::order_of(errors));
-      BOOST_TEST(std::abs(command::order_of(errors) - order) < 0.3);
-    }
-  }
+  for (auto const& torque : {still, orbit, weight, formula, wave})
+    command::check_orders(under(torque), "0.001953125", torque);
 }
 
 BOOST_AUTO_TEST_CASE(drift_is_told_of_what_the_torque_conserves_and_of_nothing_else) {

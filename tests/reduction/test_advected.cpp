@@ -8,6 +8,7 @@
 #include "actio/groups/unit_quaternions.hpp"
 #include "actio/reduction/advected.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
+#include "group_from_basis.hpp"
 #include "witness/draw.hpp"
 #include "witness/reference_solution.hpp"
 
@@ -20,17 +21,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 template <class S>
 using Column = Matrix<S, Dynamic, 1>;
 
-/// A group of the library, known from the basis of its algebra alone: so one compiled test serves them all.
-template <class G>
-SpannedGroup from_basis(std::string const& name, G const& group) {
-  std::vector<SpannedGroup::WholeMatrix> basis;
-  for (int a = 0; a < group.dimension(); ++a) {
-    Coordinates<G, double> unit = Coordinates<G, double>::Zero(group.dimension());
-    unit[a] = 1;
-    basis.push_back(group.hat(unit).template cast<int>());
-  }
-  return SpannedGroup(name, basis);
-}
+using testing::from_basis;
 std::vector<SpannedGroup> groups() {
   return {from_basis("SO(3)", SO<3>{}), from_basis("SE(3)", SE<3>{}), from_basis("Aff(1)", Aff1{})};
 }

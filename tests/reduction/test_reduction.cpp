@@ -12,6 +12,7 @@
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "actio/reduction/relative_motion.hpp"
+#include "group_from_basis.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;
@@ -20,17 +21,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// A group of the library, known from the basis of its algebra alone: so one compiled test serves them all.
-template <class G>
-SpannedGroup from_basis(std::string const& name, G const& group) {
-  std::vector<SpannedGroup::WholeMatrix> basis;
-  for (int a = 0; a < group.dimension(); ++a) {
-    Coordinates<G, double> unit = Coordinates<G, double>::Zero(group.dimension());
-    unit[a] = 1;
-    basis.push_back(group.hat(unit).template cast<int>());
-  }
-  return SpannedGroup(name, basis);
-}
+using testing::from_basis;
 
 /// Kinetic energy of a body without any symmetry of its own.
 struct KineticEnergy {

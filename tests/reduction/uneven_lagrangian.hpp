@@ -8,25 +8,13 @@
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
-#include "actio/groups/spanned_group.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/variational/lie_poisson.hpp"
+#include "group_from_basis.hpp"
 #include "witness/draw.hpp"
 #include "witness/taylor_reference.hpp"
 
 namespace actio::testing {
-
-/// A group of the library, known from the basis of its algebra alone: so one compiled test serves them all.
-template <class G>
-SpannedGroup from_basis(std::string const& name, G const& group) {
-  std::vector<SpannedGroup::WholeMatrix> basis;
-  for (int a = 0; a < group.dimension(); ++a) {
-    Coordinates<G, double> unit = Coordinates<G, double>::Zero(group.dimension());
-    unit[a] = 1;
-    basis.push_back(group.hat(unit).template cast<int>());
-  }
-  return SpannedGroup(name, basis);
-}
 
 /// \f$\tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle + \tfrac\kappa3\langle c,\xi\rangle^3\f$:
 /// neither even nor symmetric.
