@@ -315,9 +315,8 @@ std::vector<Parameter> parameters() {
   all.push_back(
       {"method.step", "a number > 0", "from the time asked",
        "The time that a step takes, a whole number of times in the time between two rows. By default, for "
-       "order "
-       "6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the plane that "
-       "turns fastest; otherwise 0.05 radians.",
+       "order 6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the "
+       "plane that turns fastest; otherwise 0.05 radians.",
        "time", "0.01"});
   return all;
 }

@@ -160,13 +160,11 @@ std::vector<Parameter> torque_parameters() {
   return {
       {torque, "a table with gravity_gradient, uniform_gravity or potential", "none, and the body is free",
        "A torque on the body, which comes from a potential. One that does not, such as friction or a "
-       "thruster, "
-       "belongs to no Lagrangian, and is not offered.",
+       "thruster, belongs to no Lagrangian, and is not offered.",
        "", "{ gravity_gradient = { rate = 0.5, direction = [1, 0, 0], normal = [0, 0, 1] } }"},
       {gradient, "a table with strength or rate, and direction", "or " + uniform + " or " + potential,
-       "The gradient of the gravity of a centre that is far away against the size of the body: its potential "
-       "is "
-       "3/2 mu/r^3 times the moment of inertia about the direction to the centre.",
+       "The gradient of the gravity of a centre that is far away against the size of the body: its "
+       "potential is 3/2 mu/r^3 times the moment of inertia about the direction to the centre.",
        "", "{ strength = 0.2, direction = [1, 0, 0] }"},
       {gradient + ".strength", "a number > 0", "the square of " + gradient + ".rate",
        "mu/r^3, the constant of gravitation times the mass of the centre by the cube of its distance.",
@@ -182,9 +180,8 @@ std::vector<Parameter> torque_parameters() {
        "", "[0, 0, 1]"},
       {uniform, "a table with mass, lever and acceleration", "or " + gradient + " or " + potential,
        "The weight of a body that is held at a point, about which the inertia is that of the scene; a "
-       "heavy_top "
-       "computes it from that about the centre of mass. A magnet in a field is under such a torque, too, its "
-       "moment the mass times the lever.",
+       "heavy_top computes it from that about the centre of mass. A magnet in a field is under such a "
+       "torque, too, its moment the mass times the lever.",
        "", "{ mass = 1, lever = [0, 0, 0.5], acceleration = [0, 0, -9.81] }"},
       {uniform + ".mass", "a number > 0", "needed", "The mass.", "mass", "1"},
       {uniform + ".lever", "three numbers, not all zero", "needed",
@@ -193,10 +190,8 @@ std::vector<Parameter> torque_parameters() {
        "length/time^2", "[0, 0, -9.81]"},
       {potential, "a formula, as a text", "or " + gradient + " or " + uniform,
        "The potential energy, in the entries r11, r12, ..., r33 of the rotation matrix that takes the body "
-       "to "
-       "space, row by row, and the time t; names of your own may be defined before it: \"k = 2; -k*r33\". "
-       "The "
-       "torque is its exact derivative.",
+       "to space, row by row, and the time t; names of your own may be defined before it: \"k = 2; "
+       "-k*r33\". The torque is its exact derivative.",
        "", "\"-2*r33 + 0.1*r11^2*cos(t)\""},
   };
 }
