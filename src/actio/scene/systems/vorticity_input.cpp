@@ -53,6 +53,18 @@ std::string beside(std::string const& scene, std::string const& path) {
   return (error ? full : absolute.lexically_normal()).string();
 }
 
+/// The coefficients in the file of the scene, which is written back with its whole path.
+SphereHarmonics read_file(std::string const& scene, SceneTable& initial, int n) {
+  std::string const path = beside(scene, initial.text("file"));
+  try {
+    SphereHarmonics f = read_harmonics_file(path, n);
+    if (path != initial.text("file")) initial.set("file", path);
+    return f;
+  } catch (SceneError const& error) {
+    initial.fail("file", std::string("file: ") + error.what());
+  }
+}
+
 }  // namespace
 
 int read_matrix_size(SceneTable const& system) { return static_cast<int>(system.integer("N", 2, 1L << 20)); }
@@ -84,14 +96,8 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
   if (given[0] == "harmonics") {
     read_rows(initial, start.relative);
   } else if (given[0] == "file") {
-    std::string const path = beside(file.name(), initial.text("file"));
-    try {
-      start.relative = read_harmonics_file(path, start.n);
-    } catch (SceneError const& error) {
-      initial.fail("file", std::string("file: ") + error.what());
-    }
-    if (path != initial.text("file")) initial.set("file", path);
-    remarks.push_back(
+    start.relative = read_file(file.name(), initial, start.n);
+    remarks.emplace_back(
         "file: the copy of the scene names it by its whole path; who repeats or resumes the run needs it "
         "there, as it is now");
   } else {

@@ -11,16 +11,16 @@ extern template class actio::VorticityStep<actio::HelmholtzStream>;
 namespace actio::scene {
 namespace {
 
-/// The frame about the pole in which W changes least. It does turn: in a frame at rest a step has no
-/// correction that would keep the angular momentum along the axis.
-/// @param otherwise  the rate where each would do, not zero
+/// The frame about the pole in which W changes least. Where W changes at all it does turn, be it ever so
+/// slowly: in a frame at rest a step has no correction that would keep the angular momentum along the axis.
+/// @param fast  a rate, 1/time
 TurningFrame frame_about_pole(QuantizedSphere const& sphere, SphereStream const& stream,
-                              SkewHermitian<> const& w, double otherwise) {
+                              SkewHermitian<> const& w, double fast) {
   TurningFrame frame;
   SkewHermitian<> const turned = frame.turn(sphere, w), moves = commutator(stream.solve(w), w);
   double const size = inner_product(turned, turned);
   if (size > 1e-26 * inner_product(w, w)) frame.rate = -inner_product(moves, turned) / (sphere.hbar() * size);
-  if (frame.rate == 0) frame.rate = otherwise;
+  if (frame.rate == 0 && norm(moves) > 0) frame.rate = 1e-9 * fast;
   return frame;
 }
 
