@@ -10,15 +10,15 @@ namespace actio::scene {
 
 /// How far a run is: the head of its checkpoint.
 struct Progression {
-  long steps = 0, rows = 0;
-  double time = 0;     // of the last row
-  double seconds = 0;  // of all processes
+  long steps = 0;      ///< taken
+  long rows = 0;       ///< written
+  double time = 0;     ///< of the last row
+  double seconds = 0;  ///< of all processes
 };
-/// How many snapshots it has, and the time of the last of them: in the checkpoints of scenes that ask for
-/// some.
+/// How many snapshots it has: in the checkpoints of scenes that ask for some.
 struct Taken {
-  long snapshots = 0;
-  double time = 0;
+  long snapshots = 0;  ///< written
+  double time = 0;     ///< of the last of them
 };
 
 /// That the rows so far are the first ones of the scene, which may go further than it did.
