@@ -49,19 +49,19 @@ DiscreteSection<S, n, N> drawn_start(SpaceTimeMesh<S, n> const& mesh, Draw& draw
 }
 
 /// The identity on the first two levels, disturbed at every node: a part of the mesh width away, with
-/// velocities of about one that differ by a quarter.
+/// velocities of about one that differ by an eighth.
 template <class S, int n>
 DiscreteSection<S, n, n> disturbed_identity(SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
   auto section = restricted(
       mesh, []<class T>(Matrix<T, n + 1, 1> const& x) { return Matrix<T, n, 1>(x.template tail<n>()); }, 2);
   auto const away = drawn_start<S, n>(mesh, draw);
-  S const width = ratio<S>(1, 12 * *std::max_element(mesh.cells().begin(), mesh.cells().end()));
+  S const width = ratio<S>(1, 16 * *std::max_element(mesh.cells().begin(), mesh.cells().end()));
   S const h = mesh.time(1) - mesh.time(0);
   auto const common = draw.vector<S, Matrix<S, n, 1>>(n);
   for (Index i = 0; i < mesh.node_count(); ++i) {
     if (mesh.fixed(i)) continue;
     section(0, i) += away(0, i) * width;
-    section(1, i) = section(0, i) + (common + away(1, i) * ratio<S>(1, 4)) * h;
+    section(1, i) = section(0, i) + (common + away(1, i) * ratio<S>(1, 8)) * h;
   }
   return section;
 }

@@ -72,14 +72,20 @@ void report(char const* what, Defects const& d) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(first_look) {
-  report("gas 1", defects_of<1>(gas<double, 1>(), all_sides<1>(Side::free), {6}, 8, 100, true, 1));
-  report("gas 2 free", defects_of<2>(gas<double, 2>(), all_sides<2>(Side::free), {4, 5}, 6, 100, true, 2));
-  report("gas 2 periodic",
-         defects_of<2>(gas<double, 2>(), all_sides<2>(Side::periodic), {4, 5}, 6, 100, false, 3));
-  report("solid 2 free",
-         defects_of<2>(solid<double, 2>(), all_sides<2>(Side::free), {4, 5}, 6, 100, true, 4));
-  report("solid 2 fixed",
-         defects_of<2>(solid<double, 2>(), all_sides<2>(Side::fixed), {4, 5}, 6, 100, true, 4));
-  report("solid 3", defects_of<3>(solid<double, 3>(), all_sides<3>(Side::free), {3, 2, 2}, 4, 10, true, 5));
+BOOST_AUTO_TEST_CASE(the_form_formula_and_noethers_theorem_hold_on_random_boxes) {
+  auto const free = Side::free, fixed = Side::fixed, periodic = Side::periodic;
+  auto const holds = [](char const* what, Defects const& d) {
+    report(what, d);
+    BOOST_TEST(d.form <= 1e-15);
+    BOOST_TEST(d.noether <= 1e-14);
+    BOOST_TEST(d.least_form_control > 1e-4);
+    BOOST_TEST(d.least_noether_control > 1e-4);
+  };
+  holds("gas in a line", defects_of<1>(gas<double, 1>(), all_sides<1>(free), {6}, 8, 60, true, 1));
+  holds("gas, free", defects_of<2>(gas<double, 2>(), all_sides<2>(free), {4, 5}, 6, 60, true, 2));
+  holds("gas, periodic", defects_of<2>(gas<double, 2>(), all_sides<2>(periodic), {4, 5}, 6, 60, false, 3));
+  holds("solid, free", defects_of<2>(solid<double, 2>(), all_sides<2>(free), {4, 5}, 6, 60, true, 4));
+  Sides<2> const sides{{{periodic, periodic}, {fixed, free}}};
+  holds("solid, mixed sides", defects_of<2>(solid<double, 2>(), sides, {4, 5}, 6, 60, false, 5));
+  holds("solid in space", defects_of<3>(solid<double, 3>(), all_sides<3>(free), {3, 2, 2}, 3, 12, true, 6));
 }

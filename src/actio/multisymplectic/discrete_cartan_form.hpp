@@ -2,8 +2,8 @@
 // 1998).
 //
 // The differential of L_d on a cell is a sum over its nodes: dL_d = sum_l Theta^l with one one-form for each
-// node. Where the continuous theory has one Cartan form whose boundary term is integrated over the boundary of
-// a region, the discrete theory has 2^(n+1) of them, each the boundary term of its node.
+// node. Where the continuous theory has one Cartan form whose boundary term is integrated over the boundary
+// of a region, the discrete theory has 2^(n+1) of them, each the boundary term of its node.
 #pragma once
 
 #include "actio/multisymplectic/discrete_lagrangian.hpp"
@@ -59,10 +59,11 @@ Matrix<S, N, 1> discrete_cartan_form(L const& density, SpaceTimeCell<S, n, N> co
   return Theta;
 }
 
-/// The second derivative \f$\partial^2L_d/\partial y_l\,\partial y_m\f$ of two different nodes of a cell. Row:
-/// component at l; column: direction in which the value at m moves.
+/// The second derivative \f$\partial^2L_d/\partial y_l\,\partial y_m\f$ of two different nodes of a cell.
+/// Row: component at l; column: direction in which the value at m moves.
 ///
-/// L is regular, as far as a cell is concerned, where this has an inverse for the two ends of an edge in time.
+/// L is regular, as far as a cell is concerned, where this has an inverse for the two ends of an edge in
+/// time.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, N> discrete_mixed_derivative(L const& density, SpaceTimeCell<S, n, N> const& cell, int l,

@@ -46,6 +46,7 @@ template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, 1> momentum_at_end(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
                                 DiscreteSection<S, n, N> const& section, int slab, Index node) {
+  require_slab(mesh, section, slab);
   examine_slab(density, mesh, section, slab);
   return detail::cartan_forms_of_slab(density, mesh, section, slab, node, 1).sum;
 }
@@ -55,6 +56,7 @@ template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, 1> momentum_at_start(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
                                   DiscreteSection<S, n, N> const& section, int slab, Index node) {
+  require_slab(mesh, section, slab);
   examine_slab(density, mesh, section, slab);
   return -detail::cartan_forms_of_slab(density, mesh, section, slab, node, 0).sum;
 }
@@ -65,7 +67,7 @@ Matrix<S, N, 1> momentum_at_start(L const& density, SpaceTimeMesh<Base<S>, n> co
 ///
 /// @param level  with a slab before and a slab after it
 /// @return       the sum, a component for each a, and the magnitudes of its terms
-/// @throws NoDerivative  where the density has none; and what the density itself refuses
+/// @throws NotAMesh  where the section has no such slabs; NoDerivative; and what the density itself refuses
 /// Accuracy: exact but for the rounding of L. Divided by the volume that the node stands for it is the
 /// \ref euler_lagrange derivative of a smooth section, to second order on a uniform mesh.
 template <class S, int n, int N, class L>
@@ -74,6 +76,8 @@ SumOfTerms<Matrix<S, N, 1>, Base<S>> discrete_euler_lagrange(L const& density,
                                                              SpaceTimeMesh<Base<S>, n> const& mesh,
                                                              DiscreteSection<S, n, N> const& section,
                                                              int level, Index node) {
+  require_slab(mesh, section, level - 1);
+  require_slab(mesh, section, level);
   SumOfTerms<Matrix<S, N, 1>, Base<S>> E{Matrix<S, N, 1>::Zero()};
   // [discrete_euler_lagrange]
   for (int slab : {level - 1, level})

@@ -43,6 +43,7 @@ template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 S discrete_action(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
                   DiscreteSection<S, n, N> const& section) {
+  require_section(mesh, section);
   S sum(0);
   for (int slab = 0; slab < section.last(); ++slab)
     mesh.for_cells([&](GridIndex<n> const& cell) {

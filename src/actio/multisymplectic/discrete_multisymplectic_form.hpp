@@ -32,11 +32,12 @@ S discrete_multisymplectic_form(L const& density, SpaceTimeCell<S, n, N> const& 
   return Omega;
 }
 
-/// The sum \f$\sum_{\partial U}\Omega^l(V, W)\f$ over the boundary of a box U of space-time: over the nodes of
-/// the boundary, and at each over the cells of U that meet there. It is zero for every box where the section
-/// solves the discrete field equations and V and W are first variations of it: the discrete multisymplectic
-/// form formula.
+/// The sum \f$\sum_{\partial U}\Omega^l(V, W)\f$ over the boundary of a box U of space-time: over the nodes
+/// of the boundary, and at each over the cells of U that meet there. It is zero for every box where the
+/// section solves the discrete field equations and V and W are first variations of it: the discrete
+/// multisymplectic form formula.
 ///
+/// \implements{claim_10_0_variational_discretisation}
 /// @param V, W  variations, discrete sections with as many levels; first variations are the solutions of the
 ///              linearised equations, for instance \ref rate_of a section that was stepped over dual numbers
 /// @return      the sum and the magnitudes of its terms
@@ -48,13 +49,13 @@ SumOfTerms<S, S> multisymplectic_balance(L const& density, SpaceTimeMesh<S, n> c
                                          DiscreteSection<S, n, N> const& section,
                                          DiscreteSection<S, n, N> const& V, DiscreteSection<S, n, N> const& W,
                                          CellBox<n> const& box) {
-  require_box(mesh, box, section.last());
-  // [discrete_multisymplectic_form_formula]
+  for (auto const* levels : {&section, &V, &W}) require_box(mesh, *levels, box);
+  // [claim_10_0_variational_discretisation]
   return boundary_sum(mesh, box, [&](int slab, GridIndex<n> const& cell, int l) {
     return discrete_multisymplectic_form(density, cell_of(mesh, section, slab, cell), l,
                                          cell_of(mesh, V, slab, cell).y, cell_of(mesh, W, slab, cell).y);
   });
-  // [discrete_multisymplectic_form_formula]
+  // [claim_10_0_variational_discretisation]
 }
 
 }  // namespace actio

@@ -62,7 +62,9 @@ SumOfTerms<S, Base<S>> equivariance_of_cell(L const& density, Xi const& xi,
 /// space-time. It is zero for every box where the section solves the discrete field equations and \f$\xi\f$
 /// generates a symmetry of the density: the discrete Noether theorem.
 ///
-/// Nodes of a fixed side are boundary nodes: what they contribute is the impulse of the wall.
+/// Nodes of a fixed side are boundary nodes: what they contribute is minus the impulse of the wall.
+///
+/// \implements{claim_10_0_discrete_noether_sum}
 /// @param xi  a vector field on Y that moves points of space alone
 /// @return    the sum and the magnitudes of its terms
 /// @throws NotAMesh  where the box does not lie in the mesh; NotVertical, NoDerivative; and what the density
@@ -71,12 +73,12 @@ SumOfTerms<S, Base<S>> equivariance_of_cell(L const& density, Xi const& xi,
 template <class L, class Xi, class S, int n, int N>
 SumOfTerms<S, S> noether_balance(L const& density, Xi const& xi, SpaceTimeMesh<S, n> const& mesh,
                                  DiscreteSection<S, n, N> const& section, CellBox<n> const& box) {
-  require_box(mesh, box, section.last());
-  // [discrete_noether]
+  require_box(mesh, section, box);
+  // [claim_10_0_discrete_noether_sum]
   return boundary_sum(mesh, box, [&](int slab, GridIndex<n> const& cell, int l) {
     return discrete_momentum(density, xi, cell_of(mesh, section, slab, cell), l);
   });
-  // [discrete_noether]
+  // [claim_10_0_discrete_noether_sum]
 }
 
 /// The momentum of the whole body at the end of a slab, \f$\sum J^{(b,1)}(\xi)\f$ over the cells of the slab
@@ -88,6 +90,7 @@ SumOfTerms<S, S> noether_balance(L const& density, Xi const& xi, SpaceTimeMesh<S
 template <class L, class Xi, class S, int n, int N>
 SumOfTerms<S, S> momentum_of_level(L const& density, Xi const& xi, SpaceTimeMesh<S, n> const& mesh,
                                    DiscreteSection<S, n, N> const& section, int slab) {
+  require_slab(mesh, section, slab);
   SumOfTerms<S, S> total{S(0)};
   mesh.for_cells([&](GridIndex<n> const& cell) {
     auto const here = cell_of(mesh, section, slab, cell);

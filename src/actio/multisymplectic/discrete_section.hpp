@@ -39,6 +39,29 @@ struct DiscreteSection {
   }
 };
 
+/// Refuses a section that is none of a mesh: other numbers of values than nodes, more levels.
+/// @throws NotAMesh
+template <class S, int n, int N>
+void require_section(SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSection<S, n, N> const& section) {
+  if (section.last() >= mesh.levels())
+    throw NotAMesh("discrete section", "its levels are among those of the mesh; levels", section.last() + 1,
+                   mesh.levels());
+  for (auto const& level : section.levels)
+    if (static_cast<Index>(level.size()) != mesh.node_count())
+      throw NotAMesh("discrete section", "it has a value at each node of a level; values",
+                     double(level.size()), double(mesh.node_count()));
+}
+
+/// Refuses a slab that a section does not have.
+/// @throws NotAMesh
+template <class S, int n, int N>
+void require_slab(SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSection<S, n, N> const& section, int slab) {
+  require_section(mesh, section);
+  if (slab < 0 || slab >= section.last())
+    throw NotAMesh("discrete section", "a slab lies between two of its levels; slab", slab,
+                   section.last() - 1);
+}
+
 /// The space-time cell over a cell of the body, between level `slab` and the next, with the values of a
 /// section.
 template <class S, int n, int N>

@@ -15,11 +15,14 @@ struct CellBox {
   GridIndex<n> cells;       ///< \f$m_i\f$, at least 1 and at most as many as the mesh has
 };
 
-/// Refuses a box that does not lie in the mesh, or beyond the levels of a section.
+/// Refuses a box that does not lie in the mesh, or reaches beyond the levels of a section.
 /// @throws NotAMesh
-template <class S, int n>
-void require_box(SpaceTimeMesh<S, n> const& mesh, CellBox<n> const& box, int last_level) {
-  if (box.slabs < 1 || box.first_slab < 0 || box.first_slab + box.slabs > last_level)
+template <class S, int n, int N>
+void require_box(SpaceTimeMesh<S, n> const& mesh, DiscreteSection<S, n, N> const& section,
+                 CellBox<n> const& box) {
+  require_section(mesh, section);
+  int const last_level = section.last();
+  if (box.slabs < 1 || box.first_slab < 0 || box.first_slab > last_level - box.slabs)
     throw NotAMesh("box of space-time", "its slabs lie between levels of the section; last level",
                    box.first_slab + box.slabs, last_level);
   for (int i = 0; i < n; ++i) {

@@ -1,9 +1,9 @@
 // Structured meshes of space-time: a box of cells of the body times slabs of time (chapter 10 of the thesis).
 //
-// The body is a box of c_1 x ... x c_n cells in a coordinate cube, mapped to points of the body by a callable;
-// time runs through levels t_0 < t_1 < ..., a slab between two of them. A space-time cell is a cell of the
-// body times a slab, and has 2^(n+1) nodes: the corners of the cell at both levels. Opposite sides of the
-// box may be one and the same (periodic); other sides are free, or fixed.
+// The body is a box of c_1 x ... x c_n cells in a coordinate cube, mapped to points of the body by a
+// callable; time runs through levels t_0 < t_1 < ..., a slab between two of them. A space-time cell is a cell
+// of the body times a slab, and has 2^(n+1) nodes: the corners of the cell at both levels. Opposite sides of
+// the box may be one and the same (periodic); other sides are free, or fixed.
 #pragma once
 
 #include <algorithm>

@@ -53,16 +53,18 @@ bool correct_node(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh, Discr
 
   // [step_field_equations]
   Matrix<S, N, N> slope = Matrix<S, N, N>::Zero();
+  Base<S> largest(0);
   mesh.for_cells_at(node, [&](GridIndex<n> const& cell, int b) {
-    slope += discrete_mixed_derivative(density, cell_of(mesh, section, slab, cell), node_of_corner<n>(b, 0),
-                                       node_of_corner<n>(b, 1));
+    auto const here = cell_of(mesh, section, slab, cell);
+    slope += discrete_mixed_derivative(density, here, node_of_corner<n>(b, 0), node_of_corner<n>(b, 1));
+    largest = std::max(largest, magnitude(here.y));
   });
   auto const change = solve_linear(slope, r.sum, "step: the discrete Lagrangian is not regular");
   section(slab + 1, node) -= change;
   // [step_field_equations]
-  // A value cannot be told better than to its own rounding.
-  return !at_least_once &&
-         magnitude(change) <= Base<S>(4) * epsilon<S>() * magnitude(section(slab + 1, node));
+  // Differences of values are told to the rounding of these, and below the step at which the scheme is
+  // unstable no force moves a value by more: a rounding or so for each of the edges at the node.
+  return !at_least_once && magnitude(change) <= Base<S>(16 * (n + 1)) * epsilon<S>() * largest;
 }
 
 /// Solves for the last level of a section, which holds a guess, given the momenta at the start of its slab.
@@ -130,6 +132,7 @@ template <class S, int n, int N, class L, class Wall = AtRest>
   requires DensityOver<L, S, n, N>
 StepReport step(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSection<S, n, N>& section,
                 Wall const& wall = {}) {
+  require_section(mesh, section);
   int const now = section.last();
   if (now < 1) throw NotAMesh("step", "two levels determine the next one; levels", now + 1, 2);
   if (now + 1 >= mesh.levels())
@@ -157,6 +160,7 @@ template <class S, int n, int N, class L, class Wall = AtRest>
 StepReport first_step(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
                       DiscreteSection<S, n, N>& section, Level<S, N> const& velocities,
                       Wall const& wall = {}) {
+  require_section(mesh, section);
   if (section.last() != 0) throw NotAMesh("first_step", "one level is given; levels", section.last() + 1, 1);
   if (velocities.size() != section.levels[0].size())
     throw NotAMesh("first_step", "each node has a velocity; velocities", double(velocities.size()),
