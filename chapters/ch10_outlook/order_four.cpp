@@ -84,8 +84,7 @@ struct Scheme {
 };
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv,
-                        "order 4 for the fluid on the sphere: three sets of weights, three forms");
+  book::Program program(argc, argv, "order 4 for the fluid on the sphere, in three forms");
   program.say("a flow at random from seed ", seed);
 
   // 4. The weights and the two constants of their errors, for one step and for the same work.
@@ -135,11 +134,10 @@ int main(int argc, char** argv) {
 
   // 6. What must be so.
   auto const times = [&](std::size_t k) { return schemes[k].products() / schemes[2].products(); };
-  std::string const over = " over those of all invariants with Suzuki's weights";
+  std::string const over = " over those of all invariants, Suzuki";
   program.figure("single", times(0), number(times(0), 2), "products of single steps" + over);
   program.figure("jump", times(1), number(times(1), 2), "products of the triple jump" + over);
-  program.figure("detour", times(5), number(times(5), 2),
-                 "products of the projected Lie-Poisson form" + over);
+  program.figure("detour", times(5), number(times(5), 2), "products of Lie-Poisson, projected," + over);
   program.claim(measured(miss) < 0.1, "every order is what it should be");
   program.claim(measured(std::max(spectrum, rest)) < 1e-12,
                 "every scheme conserves the spectrum; all invariants and the projections conserve the rest");
