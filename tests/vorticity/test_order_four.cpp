@@ -83,6 +83,7 @@ SkewHermitian<> end_of_flow(SphereLaplacian const& laplacian, double time, int s
 struct Measured {
   testing::Line order;
   std::vector<double> errors;
+  SkewHermitian<> end;  ///< of the run with the most steps
 };
 /// The order against a known end, with steps that are halved from the coarsest on.
 Measured measured_order(SkewHermitian<> const& truth, SphereLaplacian const& laplacian, Conserved form,
@@ -92,8 +93,8 @@ Measured measured_order(SkewHermitian<> const& truth, SphereLaplacian const& lap
   std::vector<double> lengths;
   for (int const count : counts) {
     lengths.push_back(time / count);
-    out.errors.push_back(norm(run(laplacian, form, weights, time, count, frame, start, projected) - truth) /
-                         norm(truth));
+    out.end = run(laplacian, form, weights, time, count, frame, start, projected);
+    out.errors.push_back(norm(out.end - truth) / norm(truth));
   }
   out.order = testing::order_of(lengths, out.errors);
   return out;
@@ -202,13 +203,13 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_step_is_made_of_two_constants) {
 }
 
 BOOST_AUTO_TEST_CASE(every_form_is_of_order_four) {
-  int const n = 12;
+  int const n = 10;
   QuantizedSphere const sphere(n);
   SphereLaplacian const laplacian(n);
   SkewHermitian<> const start = random_state(n, 1, n - 1, 2);
   double const time = 1;
   TurningFrame const calm = calmest_frame(sphere, laplacian, start);
-  SkewHermitian<> const truth = end_of_flow(laplacian, time, 200, {}, start);
+  SkewHermitian<> const truth = end_of_flow(laplacian, time, 100, {}, start);
   BOOST_TEST(norm(truth - start) > 0.1 * norm(start));
   for (TurningFrame const& frame : {TurningFrame{}, calm})
     for (int f = 0; f < 3; ++f)
@@ -217,7 +218,7 @@ BOOST_AUTO_TEST_CASE(every_form_is_of_order_four) {
           if (projected && forms[f] == Conserved::all_invariants) continue;
           std::vector<int> const counts =
               b.size() == 3 ? std::vector{24, 36, 54, 81} : std::vector{12, 18, 27, 40};
-          auto const [order, errors] =
+          auto const [order, errors, end] =
               measured_order(truth, laplacian, forms[f], b, time, counts, frame, start, projected);
           BOOST_TEST_MESSAGE(names[f] << (projected ? ", projected, " : ", ") << b.size() << " stages: order "
                                       << order.slope << " +- " << order.error << ", errors " << errors.front()
@@ -230,11 +231,11 @@ BOOST_AUTO_TEST_CASE(every_form_is_of_order_four) {
 
 // In the frame of the wave its neighbours hardly move; the error is that of the perturbation.
 BOOST_AUTO_TEST_CASE(near_equilibria_every_form_is_of_order_four) {
-  int const n = 12;
+  int const n = 10;
   QuantizedSphere const sphere(n);
   SphereLaplacian const laplacian(n);
   double const time = 24;
-  for (double perturbation : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
+  for (double perturbation : {1e-6, 1e-4, 1e-2, 1e-1}) {
     SkewHermitian<> const start = RossbyHaurwitz{}.state(n) + perturbation * random_state(n, 1, n - 1, 9);
     TurningFrame const frame = calmest_frame(sphere, laplacian, start);
     // Of a form that has the wave itself without an error.
@@ -243,10 +244,8 @@ BOOST_AUTO_TEST_CASE(near_equilibria_every_form_is_of_order_four) {
     for (int f = 0; f < 3; ++f)
       for (bool projected : {false, true}) {
         if (projected && forms[f] == Conserved::all_invariants) continue;
-        auto const [order, errors] = measured_order(truth, laplacian, forms[f], suzuki<double>(), time,
-                                                    {16, 24, 36, 54}, frame, start, projected);
-        SkewHermitian<> const end =
-            run(laplacian, forms[f], suzuki<double>(), time, 54, frame, start, projected);
+        auto const [order, errors, end] = measured_order(truth, laplacian, forms[f], suzuki<double>(), time,
+                                                         {16, 24, 36, 54}, frame, start, projected);
         testing::Changes const changes = Invariants(laplacian, end) - Invariants(laplacian, start);
         BOOST_TEST_MESSAGE("wave + " << perturbation << ", " << names[f] << (projected ? ", projected" : "")
                                      << ": order " << order.slope << " +- " << order.error << ", errors "
@@ -257,101 +256,6 @@ BOOST_AUTO_TEST_CASE(near_equilibria_every_form_is_of_order_four) {
         conserves(forms[f], projected, changes);
       }
   }
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_AUTO_TEST_SUITE(orbit_projection)
-
-namespace {
-/// W conjugated by a unitary matrix at some distance from 1: on the orbit, off the levels.
-SkewHermitian<> moved_along_orbit(SkewHermitian<> const& w, double by, unsigned seed) {
-  SkewHermitian<> y = testing::random_matrix(static_cast<int>(w.size()), seed);
-  y *= by / norm(y);
-  auto const n = w.size();
-  ComplexMatrix<> const one = ComplexMatrix<>::Identity(n, n), a = y.complex();
-  ComplexMatrix<> inverse = one;  // of 1 - a, by its series
-  for (int k = 0; k < 8; ++k) inverse = one + ComplexMatrix<>(a * inverse);
-  ComplexMatrix<> const u = inverse * (one + a);
-  return SkewHermitian<>(ComplexMatrix<>(u * w.complex() * u.adjoint()));
-}
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(levels_are_reached_along_the_orbit_in_two_newton_steps) {
-  for (int n : {3, 4, 16}) {
-    SphereLaplacian const laplacian(n);
-    OrbitProjection<> projection(laplacian);
-    for (bool turning : {true, false}) {
-      // On N = 3 energy, momentum and Casimirs leave fewer dimensions than there are levels.
-      SkewHermitian<> const start = random_state(n, turning ? 1 : 2, n - 1, 5);
-      EnergyMomentum const levels = energy_momentum(laplacian, start);
-      for (double by : {1e-3, 1e-5, 1e-9}) {
-        SkewHermitian<> w = moved_along_orbit(start, by, 8);
-        double const apart = norm(w - start);
-        auto const report = projection.project(levels, w);
-        testing::Changes const changes = Invariants(laplacian, w) - Invariants(laplacian, start);
-        BOOST_TEST_MESSAGE("N = " << n << ", moved by " << by << ": " << report.newton_steps
-                                  << " Newton steps, " << report.found << " to " << report.left << "; energy "
-                                  << changes.energy << ", momentum " << changes.momentum << ", spectrum "
-                                  << changes.spectrum << ", farther from the start by "
-                                  << norm(w - start) / apart);
-        // Sums of N^2 terms.
-        BOOST_TEST(changes.energy <= 32 * unit * n);
-        BOOST_TEST(changes.momentum <= 32 * unit * n);
-        BOOST_TEST(changes.spectrum <= 32 * unit * n);
-        BOOST_TEST(report.found > 1e-3 * by);
-        BOOST_TEST(report.newton_steps <= (by > 1e-4 ? 4 : 2));
-        // Along the gradients, no other way: it goes no farther than it is off.
-        if (n > 3) BOOST_TEST(norm(w - start) <= 2 * apart);
-        // Once there it stays.
-        SkewHermitian<> const there = w;
-        auto const again = projection.project(levels, w);
-        BOOST_TEST(norm(w - there) <= 32 * unit * n * norm(w));
-        BOOST_TEST(again.newton_steps <= 1);
-      }
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(what_is_on_its_levels_is_left_alone) {
-  int const n = 12;
-  SphereLaplacian const laplacian(n);
-  OrbitProjection<> projection(laplacian);
-  // A wave, where the directions are dependent; a single degree, where that of the energy is zero; a zonal
-  // flow; nothing.
-  SphereHarmonics zonal = testing::random_harmonics(n, 1, n - 1);
-  zonal.coefficient.rightCols(n - 1).setZero();
-  for (SkewHermitian<> const& start :
-       {RossbyHaurwitz{}.state(n), random_state(n, 4, 4), matrix_of(zonal), SkewHermitian<>(n)}) {
-    SkewHermitian<> w = start;
-    auto const report = projection.project(energy_momentum(laplacian, w), w);
-    BOOST_TEST(norm(w - start) <= 32 * unit * n * norm(start));
-    BOOST_TEST(report.newton_steps <= 1);
-  }
-}
-
-// The degree 1 has the least energy of its orbit but for the opposite one: nothing that is near has less.
-BOOST_AUTO_TEST_CASE(levels_that_the_orbit_does_not_reach_are_refused) {
-  int const n = 8;
-  SphereLaplacian const laplacian(n);
-  OrbitProjection<> projection(laplacian);
-  double const nan = std::numeric_limits<double>::quiet_NaN();
-  SkewHermitian<> const start = random_state(n, 1, n - 1, 3);
-  EnergyMomentum const levels = energy_momentum(laplacian, start);
-  SkewHermitian<> w = start;
-  // An energy beyond that of all the enstrophy in the degree 1; a momentum beyond that; both no numbers.
-  double const most = 0.25 * QuantizedSphere(n).area_element() * inner_product(w, w);
-  EnergyMomentum const too_much{2 * most, levels.momentum}, too_fast{levels.energy, 1e3 * levels.momentum};
-  for (auto const& bad : {too_much, too_fast}) {
-    BOOST_CHECK_THROW(projection.project(bad, w), OutsideDomain);
-    BOOST_TEST(norm(w - start) == 0);
-  }
-  for (auto const& bad : {EnergyMomentum{nan, levels.momentum}, {levels.energy, {0, nan, 0}}})
-    BOOST_CHECK_THROW(projection.project(bad, w), NotFinite);
-  w.real(1, 2) = nan;
-  BOOST_CHECK_THROW(projection.project(levels, w), NotFinite);
-  SkewHermitian<> zero(n);
-  BOOST_CHECK_THROW(projection.project(levels, zero), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(a_composition_that_cannot_be_made_leaves_the_state) {
