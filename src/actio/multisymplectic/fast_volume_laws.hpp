@@ -1,0 +1,172 @@
+// Stored energies that know the Jacobian J alone, for the fast road: U(J) per unit mass and its slope U'(J).
+//
+// A medium's pressure is -rho U'. A law is a small struct with
+//
+//     template <class T> T energy(T const& J) const;   // U
+//     template <class T> T slope(T const& J) const;    // U'
+//
+// over numbers and dual numbers, and that is all that a law of one's own needs: the fast road then evaluates
+// its slope number by number. The laws of this file say `in_lanes`, and give the slopes at the four corners
+// of a cell at once, for SIMD lanes as well. They also take the scale of a cell into their moduli: `scaled`.
+#pragma once
+
+#include <cmath>
+
+#include "actio/multisymplectic/fast_functions.hpp"
+
+namespace actio {
+
+/// A law of the Jacobian for which slopes are computed in lanes.
+template <class Law>
+concept InLanes = requires { requires Law::in_lanes; };
+
+namespace detail {
+/// \f$x^m\f$, m positive.
+template <int m, class T>
+[[gnu::always_inline]] inline T power_of(T const& x) {
+  if constexpr (m == 1)
+    return x;
+  else if constexpr (m % 2 == 0)
+    return power_of<m / 2, T>(x * x);
+  else
+    return x * power_of<m - 1, T>(x);
+}
+}  // namespace detail
+
+/// A polytropic gas with a named exponent \f$\gamma = power/root\f$, by roots:
+/// \f$U = \frac{K}{\gamma-1}J^{1-\gamma}\f$, \f$U' = -KJ^{-\gamma}\f$.
+///
+/// `<1, 2>` has \f$\gamma = 2\f$, `<3, 5>` 5/3, `<5, 7>` 7/5, `<3, 4>` 4/3, `<2, 3>` 3/2. With `<1, 2m + 1>`
+/// and \f$K = \mu\f$ it is the volume part of Blatz and Ko's solid, `PowerVolume<m>`. Accuracy of the slope
+/// in lanes: (power + 2) units in the last place.
+template <int root, int power>
+struct PolytropicByRoots {
+  static_assert(root > 0 && power > root);
+  static constexpr bool in_lanes = true;                              ///< slopes come four at a time
+  static constexpr double gamma = static_cast<double>(power) / root;  ///< the exponent
+  double K;                                                           ///< pressure over density at J = 1
+
+  /// U, speed squared.
+  template <class T>
+  T energy(T const& J) const {
+    return (K / (gamma - 1)) * detail::power_of<power - root>(detail::inverse_root<root>(J));
+  }
+  /// \f$U'\f$, speed squared.
+  template <class T>
+  T slope(T const& J) const { return -K * detail::power_of<power>(detail::inverse_root<root>(J)); }
+  /// \f$U'\f$ at four corners.
+  template <class T>
+  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&slope)[4]) const {
+    if constexpr (root == 1) {
+      // One division for all four.
+      T const a = J[0] * J[1], b = J[2] * J[3], inverse = T(1.0) / (a * b), of_a = b * inverse,
+              of_b = a * inverse;
+      T const y[4] = {of_a * J[1], of_a * J[0], of_b * J[3], of_b * J[2]};
+      for (int k = 0; k < 4; ++k) slope[k] = -K * detail::power_of<power>(y[k]);
+    } else {
+      for (int k = 0; k < 4; ++k) slope[k] = -K * detail::power_of<power>(detail::inverse_root<root>(J[k]));
+    }
+  }
+  /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
+  PolytropicByRoots scaled(double unit, double weight) const { return {weight * K * std::pow(unit, gamma)}; }
+};
+
+/// A polytropic gas with any exponent: \f$U = \frac{K}{\gamma-1}J^{1-\gamma}\f$, \f$U' = -KJ^{-\gamma}\f$.
+///
+/// Accuracy of the slope in lanes: \f$(4+3\gamma|\log J|)\f$ units in the last place.
+struct PolytropicGas {
+  static constexpr bool in_lanes = true;  ///< slopes come four at a time
+  double K;                               ///< pressure over density at J = 1
+  double gamma;                           ///< exponent, above 1
+
+  /// U, speed squared.
+  template <class T>
+  T energy(T const& J) const {
+    using std::exp, std::log;
+    return (K / (gamma - 1)) * exp((1 - gamma) * log(J));
+  }
+  /// \f$U'\f$, speed squared.
+  template <class T>
+  [[gnu::always_inline]] T slope(T const& J) const {
+    using std::exp, std::log;
+    return -K * exp(-gamma * log(J));
+  }
+  /// \f$U'\f$ at four corners.
+  template <class T>
+  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
+    for (int k = 0; k < 4; ++k) out[k] = slope(J[k]);
+  }
+  /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
+  PolytropicGas scaled(double unit, double weight) const {
+    return {weight * K * std::pow(unit, gamma), gamma};
+  }
+};
+
+/// The volume part of a neo-Hookean solid: \f$U = -\mu\log J+\tfrac\lambda2\log^2J\f$,
+/// \f$U' = (\lambda\log J-\mu)/J\f$.
+///
+/// Accuracy of the slope in lanes: 4 units in the last place of \f$(\mu+\lambda|\log J|)/J\f$.
+struct LogarithmicLaw {
+  static constexpr bool in_lanes = true;  ///< slopes come four at a time
+  double lambda;                          ///< Lame's first modulus over the mass density
+  double mu;                              ///< shear modulus over the mass density
+
+  /// U, speed squared.
+  template <class T>
+  T energy(T const& J) const {
+    using std::log;
+    T const l = log(J);
+    return l * (lambda / 2 * l - mu);
+  }
+  /// \f$U'\f$, speed squared.
+  template <class T>
+  [[gnu::always_inline]] T slope(T const& J) const {
+    using std::log;
+    return (lambda * log(J) - mu) / J;
+  }
+  /// \f$U'\f$ at four corners.
+  template <class T>
+  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
+    T const a = J[0] * J[1], b = J[2] * J[3], inverse = T(1.0) / (a * b), of_a = b * inverse,
+            of_b = a * inverse;
+    T const y[4] = {of_a * J[1], of_a * J[0], of_b * J[3], of_b * J[2]};
+    for (int k = 0; k < 4; ++k) {
+      using std::log;
+      out[k] = (lambda * log(J[k]) - mu) * y[k];
+    }
+  }
+  /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
+  LogarithmicLaw scaled(double unit, double weight) const {
+    return {weight * lambda * unit, weight * unit * (mu + lambda * std::log(unit))};
+  }
+};
+
+namespace detail {
+/// A law of the reader's own, in cells of some size: number by number.
+template <class Law>
+struct ScaledLaw {
+  Law law;
+  double inverse_unit, weight;
+  template <class T>
+  void slopes(T const (&J)[4], T (&out)[4]) const {
+    for (int k = 0; k < 4; ++k) out[k] = weight * law.slope(T(J[k] * inverse_unit));
+  }
+  [[gnu::always_inline]] void slopes(Quad const (&J)[4], Quad (&out)[4]) const {
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < 4; ++i) {
+        double const one = J[k].lane[i] * inverse_unit;
+        out[k].lane[i] = weight * law.template slope<double>(one);
+      }
+  }
+};
+/// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
+template <class Law>
+auto scaled(Law const& law, double unit, double weight) {
+  if constexpr (InLanes<Law>)
+    return law.scaled(unit, weight);
+  else
+    return ScaledLaw<Law>{law, 1 / unit, weight};
+}
+}  // namespace detail
+
+}  // namespace actio
