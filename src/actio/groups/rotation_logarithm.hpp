@@ -146,39 +146,35 @@ actio::Matrix<S, 4, 4> skew_of_quaternions(actio::Matrix<S, 3, 1> const& a, acti
   return A;
 }
 
-/// The logarithm of a rotation of 4-space, at any scalar, through the pair of unit quaternions with
-/// \f$Rx = p\,x\,\bar q\f$.
-///
-/// The angles of p and q are half the sum and half the difference of those of R. Of the pairs (p, q) and (-p,
-/// -q) the logarithm takes the one whose angles add up to less than pi.
-/// @throws OutsideDomain  where one of the angles of R is pi
+namespace detail {
+
+/// Two unit quaternions that make the rotation \f$x\mapsto p\,x\,\bar q\f$ of 4-space, as their opposites do.
+template <class S>
+struct QuaternionPair {
+  actio::Matrix<S, 4, 1> p, q;
+};
+
+/// Of a rotation of 4-space by less than about 60 degrees, near one and one. Its skew part is
+/// \f$x\mapsto q_0\,a\,x - x\,b\,p_0\f$ with the vector parts a of p and b of q, its trace 4 p_0 q_0.
+/// @param scalars  a quarter of the trace
 template <Real S>
-actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
+QuaternionPair<S> pair_near_identity(actio::Matrix<S, 4, 4> const& r, S const& scalars) {
+  using std::sqrt;
+  actio::Matrix<S, 3, 1> const lower{r(3, 2) - r(2, 3), r(1, 3) - r(3, 1), r(2, 1) - r(1, 2)},
+      outer{r(1, 0) - r(0, 1), r(2, 0) - r(0, 2), r(3, 0) - r(0, 3)};
+  actio::Matrix<S, 3, 1> a = (lower + outer) / S(4), b = (lower - outer) / S(4);
+  S const p0 = sqrt(S(scalars * scalars + b.squaredNorm())),
+          q0 = sqrt(S(scalars * scalars + a.squaredNorm()));
+  a /= q0, b /= p0;
+  return {{p0, a[0], a[1], a[2]}, {q0, b[0], b[1], b[2]}};
+}
+
+/// Of any rotation of 4-space, from the products p_a q_b: the parts of R along the sixteen maps x -> e_a x
+/// conj(e_b), which are orthogonal. The row and the column of the largest will do.
+template <Real S>
+QuaternionPair<S> pair_by_products(actio::Matrix<S, 4, 4> const& r) {
   using std::sqrt;
   using T = Base<S>;
-  using Quaternion = actio::Matrix<S, 4, 1>;
-  require_finite(r, "log");
-  // A x = a x - x b with a = log p and b = log q.
-  auto const of_quaternions = [](Quaternion const& p, Quaternion const& q) {
-    actio::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
-    return skew_of_quaternions<S>(a, b);
-  };
-
-  // Below about 60 degrees the skew part of R, which is x -> q_0 a x - x b p_0 with the vector parts a of p
-  // and b of q, and the trace, 4 p_0 q_0, do.
-  S const scalars = (r(0, 0) + r(1, 1) + r(2, 2) + r(3, 3)) / 4;
-  if (base_value(scalars) > ratio<T>(3, 4)) {
-    actio::Matrix<S, 3, 1> const lower{r(3, 2) - r(2, 3), r(1, 3) - r(3, 1), r(2, 1) - r(1, 2)},
-        outer{r(1, 0) - r(0, 1), r(2, 0) - r(0, 2), r(3, 0) - r(0, 3)};
-    actio::Matrix<S, 3, 1> a = (lower + outer) / S(4), b = (lower - outer) / S(4);
-    S const p0 = sqrt(S(scalars * scalars + b.squaredNorm())),
-            q0 = sqrt(S(scalars * scalars + a.squaredNorm()));
-    a /= q0, b /= p0;
-    return of_quaternions(Quaternion{p0, a[0], a[1], a[2]}, Quaternion{q0, b[0], b[1], b[2]});
-  }
-
-  // The products p_a q_b: the parts of R along the sixteen maps x -> e_a x conj(e_b), which are orthogonal.
-  // The row and the column of the largest will do.
   auto const product = [&](int a, int b, auto const& entry) {
     auto sum = entry(a ^ b, 0);
     if (unit_sign(a, b) * (b == 0 ? 1 : -1) < 0) sum = -sum;
@@ -197,7 +193,7 @@ actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
       T const size = magnitude(T(product(a, b, [&](int i, int j) { return base_value(r(i, j)); })));
       if (size > largest) largest = size, row = a, column = b;
     }
-  Quaternion p, q;
+  actio::Matrix<S, 4, 1> p, q;
   for (int a = 0; a < 4; ++a) {
     p[a] = product(a, column, [&](int i, int j) { return r(i, j); });
     q[a] = product(row, a, [&](int i, int j) { return r(i, j); });
@@ -205,9 +201,36 @@ actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
   if (p[row] < S(0)) q = -q;
   p *= S(S(1) / S(sqrt(S(p.squaredNorm()))));
   q *= S(S(1) / S(sqrt(S(q.squaredNorm()))));
+  return {p, q};
+}
+
+}  // namespace detail
+
+/// The logarithm of a rotation of 4-space, at any scalar, through the pair of unit quaternions with
+/// \f$Rx = p\,x\,\bar q\f$.
+///
+/// The angles of p and q are half the sum and half the difference of those of R. Of the pairs (p, q) and (-p,
+/// -q) the logarithm takes the one whose angles add up to less than pi.
+/// @throws OutsideDomain  where one of the angles of R is pi
+template <Real S>
+actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
+  using std::sqrt;
+  using T = Base<S>;
+  require_finite(r, "log");
+  // A x = a x - x b with a = log p and b = log q.
+  auto const of_quaternions = [](auto const& p, auto const& q) {
+    actio::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
+    return skew_of_quaternions<S>(a, b);
+  };
+  S const scalars = (r(0, 0) + r(1, 1) + r(2, 2) + r(3, 3)) / 4;
+  if (base_value(scalars) > ratio<T>(3, 4)) {
+    auto const [p, q] = detail::pair_near_identity(r, scalars);
+    return of_quaternions(p, q);
+  }
+  auto [p, q] = detail::pair_by_products(r);
 
   // The sine of the sum of their angles tells which pair, even where both angles of R come near to pi.
-  auto const vector_part = [](Quaternion const& x) {
+  auto const vector_part = [](auto const& x) {
     return T(sqrt(T(base_value(x[1]) * base_value(x[1]) + base_value(x[2]) * base_value(x[2]) +
                     base_value(x[3]) * base_value(x[3]))));
   };
