@@ -198,7 +198,8 @@ BOOST_AUTO_TEST_CASE(the_smallest_spheres_and_a_fluid_at_rest_run) {
         auto const table = table_of(scene);
         // A rigid rotation about any axis stays as it is: N = 2 knows no other flow.
         if (n == "2") BOOST_TEST(drift(table, "spectrum_1") < 1e-14);
-        if (n == "4") BOOST_TEST(table["energy"].back() == 0);
+        // Beside a sphere that turns rest is a difference: in each of some ten steps a rounding of N eps.
+        if (n == "4") BOOST_TEST(table["energy"].back() <= (rotation == "0.0" ? 0 : std::pow(40 * eps, 2)));
       }
 }
 

@@ -156,8 +156,8 @@ void tell(Simulation& simulation, VorticityStart const& start, SphereFlow const&
     simulation.remarks.push_back(told);
   if (start.hamiltonian.layer())
     simulation.remarks.push_back(
-        "a quasi-geostrophic layer is stepped in double precision, which takes two to three times as long "
-        "as the steps of Euler's fluid");
+        "a quasi-geostrophic layer is stepped in double precision, which takes several times as long as "
+        "the steps of Euler's fluid");
   if (!histogram) return;
   HistogramBins const bins = histogram_bins(flow);
   simulation.remarks.push_back(fmt::format("histogram: {} bins of the width {} from {} to {}", bins.count,
@@ -206,7 +206,7 @@ std::vector<Parameter> parameters() {
        "a text",
        "\"mixed\"; \"double\" for a layer",
        "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the change "
-       "in a step, or double, to rounding, two to three times more slowly. What the method conserves it "
+       "in a step, or double, to rounding, which takes several times as long. What the method conserves it "
        "conserves to rounding in both. With double a run that goes back returns to where it began. A layer "
        "(system.hamiltonian) takes double alone.",
        "",
