@@ -112,14 +112,16 @@ class FastVorticityStep : public StepSetting<Stream> {
   using StepSetting<Stream>::stream_, StepSetting<Stream>::sphere_, StepSetting<Stream>::conserved_,
       StepSetting<Stream>::step_, StepSetting<Stream>::frame_, StepSetting<Stream>::eps_,
       StepSetting<Stream>::of_energy;
-  static constexpr double lowest_ = 1e-6;            ///< changes above this are not put down to rounding
-  static constexpr double last_change_ = 1e-7;       ///< of A, relative, whose square is below rounding
-  static constexpr double largest_residual_ = 4e-7;  ///< relative to |W|, of what single precision finds
-  static constexpr double longest_move_ = 3e-8;      ///< along the orbit, relative to |A|
+  static constexpr double lowest_ = 1e-6;              ///< changes above this are not put down to rounding
+  static constexpr double last_change_ = 1e-7;         ///< of A, relative, whose square is below rounding
+  static constexpr double largest_residual_ = 4e-7;    ///< relative to |W|, of what single precision finds
+  static constexpr double smallest_residual_ = 5e-10;  ///< whose square matters after many steps
+  static constexpr double longest_move_ = 3e-8;        ///< along the orbit, relative to |A|
   /// Of |W|: beyond, squares of what is found in single precision are no numbers of it.
   static constexpr double smallest_size_ = 1e-7, largest_size_ = 1e12;
-  static constexpr double cutoff_ = 1e-5;      ///< of eigenvalues that single precision tells from zero
-  static constexpr int steps_of_radius_ = 16;  ///< for which an estimate of the radius is taken as good
+  static constexpr double shortest_move_ = 5e-10;  ///< of W, relative, whose square matters after many steps
+  static constexpr double cutoff_ = 1e-5;          ///< of eigenvalues that single precision tells from zero
+  static constexpr int steps_of_radius_ = 16;      ///< for which an estimate of the radius is taken as good
 
   /// Those along whose turns W_1 is moved.
   typename StepSetting<Stream>::Axes polished_axes() const {
@@ -139,7 +141,7 @@ class FastVorticityStep : public StepSetting<Stream> {
     }
     first_change_ = 1;
     auto const& made = plain.past().front();
-    remember(plain.displacement(), made.increment, SkewHermitian<>(w.size()), made.factors);
+    remember(plain.displacement(), made.increment, made.factors);
     return report;
   }
 
@@ -164,16 +166,15 @@ class FastVorticityStep : public StepSetting<Stream> {
         a_.real += weight * past.displacement.real, a_.imaginary += weight * past.displacement.imaginary;
     }
   }
-  /// @param increment  as a sum of two
   void remember(SkewHermitian<> const& displacement, SkewHermitian<> const& increment,
-                SkewHermitian<> const& rest, Factors const& factors) {
+                Factors const& factors) {
     Past newest;
     // The memory of the oldest serves again.
     if (static_cast<int>(past_.size()) >= std::max(1, extrapolated_steps))
       newest = std::move(past_.back()), past_.pop_back();
     newest.displacement.real = displacement.real, newest.displacement.imaginary = displacement.imaginary;
-    newest.increment.real = (increment.real + rest.real).template cast<float>();
-    newest.increment.imaginary = (increment.imaginary + rest.imaginary).template cast<float>();
+    newest.increment.real = increment.real.template cast<float>();
+    newest.increment.imaginary = increment.imaginary.template cast<float>();
     newest.factors = factors, newest.first_change = first_change_;
     newest.radius = radius_, newest.age = ++age_;
     past_.push_front(std::move(newest));
@@ -295,13 +296,26 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// @return false where r is too large for single precision
   bool settle(SkewHermitian<> const& w, double size) {
     // The polynomial of the transform is good on an interval of which the end was estimated.
-    for (int tries = 0; !(residual_of_middle(w) <= largest_residual_ * size); ++tries) {
+    double found;
+    for (int tries = 0; !((found = residual_of_middle(w)) <= largest_residual_ * size); ++tries) {
       if (tries == 4) return false;
       radius_ *= 1.2;
       cayley_.factor(a_, radius_of_displacement());
       find_middle(w);
     }
+    if (found > smallest_residual_ * size) better_middle();
     return true;
+  }
+  /// The middle Wt + r in the place of Wt: C and r become C + [A, r] and [A, r] + A r A.
+  ///
+  /// What the transform is off by has made r, and makes the end wrong by its product with r: always to the same
+  /// side, so that it would add up.
+  void better_middle() {
+    cayley_.evaluate(residual_, twice_, square_);
+    residual_.real = twice_.real + square_.real, residual_.imaginary = twice_.imaginary + square_.imaginary;
+    mirror_lower(residual_), mirror_lower(twice_);
+    commutator_.real += twice_.real.template cast<double>();
+    commutator_.imaginary += twice_.imaginary.template cast<double>();
   }
   /// W_1 = W_0 + 2C + (U r U^* - r).
   void finish(SkewHermitian<> const& w) {
@@ -360,7 +374,7 @@ class FastVorticityStep : public StepSetting<Stream> {
         newton(polished_, of_energy() ? &direction_ : nullptr, single_, change, scale);
     residual_.real.setZero(), residual_.imaginary.setZero();
     add_combination(polished_, of_energy() ? &direction_ : nullptr, single_, move, residual_);
-    // The square of the move is left out.
+    // The third power of the move is left out.
     if (!(static_cast<double>(norm(residual_)) <= longest_move_ * norm(next_))) {
       factors_.head(move.size()) += 0.5 * move;
       return false;
@@ -370,14 +384,21 @@ class FastVorticityStep : public StepSetting<Stream> {
       factors_.head(move.size()) += 0.5 * move;
       add_combination(corrected_, &half_change_, middle_, factors_, next_);
     }
-    cayley_.commutator(residual_, single_, direction_);
-    for (Eigen::Index c = 0; c < w.size(); ++c) {
-      auto const rows = w.size() - c;
-      end_.real.col(c).tail(rows) += direction_.real.col(c).tail(rows).template cast<double>();
-      end_.imaginary.col(c).tail(rows) += direction_.imaginary.col(c).tail(rows).template cast<double>();
-    }
-    mirror_lower(end_);
+    move_end();
     return true;
+  }
+  /// \f$W_1 + [Y, W_1] + \tfrac12[Y, [Y, W_1]]\f$ with the Y in `residual_` and W_1 also in `single_`. Without
+  /// the last term the squares of W would grow by that of each move, which never takes them back.
+  void move_end() {
+    cayley_.commutator(residual_, single_, direction_);
+    mirror_lower(direction_);
+    if (static_cast<double>(norm(direction_)) > shortest_move_ * static_cast<double>(norm(single_))) {
+      cayley_.commutator(residual_, direction_, twice_);
+      mirror_lower(twice_);
+      direction_.real += 0.5F * twice_.real, direction_.imaginary += 0.5F * twice_.imaginary;
+    }
+    end_.real += direction_.real.template cast<double>();
+    end_.imaginary += direction_.imaginary.template cast<double>();
   }
 
   /// The Newton step of factors of X_0, where there is one, and X_j = [iS_j, W]: the inner products of the X,
@@ -471,7 +492,10 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
     if (found) finish(w), made = polish(w);
   }
   if (!made) return plain_step(w);
-  remember(next_, commutator_, remainder_, factors_);
+  // Wt = (W_0 + W_1)/2 + A Wt A: what the middle was off by counts in this by the square of A.
+  average_.real = 0.5 * (end_.real - w.real) + remainder_.real;
+  average_.imaginary = 0.5 * (end_.imaginary - w.imaginary) + remainder_.imaginary;
+  remember(next_, average_, factors_);
   w.real.swap(end_.real), w.imaginary.swap(end_.imaginary);
   return report;
 }

@@ -39,14 +39,14 @@ class SingleCayley {
   void factor(SkewHermitian<> const& a, double radius, double error = 2e-9) {
     auto const n = a.size();
     allocate(n);
-    ar_ = a.real.cast<float>(), ai_ = a.imaginary.cast<float>(), as_ = ar_ + ai_;
+    a_.real = a.real.cast<float>(), a_.imaginary = a.imaginary.cast<float>(), a_.sum = a_.real + a_.imaginary;
     // X = -A^2, and X^2.
-    lower(ar_, ai_, as_, ar_, ai_, as_);
+    lower(a_, a_);
     over_columns([&](auto below) {
       below(x_.real) = below(t2_) - below(t1_), below(x_.imaginary) = below(t1_) + below(t2_) - below(t3_);
     });
     complete(x_);
-    lower(x_.real, x_.imaginary, x_.sum, x_.real, x_.imaginary, x_.sum);
+    lower(x_, x_);
     over_columns([&](auto below) {
       below(y_.real) = below(t1_) - below(t2_), below(y_.imaginary) = below(t3_) - below(t1_) - below(t2_);
     });
@@ -62,7 +62,7 @@ class SingleCayley {
     complete(h_);
     while (k > 0) {
       k -= 2;
-      lower(y_.real, y_.imaginary, y_.sum, h_.real, h_.imaginary, h_.sum);
+      lower(y_, h_);
       over_columns([&](auto below) {
         below(h_.real) = c[k + 1] * below(x_.real) + (below(t1_) - below(t2_));
         below(h_.imaginary) = c[k + 1] * below(x_.imaginary) + (below(t3_) - below(t1_) - below(t2_));
@@ -71,9 +71,9 @@ class SingleCayley {
       complete(h_);
     }
     // A S = A + A (S - 1), skew-Hermitian.
-    lower(ar_, ai_, as_, h_.real, h_.imaginary, h_.sum);
+    lower(a_, h_);
     over_columns([&](auto below) {
-      below(t3_) += below(ai_) - below(t1_) - below(t2_), below(t1_) += below(ar_) - below(t2_);
+      below(t3_) += below(a_.imaginary) - below(t1_) - below(t2_), below(t1_) += below(a_.real) - below(t2_);
       below(k_.real) = below(h_.real) + below(t1_), below(k_.imaginary) = below(h_.imaginary) + below(t3_);
       below(star_.real) = below(h_.real) - below(t1_);
       below(star_.imaginary) = below(h_.imaginary) - below(t3_);
@@ -86,19 +86,11 @@ class SingleCayley {
 
   /// F and E of a skew-Hermitian X, on and below their diagonals; both are skew-Hermitian.
   void conjugate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e) {
-    // G = K X, whole.
-    t3_ = x.real + x.imaginary;
-    products_->multiply(k_.real, x.real, t1_), products_->multiply(k_.imaginary, x.imaginary, t2_);
-    products_->multiply(k_.sum, t3_, g_.sum);
-    g_.real = t1_ - t2_, g_.imaginary = g_.sum - t1_ - t2_;
-    g_.sum = g_.real + g_.imaginary;
-    skew_part(f);
-    lower(g_.real, g_.imaginary, g_.sum, star_.real, star_.imaginary, star_.sum);
-    fit(e);
-    over_columns([&](auto below) {
-      below(e.real) = below(t1_) - below(t2_), below(e.imaginary) = below(t3_) - below(t1_) - below(t2_);
-    });
-    e.real.diagonal().setZero();
+    both_sides(k_, x, star_, f, e);
+  }
+  /// \f$[A, X]\f$ and \f$AXA\f$ of a skew-Hermitian X, on and below their diagonals, with the A of which K is.
+  void evaluate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e) {
+    both_sides(a_, x, a_, f, e);
   }
 
   /// \f$[Y, X]\f$ of skew-Hermitian matrices, on and below its diagonal, in single precision.
@@ -177,9 +169,25 @@ class SingleCayley {
   }
 
   /// The lower half of a product, as three real ones.
-  void lower(Part const& ar, Part const& ai, Part const& as, Part const& br, Part const& bi, Part const& bs) {
-    products_->multiply_lower(ar, br, t1_), products_->multiply_lower(ai, bi, t2_),
-        products_->multiply_lower(as, bs, t3_);
+  void lower(Split const& a, Split const& b) {
+    products_->multiply_lower(a.real, b.real, t1_), products_->multiply_lower(a.imaginary, b.imaginary, t2_),
+        products_->multiply_lower(a.sum, b.sum, t3_);
+  }
+  /// With G = L X: F = G - G^* and E = G R, on and below their diagonals.
+  void both_sides(Split const& left, SkewHermitian<float> const& x, Split const& right,
+                  SkewHermitian<float>& f, SkewHermitian<float>& e) {
+    t3_ = x.real + x.imaginary;
+    products_->multiply(left.real, x.real, t1_), products_->multiply(left.imaginary, x.imaginary, t2_);
+    products_->multiply(left.sum, t3_, g_.sum);
+    g_.real = t1_ - t2_, g_.imaginary = g_.sum - t1_ - t2_;
+    g_.sum = g_.real + g_.imaginary;
+    skew_part(f);
+    lower(g_, right);
+    fit(e);
+    over_columns([&](auto below) {
+      below(e.real) = below(t1_) - below(t2_), below(e.imaginary) = below(t3_) - below(t1_) - below(t2_);
+    });
+    e.real.diagonal().setZero();
   }
   /// The coefficients of the polynomial p in x that is 1/(1 + x) - 1 where Chebyshev's polynomial T of [0, b]
   /// vanishes: 1 + p = (1 - T/T(-1))/(1 + x).
@@ -204,7 +212,7 @@ class SingleCayley {
   }
 
   Products products_;
-  Part ar_, ai_, as_;
+  Split a_;          ///< A
   Split x_, y_, h_;  ///< X, X^2, S - 1
   Split k_, star_;   ///< K and its adjoint
   Split g_;
