@@ -210,7 +210,8 @@ BOOST_AUTO_TEST_CASE(discrete_field_equations_are_those_of_the_density_to_second
     auto const E = discrete_euler_lagrange(medium, mesh, section, 1, node);
     errors.push_back(magnitude(E.sum / (h * h * h) - exact));
   }
-  // The next term of the expansion is smaller by h^2: a few parts in a hundred of the order on the first pair.
+  // The next term of the expansion is smaller by h^2: a few parts in a hundred of the order on the first
+  // pair.
   for (std::size_t k = 1; k < errors.size(); ++k) {
     double const order = std::log2(errors[k - 1] / errors[k]);
     BOOST_TEST_MESSAGE("discrete field equations, order " << order << ", error " << errors[k]);
