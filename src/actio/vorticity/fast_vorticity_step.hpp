@@ -6,17 +6,20 @@
 //   Wt = (1 - A)^{-1} W_0 (1 + A)^{-1}, in single precision (single_cayley.hpp), A <- eps P(Wt) as the form
 //   has it,
 //
-// converges by a factor of about fifty a round; mostly one round or two are needed. Then the equation of the
-// step is evaluated once in double precision, with C = [A, Wt]:
+// converges by a factor of about fifty a round; mostly one round or two are needed, and none where the flow is
+// so smooth in time that the middle can be extrapolated, too. Then the equation of the step is evaluated once
+// in double precision, with C = [A, Wt]:
 //
 //   r = W_0 + C + A Wt A - Wt,        W_1 = W_0 - r + 2C + U r U^*,  U = cay(A).
 //
 // This is cay(A) W_0 cay(A)^* whatever r is. As r is of the size of a rounding in single precision, U r U^*
 // may be found in single precision, and the spectrum of W_1 is that of W_0 to the rounding of double
 // precision. Energy and angular momentum, where the form conserves them, are then off by about the tolerance;
-// they are taken back by a move along the orbit, W_1 + [Y, W_1] with Y = sum c_i [Q_i, W_1], Q_i being P and
-// the spin matrices. It is so short that its square is below rounding, and so that single precision will do
-// for it, too.
+// they are taken back by a move along the orbit, W_1 + [Y, W_1] + [Y, [Y, W_1]]/2 with Y = sum c_i [Q_i, W_1],
+// Q_i being the P of W_1 and the spin matrices; single precision will do for it, too.
+//
+// What would add up over many steps is kept small: r once more by what it does to itself (better_middle), since
+// the error of the transform has made r and multiplies it.
 //
 // What it gives up against the plain step: the solution is that of the implicit equation to the tolerance,
 // and not to rounding, so going back returns to the tolerance.
