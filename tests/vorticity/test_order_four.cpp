@@ -244,8 +244,10 @@ BOOST_AUTO_TEST_CASE(near_equilibria_every_form_is_of_order_four) {
     for (int f = 0; f < 3; ++f)
       for (bool projected : {false, true}) {
         if (projected && forms[f] == Conserved::all_invariants) continue;
+        // The Lie-Poisson form moves the wave itself, and has shorter steps to show its order.
+        std::vector<int> const counts = f == 0 ? std::vector{24, 36, 54, 81} : std::vector{16, 24, 36, 54};
         auto const [order, errors, end] = measured_order(truth, laplacian, forms[f], suzuki<double>(), time,
-                                                         {16, 24, 36, 54}, frame, start, projected);
+                                                         counts, frame, start, projected);
         testing::Changes const changes = Invariants(laplacian, end) - Invariants(laplacian, start);
         BOOST_TEST_MESSAGE("wave + " << perturbation << ", " << names[f] << (projected ? ", projected" : "")
                                      << ": order " << order.slope << " +- " << order.error << ", errors "
