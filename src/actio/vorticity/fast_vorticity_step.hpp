@@ -69,6 +69,7 @@ class FastVorticityStep : public StepSetting<Stream> {
     SkewHermitian<float> increment;  ///< Wt - W_0
     Factors factors;                 ///< of this step
     double first_change = 1;         ///< of A, relative, by the first of its rounds: how good the guess was
+    int wait = 0;                    ///< steps for which the guess is not tried as the solution
     double radius = 0;               ///< an estimate of the largest eigenvalue of A over |A|
     int age = 0;                     ///< steps since it was made
   };
@@ -124,6 +125,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   static constexpr double smallest_size_ = 1e-7, largest_size_ = 1e12;
   static constexpr double shortest_move_ = 5e-10;  ///< of W, relative, whose square matters after many steps
   static constexpr double cutoff_ = 1e-5;          ///< of eigenvalues that single precision tells from zero
+  static constexpr int steps_to_wait_ = 16;        ///< after a guess that was not good enough
   static constexpr int steps_of_radius_ = 16;      ///< for which an estimate of the radius is taken as good
 
   /// Those along whose turns W_1 is moved.
@@ -178,7 +180,7 @@ class FastVorticityStep : public StepSetting<Stream> {
     newest.displacement.real = displacement.real, newest.displacement.imaginary = displacement.imaginary;
     newest.increment.real = increment.real.template cast<float>();
     newest.increment.imaginary = increment.imaginary.template cast<float>();
-    newest.factors = factors, newest.first_change = first_change_;
+    newest.factors = factors, newest.first_change = first_change_, newest.wait = wait_;
     newest.radius = radius_, newest.age = ++age_;
     past_.push_front(std::move(newest));
   }
@@ -186,7 +188,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// Whether the guess of A is likely to be the solution: it was in the step before.
   bool guess_is_enough() const {
     return static_cast<int>(past_.size()) == extrapolated_steps &&
-           past_.front().first_change <= 0.5 * tolerance;
+           past_.front().first_change <= 0.5 * tolerance && wait_ == 0;
   }
   /// A flow that is smooth in time needs no round at all: the middle is extrapolated, too, and the double
   /// precision of the finish says whether both are good enough.
@@ -474,6 +476,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   SkewHermitian<float> single_, residual_, direction_, twice_, square_;
   Factors factors_ = Factors::Zero();
   double first_change_ = 1;  ///< of A in this step, by the first of its rounds
+  int wait_ = 0;             ///< steps for which the guess is not tried as the solution
   double radius_ = 0;        ///< the largest eigenvalue of A over |A|
   int age_ = 0;              ///< steps since it was estimated
   std::deque<Past> past_;    ///< the newest first
@@ -487,11 +490,14 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
   momentum_ = spin_components(sphere_, w);
   VorticityReport report;
   guess(w);
+  wait_ = past_.empty() ? 0 : std::max(0, past_.front().wait - 1);
   // Without a history the factors are not known: what the polish finds then is where the next attempt begins.
   bool made = false, found = true;
   for (int tries = 0; found && !made && tries < (corrected_.count() == 0 ? 1 : 4); ++tries) {
-    found = (tries == 0 && guess_is_enough() && find_by_guess(w, size, report)) ||
-            (find(w, report) && settle(w, size));
+    bool const tried = tries == 0 && guess_is_enough();
+    found = tried && find_by_guess(w, size, report);
+    if (tried && !found) wait_ = steps_to_wait_;
+    if (!found) found = find(w, report) && settle(w, size);
     if (found) finish(w), made = polish(w);
   }
   if (!made) return plain_step(w);

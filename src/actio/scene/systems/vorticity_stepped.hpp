@@ -111,7 +111,7 @@ class SteppedVorticity : public VorticityMotion {
       stream(factors);
     } else {
       remember_matrix(stream, past.displacement, n);
-      stream(factors), stream(past.first_change), stream(past.radius), stream(past.age);
+      stream(factors), stream(past.first_change), stream(past.wait), stream(past.radius), stream(past.age);
     }
   }
 
