@@ -6,20 +6,20 @@
 //   Wt = (1 - A)^{-1} W_0 (1 + A)^{-1}, in single precision (single_cayley.hpp), A <- eps P(Wt) as the form
 //   has it,
 //
-// converges by a factor of about fifty a round; mostly one round or two are needed, and none where the flow is
-// so smooth in time that the middle can be extrapolated, too. Then the equation of the step is evaluated once
-// in double precision, with C = [A, Wt]:
+// converges by a factor of about fifty a round; mostly one round or two are needed, and none where the flow
+// is so smooth in time that the middle can be extrapolated, too. Then the equation of the step is evaluated
+// once in double precision, with C = [A, Wt]:
 //
 //   r = W_0 + C + A Wt A - Wt,        W_1 = W_0 - r + 2C + U r U^*,  U = cay(A).
 //
 // This is cay(A) W_0 cay(A)^* whatever r is. As r is of the size of a rounding in single precision, U r U^*
 // may be found in single precision, and the spectrum of W_1 is that of W_0 to the rounding of double
 // precision. Energy and angular momentum, where the form conserves them, are then off by about the tolerance;
-// they are taken back by a move along the orbit, W_1 + [Y, W_1] + [Y, [Y, W_1]]/2 with Y = sum c_i [Q_i, W_1],
-// Q_i being the P of W_1 and the spin matrices; single precision will do for it, too.
+// they are taken back by a move along the orbit, W_1 + [Y, W_1] + [Y, [Y, W_1]]/2 with Y = sum c_i [Q_i,
+// W_1], Q_i being the P of W_1 and the spin matrices; single precision will do for it, too.
 //
-// What would add up over many steps is kept small: r once more by what it does to itself (better_middle), since
-// the error of the transform has made r and multiplies it.
+// What would add up over many steps is kept small: r once more by what it does to itself (better_middle),
+// since the error of the transform has made r and multiplies it.
 //
 // What it gives up against the plain step: the solution is that of the implicit equation to the tolerance,
 // and not to rounding, so going back returns to the tolerance.
@@ -231,8 +231,8 @@ class FastVorticityStep : public StepSetting<Stream> {
       if (!(change < 0.25 * before)) return change < lowest_;
       before = change;
       std::swap(a_, next_);
-      // The new A is better by the factor of a round, and the middle and the transform of the old one are good
-      // enough for the finish.
+      // The new A is better by the factor of a round, and the middle and the transform of the old one are
+      // good enough for the finish.
       if (change <= last_change_) return true;
     }
   }
@@ -313,8 +313,8 @@ class FastVorticityStep : public StepSetting<Stream> {
   }
   /// The middle Wt + r in the place of Wt: C and r become C + [A, r] and [A, r] + A r A.
   ///
-  /// What the transform is off by has made r, and makes the end wrong by its product with r: always to the same
-  /// side, so that it would add up.
+  /// What the transform is off by has made r, and makes the end wrong by its product with r: always to the
+  /// same side, so that it would add up.
   void better_middle() {
     cayley_.evaluate(residual_, twice_, square_);
     residual_.real = twice_.real + square_.real, residual_.imaginary = twice_.imaginary + square_.imaginary;
@@ -392,8 +392,8 @@ class FastVorticityStep : public StepSetting<Stream> {
     move_end();
     return true;
   }
-  /// \f$W_1 + [Y, W_1] + \tfrac12[Y, [Y, W_1]]\f$ with the Y in `residual_` and W_1 also in `single_`. Without
-  /// the last term the squares of W would grow by that of each move, which never takes them back.
+  /// \f$W_1 + [Y, W_1] + \tfrac12[Y, [Y, W_1]]\f$ with the Y in `residual_` and W_1 also in `single_`.
+  /// Without the last term the squares of W would grow by that of each move, which never takes them back.
   void move_end() {
     cayley_.commutator(residual_, single_, direction_);
     mirror_lower(direction_);
