@@ -88,7 +88,8 @@ class SingleCayley {
   void conjugate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e) {
     both_sides(k_, x, star_, f, e);
   }
-  /// \f$[A, X]\f$ and \f$AXA\f$ of a skew-Hermitian X, on and below their diagonals, with the A of which K is.
+  /// \f$[A, X]\f$ and \f$AXA\f$ of a skew-Hermitian X, on and below their diagonals, with the A of which K
+  /// is.
   void evaluate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e) {
     both_sides(a_, x, a_, f, e);
   }
