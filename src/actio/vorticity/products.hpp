@@ -35,9 +35,13 @@ using Products = std::shared_ptr<MatrixProducts const>;
 template <class By>
 class ProductsBy : public MatrixProducts {
  public:
+  /// By `whole`.
   void multiply(Double const& a, Double const& b, Double& out) const final { by().whole(a, b, out); }
+  /// By `whole`.
   void multiply(Single const& a, Single const& b, Single& out) const final { by().whole(a, b, out); }
+  /// By `lower`.
   void multiply_lower(Double const& a, Double const& b, Double& out) const final { by().lower(a, b, out); }
+  /// By `lower`.
   void multiply_lower(Single const& a, Single const& b, Single& out) const final { by().lower(a, b, out); }
 
  private:
@@ -56,7 +60,9 @@ class EigenProducts : public ProductsBy<EigenProducts> {
 };
 
 template <class Part>
-void EigenProducts::whole(Part const& a, Part const& b, Part& out) const { out.noalias() = a * b; }
+void EigenProducts::whole(Part const& a, Part const& b, Part& out) const {
+  out.noalias() = a * b;
+}
 template <class Part>
 void EigenProducts::lower(Part const& a, Part const& b, Part& out) const {
   out.template triangularView<Eigen::Lower>() = a * b;

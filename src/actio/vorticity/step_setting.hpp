@@ -43,8 +43,9 @@ class StepSetting {
   TurningFrame const& frame() const { return frame_; }
 
  protected:
-  using Axes = std::vector<Eigen::Vector3d>;
+  using Axes = std::vector<Eigen::Vector3d>;  ///< unit vectors
 
+  /// @throws NotFinite, OutsideDomain  where the step is none
   StepSetting(Stream const& stream, Conserved conserved, double step, TurningFrame frame)
       : stream_(stream),
         sphere_(stream.size()),
@@ -77,12 +78,12 @@ class StepSetting {
     add_spin(sphere_, turn * e, p);
   }
 
-  Stream const& stream_;
-  QuantizedSphere sphere_;
-  Conserved conserved_;
-  double step_;
-  TurningFrame frame_;
-  double eps_;  ///< h/(2 hbar)
+  Stream const& stream_;    ///< the map W -> P
+  QuantizedSphere sphere_;  ///< of the matrices
+  Conserved conserved_;     ///< beside the spectrum
+  double step_;             ///< h, time
+  TurningFrame frame_;      ///< in which the steps are made
+  double eps_;              ///< h/(2 hbar)
 };
 
 }  // namespace actio

@@ -97,7 +97,8 @@ HistogramBins histogram_bins(SphereFlow const& flow) {
   return HistogramBins(vorticity_eigenvalues(flow.start));
 }
 
-void define_vorticity(QuantityGraph& graph, VorticityMotion const& motion, Flow flow) {
+void define_vorticity(QuantityGraph& graph, VorticityMotion const& motion,
+                      std::shared_ptr<SphereFlow const> flow) {
   define_quadratic_invariants(graph, motion, flow);
   define_casimirs(graph, motion, flow);
   define_values(graph, motion, flow);

@@ -41,7 +41,9 @@ void remember_matrix(CheckpointStream& stream, SkewHermitian<Real>& w, int n) {
   w.real.template triangularView<Eigen::StrictlyLower>() = -half.transpose();
   mirror_lower(w);
 }
+/// In double precision.
 template void remember_matrix(CheckpointStream&, SkewHermitian<double>&, int);
+/// In single precision.
 template void remember_matrix(CheckpointStream&, SkewHermitian<float>&, int);
 
 StateDistance VorticityMotion::distance(Motion const& other) const {
