@@ -38,6 +38,12 @@ struct Quad {
   alignas(32) Vector lane;                             ///< the numbers
 
   Quad() = default;
+  // Written out, or the compiler copies records of them by halves and through memory.
+  [[gnu::always_inline]] Quad(Quad const& x) : lane(x.lane) {}
+  [[gnu::always_inline]] Quad& operator=(Quad const& x) {
+    lane = x.lane;
+    return *this;
+  }
   /// The same number in all lanes.
   [[gnu::always_inline]] Quad(double x) : lane(x - Vector{}) {}
   /// These numbers.

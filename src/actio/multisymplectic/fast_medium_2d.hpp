@@ -23,18 +23,25 @@ namespace actio {
 /// A cell of a medium that would turn inside out: the state is that before the step which would do it.
 struct CellInverts : OutsideDomain {
   std::array<int, 2> cell;  ///< which, along both directions
-  long step;                ///< the number of the step that would do it, from 1
+  long step;                ///< the number of the step that would do it, from 1; 0 at the start
   double time_step;         ///< its length
   double largest_step;      ///< the longest step for which small motions about the state before are stable
+  /// @param which, jacobian, step_number, dt, largest  as above; J at the worst of its corners
   CellInverts(std::array<int, 2> which, double jacobian, long step_number, double dt, double largest)
-      : OutsideDomain("medium: step " + std::to_string(step_number) + " of length " + show(dt) +
-                          " would turn cell (" + std::to_string(which[0]) + ", " + std::to_string(which[1]) +
-                          ") inside out (the longest stable step before it is " + show(largest) + ")",
-                      "the Jacobian at its corners must be positive", jacobian, 0),
+      : OutsideDomain(where(which, step_number, dt, largest), "the Jacobian at its corners must be positive",
+                      jacobian, 0),
         cell(which),
         step(step_number),
         time_step(dt),
         largest_step(largest) {}
+
+ private:
+  static std::string where(std::array<int, 2> which, long step_number, double dt, double largest) {
+    std::string const cell = "cell (" + std::to_string(which[0]) + ", " + std::to_string(which[1]) + ")";
+    if (step_number == 0) return "medium: " + cell + " is inside out at the start";
+    return "medium: step " + std::to_string(step_number) + " of length " + show(dt) + " would turn " + cell +
+           " inside out (the longest stable step before it is " + show(largest) + ")";
+  }
 };
 
 /// A medium on a rectangle of cells, of one density, stepped explicitly.

@@ -60,7 +60,7 @@ struct Sweep2d {
 
  private:
   /// What goes along a row of cells: the edge between the last cell and the next, and the forces of the last
-  /// cell on its ends.
+  /// cell on its right ends, above with a minus.
   struct Carry {
     Plane<Quad> low, high, left, below, above;
   };
@@ -76,9 +76,8 @@ struct Sweep2d {
     areas(e, d);
     note_signs(seen, d);
     Edges<Quad> const f = law.slopes(e, d);
-    Pair const out{c.below + (f.below + f.left), c.above + (f.above - f.left)};
-    c = {low, high, e.right, f.right - f.below,
-         Plane<Quad>{-(f.above.x + f.right.x), -(f.above.y + f.right.y)}};
+    Pair const out{c.below + (f.below + f.left), (f.above - f.left) - c.above};
+    c = {low, high, e.right, f.right - f.below, f.above + f.right};
     return out;
   }
   [[gnu::always_inline]] static Plane<Quad> chosen(Quad::Bits const& there, Plane<Quad> const& a,
@@ -99,9 +98,8 @@ struct Sweep2d {
     areas(e, d);
     note_signs(seen, d);
     Edges<Quad> const f = chosen(there, law.slopes(e, d), Edges<double>{});
-    Pair const out{c.below + (f.below + f.left), c.above + (f.above - f.left)};
-    c = {low, high, whole.right, f.right - f.below,
-         Plane<Quad>{-(f.above.x + f.right.x), -(f.above.y + f.right.y)}};
+    Pair const out{c.below + (f.below + f.left), (f.above - f.left) - c.above};
+    c = {low, high, whole.right, f.right - f.below, f.above + f.right};
     return out;
   }
   [[gnu::always_inline]] static Plane<Quad> turned_down(Plane<Quad> const& a) {
@@ -177,7 +175,7 @@ struct Sweep2d {
     }
     // The last strip ends in a cell that is not there, so that lane 0 gets nothing.
     if (full == 0) first = tail[0];
-    first = {first.below + turned_up(carry.below), first.above + turned_up(carry.above)};
+    first = {first.below + turned_up(carry.below), first.above - turned_up(carry.above)};
     fold(first, tail);
     for (int t = 0; t <= packs - full; ++t) {
       int const s = t == 0 ? 0 : full + t - 1;

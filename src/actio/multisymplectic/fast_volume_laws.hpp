@@ -31,6 +31,16 @@ template <int m, class T>
   else
     return x * power_of<m - 1, T>(x);
 }
+/// The slopes of a law at four corners: those of registers in turns.
+template <class Law, class T>
+[[gnu::always_inline]] inline void slopes_together(Law const& law, T const (&J)[4], T (&out)[4]) {
+  if constexpr (std::same_as<T, Quad>) {
+    Fourfold const all = law.slope(Fourfold{{J[0], J[1], J[2], J[3]}});
+    out[0] = all.quad[0], out[1] = all.quad[1], out[2] = all.quad[2], out[3] = all.quad[3];
+  } else {
+    for (int k = 0; k < 4; ++k) out[k] = law.slope(J[k]);
+  }
+}
 }  // namespace detail
 
 /// A polytropic gas with a named exponent \f$\gamma = power/root\f$, by roots:
@@ -53,18 +63,21 @@ struct PolytropicByRoots {
   }
   /// \f$U'\f$, speed squared.
   template <class T>
-  T slope(T const& J) const { return -K * detail::power_of<power>(detail::inverse_root<root>(J)); }
+  [[gnu::always_inline]] T slope(T const& J) const {
+    return -K * detail::power_of<power>(detail::inverse_root<root>(J));
+  }
   /// \f$U'\f$ at four corners.
   template <class T>
-  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&slope)[4]) const {
+  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
     if constexpr (root == 1) {
       // One division for all four.
       T const a = J[0] * J[1], b = J[2] * J[3], inverse = T(1.0) / (a * b), of_a = b * inverse,
               of_b = a * inverse;
       T const y[4] = {of_a * J[1], of_a * J[0], of_b * J[3], of_b * J[2]};
-      for (int k = 0; k < 4; ++k) slope[k] = -K * detail::power_of<power>(y[k]);
+#pragma GCC unroll 4
+      for (int k = 0; k < 4; ++k) out[k] = -K * detail::power_of<power>(y[k]);
     } else {
-      for (int k = 0; k < 4; ++k) slope[k] = -K * detail::power_of<power>(detail::inverse_root<root>(J[k]));
+      detail::slopes_together(*this, J, out);
     }
   }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
@@ -94,7 +107,7 @@ struct PolytropicGas {
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
-    for (int k = 0; k < 4; ++k) out[k] = slope(J[k]);
+    detail::slopes_together(*this, J, out);
   }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   PolytropicGas scaled(double unit, double weight) const {
@@ -127,13 +140,7 @@ struct LogarithmicLaw {
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
-    T const a = J[0] * J[1], b = J[2] * J[3], inverse = T(1.0) / (a * b), of_a = b * inverse,
-            of_b = a * inverse;
-    T const y[4] = {of_a * J[1], of_a * J[0], of_b * J[3], of_b * J[2]};
-    for (int k = 0; k < 4; ++k) {
-      using std::log;
-      out[k] = (lambda * log(J[k]) - mu) * y[k];
-    }
+    detail::slopes_together(*this, J, out);
   }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   LogarithmicLaw scaled(double unit, double weight) const {
