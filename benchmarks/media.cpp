@@ -1,0 +1,196 @@
+// What a step of a medium in the plane costs: nanoseconds for a cell, on one thread and on two, beside a
+// plain loop of the same scheme in matrices of Eigen and what this machine can do at all, in the same rounds.
+//
+// The limits are measured: fused multiplications and additions on registers alone, and a pass over memory
+// that reads and writes each number once, as one step of a medium does that is larger than the caches. A pass
+// of the fast road makes several steps, so that it may come below the second. Times are those of a clock on
+// the wall, since two threads are no cheaper than one by processor time.
+#include <chrono>
+
+#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "benchmark.hpp"
+#include "peers/gathered_medium.hpp"
+#include "timing.hpp"
+
+using namespace actio;
+using Point = std::array<double, 2>;
+
+namespace {
+
+double sum = 0;  // of what was computed, so that nothing is left out
+
+/// A number that counts what is done with it.
+struct Counted {
+  static inline long operations = 0;
+  double value;
+  Counted(double x = 0) : value(x) {}
+  friend Counted operator+(Counted a, Counted b) { return ++operations, a.value + b.value; }
+  friend Counted operator-(Counted a, Counted b) { return ++operations, a.value - b.value; }
+  friend Counted operator*(Counted a, Counted b) { return ++operations, a.value * b.value; }
+  friend Counted operator/(Counted a, Counted b) { return ++operations, a.value / b.value; }
+  friend Counted operator-(Counted a) { return -a.value; }
+};
+/// Additions, multiplications and divisions of a step of one cell, with its node.
+template <class Medium>
+long operations_of(Medium const& medium) {
+  detail::Edges<Counted> const e{{1, 0}, {1, 0}, {0, 1}, {0, 1}};
+  Counted d[4];
+  Counted::operations = 0;
+  detail::areas(e, d);
+  auto const f = medium.on(1, 1).slopes(e, d);
+  sum += f.below.x.value;
+  // Three new edges, the forces of a cell on its nodes, kick and drift.
+  return Counted::operations + 6 + 16 + 8;
+}
+
+/// Fused multiplications and additions, on eleven registers that wait for nothing else.
+struct Fused {
+  long rounds;
+  detail::Quad out{0};
+  [[gnu::always_inline]] void operator()() {
+    detail::Quad a[11];
+    for (int k = 0; k < 11; ++k) a[k] = detail::Quad(1 + 1e-3 * k);
+    detail::Quad const b(0.999999), c(1e-7);
+    for (long i = 0; i < rounds; ++i) {
+#pragma GCC unroll 11
+      for (int k = 0; k < 11; ++k) a[k] = a[k] * b + c;
+    }
+    for (int k = 0; k < 11; ++k) out = out + a[k];
+  }
+};
+/// Reads and writes each number once.
+struct Pass {
+  detail::Quad* from;
+  std::size_t count;
+  [[gnu::always_inline]] void operator()() {
+    detail::Quad const b(0.999999);
+    for (std::size_t i = 0; i < count; ++i) from[i] = from[i] * b;
+  }
+};
+
+double seconds_of(std::function<void()> const& work) {
+  auto const began = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+/// Nanoseconds per unit on the wall: of each contestant what a tenth of its rounds came under.
+std::vector<double> nanoseconds(int rounds, std::vector<benchmark::Contestant> const& contestants) {
+  std::vector<std::vector<double>> seconds(contestants.size());
+  for (int round = -1; round < rounds; ++round)
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      double const taken = seconds_of(contestants[i].work) / contestants[i].units;
+      if (round >= 0) seconds[i].push_back(1e9 * taken);
+    }
+  std::vector<double> best;
+  for (auto const& s : seconds) best.push_back(benchmark::best_tenth(s));
+  return best;
+}
+
+Point place(Point const& X) {
+  return {X[0] + 0.01 * std::sin(6 * X[0] + 2 * X[1]), X[1] + 0.02 * std::cos(3 * X[0])};
+}
+Point velocity(Point const& X) { return {0.1 * X[1], -0.1 * X[0]}; }
+
+struct Size {
+  int across, up, steps;
+};
+struct Cost {
+  double one, two, plain;
+};
+
+template <class Medium, class Stress>
+Cost cost_of(benchmark::Benchmark const& program, Size const& size, Medium const& medium,
+             Stress const& stress) {
+  double const h = 1.0 / size.across, dt = 0.1 * h;
+  FastBox2d const box{{size.across, size.up}, {h, h}}, small{{100, 60}, {0.01, 0.01}};
+  FastMedium2d<Medium> one(medium, box, dt, 1, place, velocity),
+      two(medium, box, dt, 1, place, velocity, {2}), for_plain(medium, small, 0.001, 1, place, velocity);
+  auto plain = peers::gathered(stress, small, 0.001, for_plain.places(), for_plain.velocities());
+  double const cells = static_cast<double>(size.across) * size.up * size.steps;
+  auto const t = nanoseconds(program.rounds(15), {{"one thread", [&] { one.step(size.steps); }, cells},
+                                                  {"two threads", [&] { two.step(size.steps); }, cells},
+                                                  {"plain loop", [&] { plain.step(); }, 6000.0}});
+  sum += one.momentum()[0] + two.momentum()[0] + plain.v[7][0];
+  return {t[0], t[1], t[2]};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Benchmark program(argc, argv, "media in the plane: nanoseconds for a cell and step");
+  using book::number;
+  Size const size = program.length(Size{2048, 1024, 32}, Size{1024, 256, 8});
+
+  // What the machine can do.
+  std::size_t const numbers = program.length<std::size_t>(1u << 22, 1u << 21);
+  std::vector<detail::Quad> memory(numbers, detail::Quad(1));
+  long const rounds = program.length(4000000L, 1000000L);
+  auto const pass = [&](int threads) {
+    detail::as_team(threads, [&](int k, detail::Meeting&) {
+      std::size_t const share = numbers / static_cast<std::size_t>(threads);
+      Pass one{memory.data() + share * static_cast<std::size_t>(k), share};
+      detail::run_with(best_registers(), one);
+    });
+  };
+  auto const limits =
+      nanoseconds(program.rounds(15), {{"fused",
+                                        [&] {
+    Fused fused{rounds};
+    detail::run_with(best_registers(), fused);
+    sum += fused.out.lane[0];
+                                        },
+                                        static_cast<double>(rounds) * 11 * 8},
+                                       {"memory", [&] { pass(1); }, static_cast<double>(numbers)},
+                                       {"memory, two", [&] { pass(2); }, static_cast<double>(numbers)}});
+  program.figure("fused", 1 / limits[0], "10^9 additions and multiplications a second, fused, on one core");
+  program.figure(
+      "memory", limits[1],
+      "ns for a pass over the four numbers of a node in memory, read and written once, on one core");
+  program.figure("memory_two", limits[2], "the same on two");
+
+  std::vector<book::Program::Row> rows;
+  double gas = 0, solid = 0, any = 0, ratio = HUGE_VAL, shared = 0;
+  auto const add = [&](std::string const& name, auto const& medium, auto const& stress, long operations) {
+    Cost const c = cost_of(program, size, medium, stress);
+    double const floor = operations > 0 ? static_cast<double>(operations) * limits[0] : 0;
+    rows.push_back({name, number(c.one), number(c.two), number(c.plain), number(c.plain / c.one),
+                    operations > 0 ? std::to_string(operations) : "", operations > 0 ? number(floor) : "",
+                    operations > 0 ? number(c.one / floor) : ""});
+    ratio = std::min(ratio, c.plain / c.one), shared = std::max(shared, c.two / c.one);
+    return c.one;
+  };
+  auto const counted = [&](std::string const& name, auto const& medium, auto const& stress) {
+    return add(name, medium, stress, operations_of(medium));
+  };
+  gas = counted("gas, exponent 2", FastFluid{PolytropicByRoots<1, 2>{1}}, peers::GasOfTwoStress{1});
+  solid = counted("St Venant-Kirchhoff", FastStVenantKirchhoff{1, 1}, peers::StVenantKirchhoffStress{1, 1});
+  counted("Blatz-Ko", blatz_ko<1>(1), peers::BlatzKoStress{1});
+  double const named = std::max(
+      {add("gas, exponent 5/3", FastFluid{PolytropicByRoots<3, 5>{1}}, peers::GasStress{1, 5. / 3}, 0),
+       add("gas, exponent 4/3", FastFluid{PolytropicByRoots<3, 4>{1}}, peers::GasStress{1, 4. / 3}, 0),
+       add("gas, exponent 3/2", FastFluid{PolytropicByRoots<2, 3>{1}}, peers::GasStress{1, 1.5}, 0),
+       add("gas, exponent 7/5", FastFluid{PolytropicByRoots<5, 7>{1}}, peers::GasStress{1, 1.4}, 0)});
+  any = add("gas, any exponent", FastFluid{PolytropicGas{1, 1.37}}, peers::GasStress{1, 1.37}, 0);
+  add("neo-Hookean, logarithm", neo_hookean(1, 1), peers::NeoHookeanStress{1, 1}, 0);
+  program.table(
+      "plane",
+      {"medium", "one thread", "two threads", "Eigen loop", "Eigen loop / one thread", "operations",
+       "their floor", "one thread / floor"},
+      rows,
+      "Media in the plane: nanoseconds for a cell and step. The floor is that of the operations, if all "
+      "were fused in pairs.");
+  program.figure("gas", gas, "ns for a cell and step of a gas with exponent 2, one thread");
+  program.figure("solid", solid, "ns for a cell and step of St Venant and Kirchhoff's solid, one thread");
+  program.figure("named", named, "ns for a cell and step of a gas with an exponent by roots, the slowest");
+  program.figure("any", any, "ns for a cell and step of a gas with any exponent");
+  program.figure("ratio", ratio, "times that the Eigen loop takes longer, least");
+  program.figure("shared", shared, "what two threads take of the time of one, most");
+  program.figure("sum", sum, "sum of the last states, so that nothing is left out");
+  if (best_registers() == Registers::avx2)
+    program.claim_of_time(ratio >= 5,
+                          "the plain loop takes at least five times as long, whatever the medium");
+  program.headline("a cell and step of a gas takes " + number(gas) + " ns, by a plain loop at least " +
+                       number(ratio) + " times as long",
+                   gas);
+  return program.finish();
+}
