@@ -8,7 +8,7 @@ using namespace actio;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
-using Point = std::array<double, 2>;
+using Place = std::array<double, 2>;
 using enum FastSide;
 
 FastBox2d periodic_box(int n, double length) {
@@ -21,7 +21,7 @@ FastBox2d periodic_box(int n, double length) {
 /// medium, whose speed of sound along n is \f$c(q) = \sqrt{W''(q)}\f$, until lines meet.
 struct SimpleWave {
   std::function<double(double)> c;  ///< speed of sound as a function of the stretch
-  Point n;                          ///< unit vector
+  Place n;                          ///< unit vector
   double wave_length, amplitude;
 
   double stretch(double s) const { return 1 + amplitude * std::sin(2 * M_PI * s / wave_length); }
@@ -45,11 +45,11 @@ struct SimpleWave {
                  start = s0 - amplitude * wave_length / (2 * M_PI) * std::cos(2 * M_PI * s0 / wave_length);
     return start + (velocity(q) + c(q) * q) * t;
   }
-  Point at(Point const& X, double t) const {
+  Place at(Place const& X, double t) const {
     double const s = n[0] * X[0] + n[1] * X[1], u = place(s, t) - s;
     return {X[0] + n[0] * u, X[1] + n[1] * u};
   }
-  Point velocity_at(Point const& X) const {
+  Place velocity_at(Place const& X) const {
     double const v = velocity(stretch(n[0] * X[0] + n[1] * X[1]));
     return {n[0] * v, n[1] * v};
   }
@@ -62,14 +62,14 @@ double error_on(Medium const& medium, SimpleWave const& wave, int n) {
   double const time = 0.25;
   long const steps = n;
   FastMedium2d<Medium> fast(
-      medium, box, time / static_cast<double>(steps), 1, [&](Point const& X) { return wave.at(X, 0); },
-      [&](Point const& X) { return wave.velocity_at(X); });
+      medium, box, time / static_cast<double>(steps), 1, [&](Place const& X) { return wave.at(X, 0); },
+      [&](Place const& X) { return wave.velocity_at(X); });
   fast.step(steps);
   auto const x = fast.places();
   double worst = 0;
   for (int j = 0, k = 0; j < n; ++j)
     for (int i = 0; i < n; ++i, ++k) {
-      Point const exact = wave.at(box.at(i, j), time);
+      Place const exact = wave.at(box.at(i, j), time);
       auto const at = static_cast<std::size_t>(k);
       worst = std::max(worst, std::hypot(x[at][0] - exact[0], x[at][1] - exact[1]));
     }
@@ -98,9 +98,13 @@ void has_order_two(char const* name, Medium const& medium, std::function<double(
 struct Acoustic {
   double c;
   template <class T>
-  T energy(T const& J) const { return 0.5 * c * c * (J - 1.0) * (J - 1.0); }
+  T energy(T const& J) const {
+    return 0.5 * c * c * (J - 1.0) * (J - 1.0);
+  }
   template <class T>
-  T slope(T const& J) const { return c * c * (J - 1.0); }
+  T slope(T const& J) const {
+    return c * c * (J - 1.0);
+  }
 };
 }  // namespace
 
@@ -135,11 +139,11 @@ BOOST_AUTO_TEST_CASE(a_standing_wave_has_the_discrete_dispersion_relation) {
     auto const u = [&](double X, double t) { return 0.03 * std::sin(k * X) * std::cos(w * t); };
     FastMedium2d fast(
         FastFluid{Acoustic{c}}, box, dt, 1,
-        [&](Point const& X) {
-      return Point{X[0] + u(X[0], 0), X[1]};
+        [&](Place const& X) {
+      return Place{X[0] + u(X[0], 0), X[1]};
         },
-        [](Point const&) {
-      return Point{0, 0};
+        [](Place const&) {
+      return Place{0, 0};
     });
     fast.step(200);
     double worst = 0;
@@ -147,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_standing_wave_has_the_discrete_dispersion_relation) {
     std::size_t at = 0;
     for (int j = 0; j < box.nodes(1); ++j)
       for (int i = 0; i < box.nodes(0); ++i, ++at) {
-        Point const X = box.at(i, j);
+        Place const X = box.at(i, j);
         worst =
             std::max({worst, std::abs(x[at][0] - X[0] - u(X[0], fast.time())), std::abs(x[at][1] - X[1])});
       }
@@ -166,11 +170,11 @@ BOOST_AUTO_TEST_CASE(a_neo_hookean_shear_wave_of_any_amplitude_has_it_too) {
   auto const u = [&](double Y, double t) { return amplitude * std::sin(k * Y) * std::cos(w * t); };
   FastMedium2d fast(
       neo_hookean(2, mu), box, dt, 1,
-      [&](Point const& X) {
-    return Point{X[0] + u(X[1], 0), X[1]};
+      [&](Place const& X) {
+    return Place{X[0] + u(X[1], 0), X[1]};
       },
-      [](Point const&) {
-    return Point{0, 0};
+      [](Place const&) {
+    return Place{0, 0};
   });
   fast.step(200);
   double worst = 0;
@@ -178,7 +182,7 @@ BOOST_AUTO_TEST_CASE(a_neo_hookean_shear_wave_of_any_amplitude_has_it_too) {
   std::size_t at = 0;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i, ++at) {
-      Point const X = box.at(i, j);
+      Place const X = box.at(i, j);
       worst = std::max({worst, std::abs(x[at][0] - X[0] - u(X[1], fast.time())), std::abs(x[at][1] - X[1])});
     }
   BOOST_TEST_MESSAGE("shear wave: difference from the discrete dispersion relation " << worst);
@@ -192,11 +196,11 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_periodic_block_moves_on_a_straight_line) {
   int const n = 16, steps = 300;
   FastBox2d box = periodic_box(n, 1);
   box.period = {{{F[0][0], F[1][0]}, {F[0][1], F[1][1]}}};
-  auto const place = [&](Point const& X) {
-    return Point{F[0][0] * X[0] + F[0][1] * X[1], F[1][0] * X[0] + F[1][1] * X[1]};
+  auto const place = [&](Place const& X) {
+    return Place{F[0][0] * X[0] + F[0][1] * X[1], F[1][0] * X[0] + F[1][1] * X[1]};
   };
   auto const test = [&](auto const& medium) {
-    FastMedium2d fast(medium, box, dt, 1, place, [](Point const&) { return Point{0.2, -0.1}; });
+    FastMedium2d fast(medium, box, dt, 1, place, [](Place const&) { return Place{0.2, -0.1}; });
     fast.step(steps);
     auto const x = fast.places();
     double worst = 0;
@@ -204,7 +208,7 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_periodic_block_moves_on_a_straight_line) {
     std::size_t at = 0;
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i, ++at) {
-        Point const X = place(box.at(i, j));
+        Place const X = place(box.at(i, j));
         worst = std::max({worst, std::abs(x[at][0] - X[0] - 0.2 * t), std::abs(x[at][1] - X[1] + 0.1 * t)});
       }
     BOOST_TEST(worst <= t * t * rate + 2 * steps * eps);
@@ -229,13 +233,13 @@ Changes thrown(char const* name, Medium const& medium, long steps) {
                       {-0.5, -0.3}};
   FastMedium2d fast(
       medium, box, 0.2 / n, 3,
-      [](Point const& X) {
-    return Point{X[0] * 1.02 + 0.01 * X[1] * X[1], X[1]};
+      [](Place const& X) {
+    return Place{X[0] * 1.02 + 0.01 * X[1] * X[1], X[1]};
       },
-      [](Point const& X) {
-    return Point{0.03 - 0.3 * X[1], 0.02 + 0.3 * X[0]};
+      [](Place const& X) {
+    return Place{0.03 - 0.3 * X[1], 0.02 + 0.3 * X[0]};
   });
-  Point const p = fast.momentum();
+  Place const p = fast.momentum();
   double const L = fast.angular_momentum(), E = fast.energy();
   // What the parts have, whichever way they go; all nodes as heavy as those inside.
   double parts = 0;
@@ -244,7 +248,7 @@ Changes thrown(char const* name, Medium const& medium, long steps) {
   int const samples = 100;
   for (int k = 0; k < samples; ++k) {
     fast.step(steps / samples);
-    Point const q = fast.momentum();
+    Place const q = fast.momentum();
     most.momentum = std::max(most.momentum, std::hypot(q[0] - p[0], q[1] - p[1]) / parts);
     most.angular_momentum = std::max(most.angular_momentum, std::abs(fast.angular_momentum() / L - 1));
     double const e = fast.energy() / E - 1;

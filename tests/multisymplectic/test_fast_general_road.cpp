@@ -9,7 +9,7 @@
 using namespace actio;
 
 namespace {
-using Point = std::array<double, 2>;
+using Place = std::array<double, 2>;
 
 struct Case {
   FastSide fast;
@@ -24,16 +24,16 @@ void roads_agree(Medium const& medium, Energy const& energy, Case const& across,
   double const h1 = 0.1, h2 = 0.13, dt = 0.01, density = 1.7;
   FastBox2d const box{{n, m}, {h1, h2}, {across.fast, across.fast}, {up.fast, up.fast}};
   // Periodic, and nothing at the sides.
-  auto const bump = [&](Point const& X) {
+  auto const bump = [&](Place const& X) {
     return std::pow(std::sin(M_PI * X[0] / (n * h1)) * std::sin(M_PI * X[1] / (m * h2)), 2);
   };
   FastMedium2d fast(
       medium, box, dt, density,
-      [&](Point const& X) {
-    return Point{X[0] + 0.03 * bump(X) * X[1], X[1] - 0.02 * bump(X)};
+      [&](Place const& X) {
+    return Place{X[0] + 0.03 * bump(X) * X[1], X[1] - 0.02 * bump(X)};
       },
-      [&](Point const& X) {
-    return Point{0.2 * bump(X), -0.1 * bump(X) * X[0]};
+      [&](Place const& X) {
+    return Place{0.2 * bump(X), -0.1 * bump(X) * X[0]};
   });
 
   std::vector<double> times;

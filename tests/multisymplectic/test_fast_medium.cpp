@@ -11,13 +11,13 @@ using namespace actio;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
-using Point = std::array<double, 2>;
+using Place = std::array<double, 2>;
 using enum FastSide;
 
 /// A smooth motion, rough enough that no two cells are alike; periodic where the box is.
 struct Start {
   FastBox2d box;
-  Point place(Point const& X) const {
+  Place place(Place const& X) const {
     double const a = 2 * M_PI * X[0] / (box.cells[0] * box.spacing[0]),
                  b = 2 * M_PI * X[1] / (box.cells[1] * box.spacing[1]);
     auto const one = box.shift(0), two = box.shift(1);
@@ -26,7 +26,7 @@ struct Start {
     return {u * one.x + w * two.x + size * (std::sin(a + 2 * b) + std::cos(3 * a)),
             u * one.y + w * two.y + size * (std::cos(2 * a - b) - std::sin(2 * b))};
   }
-  Point velocity(Point const& X) const {
+  Place velocity(Place const& X) const {
     double const a = 2 * M_PI * X[0] / (box.cells[0] * box.spacing[0]),
                  b = 2 * M_PI * X[1] / (box.cells[1] * box.spacing[1]);
     return {0.02 * std::sin(b) + 0.05, 0.02 * std::cos(a - b) - 0.02};
@@ -40,8 +40,8 @@ FastMedium2d<Medium> let_go(Medium const& medium, FastBox2d const& box, double d
           box,
           dt,
           2.5,
-          [&](Point const& X) { return start.place(X); },
-          [&](Point const& X) { return start.velocity(X); },
+          [&](Place const& X) { return start.place(X); },
+          [&](Place const& X) { return start.velocity(X); },
           options};
 }
 
@@ -73,7 +73,7 @@ double room(FastBox2d const& box, double dt, int steps, double modulus, double f
   double const rate = 4 / h * modulus * eps * (80 + 2 * farthest / h);
   return 2 * t * t * rate + steps * eps * farthest;
 }
-double farthest(std::vector<Point> const& x) {
+double farthest(std::vector<Place> const& x) {
   double most = 0;
   for (auto const& p : x) most = std::max(most, std::hypot(p[0], p[1]));
   return most;
@@ -124,9 +124,13 @@ namespace {
 struct Own {
   double K;
   template <class T>
-  T energy(T const& J) const { return K / J; }
+  T energy(T const& J) const {
+    return K / J;
+  }
   template <class T>
-  T slope(T const& J) const { return -K / (J * J); }
+  T slope(T const& J) const {
+    return -K / (J * J);
+  }
 };
 }  // namespace
 
@@ -144,8 +148,8 @@ BOOST_AUTO_TEST_CASE(threads_levels_and_calls_change_no_bit) {
         auto other = let_go(FastFluid{PolytropicByRoots<1, 2>{0.7}}, box, 0.01, {threads, levels, registers});
         other.step(3), other.step(), other.step(25);
         auto const y = other.places(), w = other.velocities_half_a_step_ago();
-        bool const same = !std::memcmp(x.data(), y.data(), x.size() * sizeof(Point)) &&
-                          !std::memcmp(v.data(), w.data(), v.size() * sizeof(Point));
+        bool const same = !std::memcmp(x.data(), y.data(), x.size() * sizeof(Place)) &&
+                          !std::memcmp(v.data(), w.data(), v.size() * sizeof(Place));
         BOOST_TEST_INFO(box.cells[0] << " x " << box.cells[1] << " cells, " << threads << " threads, "
                                      << levels << " levels, " << name_of(registers));
         BOOST_TEST(same);

@@ -8,11 +8,11 @@
 using namespace actio;
 
 namespace {
-using Point = std::array<double, 2>;
+using Place = std::array<double, 2>;
 using enum FastSide;
 
-Point at_rest(Point const& X) { return X; }
-Point still(Point const&) { return {0, 0}; }
+Place at_rest(Place const& X) { return X; }
+Place still(Place const&) { return {0, 0}; }
 
 /// A solid that does not resist collapse, whose left side is thrown against the right.
 FastMedium2d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {
@@ -22,15 +22,15 @@ FastMedium2d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {
           0.02,
           1,
           at_rest,
-          [](Point const& X) {
-    return Point{X[0] < 0.8 ? 1.5 : 0, 0.1 * X[1]};
+          [](Place const& X) {
+    return Place{X[0] < 0.8 ? 1.5 : 0, 0.1 * X[1]};
           },
           options};
 }
-bool same(std::vector<Point> const& x, std::vector<Point> const& y) {
-  return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(Point));
+bool same(std::vector<Place> const& x, std::vector<Place> const& y) {
+  return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(Place));
 }
-double least_jacobian(std::vector<Point> const& x, FastBox2d const& box) {
+double least_jacobian(std::vector<Place> const& x, FastBox2d const& box) {
   double least = HUGE_VAL;
   int const n = box.nodes(0);
   auto const at = [&](int i, int j) { return x[static_cast<std::size_t>(j * n + i)]; };
@@ -38,7 +38,7 @@ double least_jacobian(std::vector<Point> const& x, FastBox2d const& box) {
     for (int i = 0; i < box.cells[0]; ++i)
       for (int k = 0; k < 4; ++k) {
         int const a = k % 2, b = k / 2;
-        Point const o = at(i, j + b), p = at(i + 1, j + b), q = at(i + a, j), r = at(i + a, j + 1);
+        Place const o = at(i, j + b), p = at(i + 1, j + b), q = at(i + a, j), r = at(i + a, j + 1);
         least = std::min(least, ((p[0] - o[0]) * (r[1] - q[1]) - (p[1] - o[1]) * (r[0] - q[0])) /
                                     (box.spacing[0] * box.spacing[1]));
       }
@@ -112,9 +112,13 @@ BOOST_AUTO_TEST_CASE(no_call_ends_with_a_cell_inside_out) {
 namespace {
 struct Acoustic {
   template <class T>
-  T energy(T const& J) const { return 2.0 * (J - 1.0) * (J - 1.0); }
+  T energy(T const& J) const {
+    return 2.0 * (J - 1.0) * (J - 1.0);
+  }
   template <class T>
-  T slope(T const& J) const { return 4.0 * (J - 1.0); }
+  T slope(T const& J) const {
+    return 4.0 * (J - 1.0);
+  }
 };
 }  // namespace
 
@@ -131,8 +135,8 @@ BOOST_AUTO_TEST_CASE(the_longest_step_is_that_of_the_discrete_dispersion_relatio
 template <class Medium>
 void is_stable_up_to_the_longest_step(Medium const& law) {
   FastBox2d const box{{12, 9}, {0.1, 0.12}, {sliding, sliding}, {sliding, sliding}};
-  auto const place = [](Point const& X) {
-    return Point{X[0] + 1e-6 * std::sin(31 * X[0] * X[1]) * X[0] * (X[0] - 1.2), X[1]};
+  auto const place = [](Place const& X) {
+    return Place{X[0] + 1e-6 * std::sin(31 * X[0] * X[1]) * X[0] * (X[0] - 1.2), X[1]};
   };
   double const longest = FastMedium2d(law, box, 1e-3, 1, at_rest, still).largest_step();
   FastMedium2d below(law, box, 0.97 * longest, 1, place, still),
@@ -165,14 +169,14 @@ BOOST_AUTO_TEST_CASE(what_is_no_medium_is_refused_at_once) {
   BOOST_CHECK_THROW(with(box, 0.01, -1, at_rest), OutsideDomain);
   BOOST_CHECK_THROW(with(
                         box, 0.01, 1,
-                        [](Point const& X) {
-    return Point{X[0], std::sqrt(0.2 - X[1])};
+                        [](Place const& X) {
+    return Place{X[0], std::sqrt(0.2 - X[1])};
                         }),
                     NotFinite);
   BOOST_CHECK_THROW(with(
                         box, 0.01, 1,
-                        [](Point const& X) {
-    return Point{X[0], X[1] * (0.35 - X[1])};
+                        [](Place const& X) {
+    return Place{X[0], X[1] * (0.35 - X[1])};
                         }),
                     CellInverts);
   FastMedium2d medium(gas, box, 0.01, 1, at_rest, still);
