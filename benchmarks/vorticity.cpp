@@ -145,20 +145,24 @@ int main(int argc, char** argv) {
                 {"N", "state", "product, ms", "fixed point", "no finish", "Lie-Poisson", "rounds",
                  "energy-Casimir", "all invariants", "fixed point: Casimirs", "ours: Casimirs"},
                 rows);
-  program.figure("gain", least_gain,
-                 "how many times faster than the fixed point a Lie-Poisson step of a smooth state is, least "
-                 "over N = 64 to 512");
-  program.figure("gain_developed", gain_developed, "the same of a developed state");
-  program.figure(
-      "digits", digits,
-      "decimal digits that the Casimirs of a developed state have more than by the fixed point, least");
-  program.figure("extra", 100 * extra,
-                 "what all invariants cost more than energy and Casimirs, per cent, most");
-  program.figure("smooth", smooth_large,
-                 "a Lie-Poisson step of a smooth state with the exact finish, in products, the largest N");
-  program.figure("developed", developed_large, "the same of a developed state");
-  program.figure("unfinished", unfinished_large,
-                 "a step of a smooth state without the finish, the largest N");
+  // A short run has the smallest size alone: what is said of all, and of the largest, the release has.
+  if (!program.is_short()) {
+    program.figure(
+        "gain", least_gain,
+        "how many times faster than the fixed point a Lie-Poisson step of a smooth state is, least "
+        "over N = 64 to 512");
+    program.figure("gain_developed", gain_developed, "the same of a developed state");
+    program.figure(
+        "digits", digits,
+        "decimal digits that the Casimirs of a developed state have more than by the fixed point, least");
+    program.figure("extra", 100 * extra,
+                   "what all invariants cost more than energy and Casimirs, per cent, most");
+    program.figure("smooth", smooth_large,
+                   "a Lie-Poisson step of a smooth state with the exact finish, in products, the largest N");
+    program.figure("developed", developed_large, "the same of a developed state");
+    program.figure("unfinished", unfinished_large,
+                   "a step of a smooth state without the finish, the largest N");
+  }
 
   // The invariants of long runs.
   rows.clear();
@@ -196,20 +200,24 @@ int main(int argc, char** argv) {
   program.table("invariants",
                 {"form", "precision", "steps", "C_2 to C_8", "energy", "angular momentum", "ms a step"},
                 rows);
-  program.figure("casimirs", worst_casimir,
-                 "largest relative change of C_2 to C_8 of the three forms, N = 64, in mixed precision");
-  program.figure("casimirs_double", worst_in_double, "the same in double precision");
-  program.figure("all", worst_other,
-                 "largest relative change of energy and angular momentum by the form that conserves all");
+  if (!program.is_short()) {
+    program.figure("casimirs", worst_casimir,
+                   "largest relative change of C_2 to C_8 of the three forms, N = 64, in mixed precision");
+    program.figure("casimirs_double", worst_in_double, "the same in double precision");
+    program.figure("all", worst_other,
+                   "largest relative change of energy and angular momentum by the form that conserves all");
+  }
   program.claim(worst_other <= 1e-12, "energy and angular momentum together stay within 1e-12");
 
   // The harmonics beside the step.
   int const size = program.length(512, 64);
   SkewHermitian<> const large = random_state(size, true);
   double const transform = benchmark::processor_seconds_of([&] { (void)harmonics_of(large); });
-  program.figure("transform_ms", 1e3 * transform,
-                 "milliseconds from the matrix to the harmonics, the largest N up to 512");
-  program.figure("transform", 1e3 * transform / step_ms, "the same in steps of that size");
+  if (!program.is_short()) {
+    program.figure("transform_ms", 1e3 * transform,
+                   "milliseconds from the matrix to the harmonics, the largest N up to 512");
+    program.figure("transform", 1e3 * transform / step_ms, "the same in steps of that size");
+  }
   program.headline("a Lie-Poisson step of a developed state with exact Casimirs is " +
                        number(gain_developed) + " times faster than the fixed point of published codes",
                    gain_developed);
