@@ -117,7 +117,7 @@ class FastVorticityStep : public StepSetting<Stream> {
       StepSetting<Stream>::step_, StepSetting<Stream>::frame_, StepSetting<Stream>::eps_,
       StepSetting<Stream>::of_energy;
   static constexpr double lowest_ = 1e-6;              ///< changes above this are not put down to rounding
-  static constexpr double last_change_ = 1e-7;         ///< of A, relative, whose square is below rounding
+  static constexpr double last_change_ = 2e-8;         ///< of A, relative, whose square is below rounding
   static constexpr double largest_residual_ = 4e-7;    ///< relative to |W|, of what single precision finds
   static constexpr double smallest_residual_ = 5e-10;  ///< whose square matters after many steps
   static constexpr double longest_move_ = 3e-8;        ///< along the orbit, relative to |A|
