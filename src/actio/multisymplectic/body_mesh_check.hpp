@@ -1,0 +1,154 @@
+// Whether a mesh is one of a body: cells that are not inverted, flat or doubled, in one piece, with sides
+// that are theirs.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "actio/multisymplectic/body_mesh.hpp"
+
+namespace actio {
+
+/// The Jacobian of the reference map at a corner of a cell: the determinant of the edges that meet there,
+/// counted as running along 0, 1, 2, for a simplex of those from corner 0.
+struct CornerJacobian {
+  double volume;  ///< with sign, length^dimension
+  double box;     ///< the product of the lengths of the edges
+};
+/// \ref CornerJacobian of a corner. A simplex has one, at corner 0.
+inline CornerJacobian corner_jacobian(BodyMesh const& mesh, int cell, int corner) {
+  int const d = mesh.dimension;
+  auto const here = corner_place(mesh, cell, corner);
+  double e[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, box = 1;
+  for (int i = 0; i < d; ++i) {
+    // An edge that begins at the upper end runs backwards.
+    bool const back = !is_simplex(mesh.shape) && (corner >> i & 1);
+    auto const there = corner_place(mesh, cell, is_simplex(mesh.shape) ? i + 1 : corner ^ (1 << i));
+    for (int k = 0; k < d; ++k) e[i][k] = back ? here[k] - there[k] : there[k] - here[k];
+    box *= std::hypot(e[i][0], d > 1 ? e[i][1] : 0, d > 2 ? e[i][2] : 0);
+  }
+  double const det = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                     e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                     e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  return {det, box};
+}
+
+namespace detail {
+
+/// A cell and its nodes, for messages.
+inline std::string cell_name(BodyMesh const& mesh, int cell) {
+  std::string name = "mesh of a body, cell " + std::to_string(cell) + " with nodes";
+  for (int b = 0; b < corner_count(mesh.shape); ++b) name += " " + std::to_string(mesh.cells[cell][b]);
+  return name;
+}
+/// A place, for messages.
+inline std::string place_name(std::array<double, 3> const& x) {
+  return "(" + show(x[0]) + ", " + show(x[1]) + ", " + show(x[2]) + ")";
+}
+
+inline void require_nodes(BodyMesh const& mesh) {
+  static constexpr int dimensions[] = {1, 2, 2, 3, 3};
+  if (mesh.dimension != dimensions[int(mesh.shape)])
+    throw NotABodyMesh(std::string("mesh of a body of ") + name_of(mesh.shape) + "s",
+                       "it has the dimension of its cells; dimension", mesh.dimension,
+                       dimensions[int(mesh.shape)]);
+  if (mesh.cells.empty()) throw NotABodyMesh("mesh of a body", "there are cells; cells", 0, 1);
+  if (!mesh.wraps.empty() && mesh.wraps.size() != mesh.cells.size())
+    throw NotABodyMesh("mesh of a body", "each cell says how it lies across seams, or none; cells",
+                       double(mesh.wraps.size()), double(mesh.cells.size()));
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    for (double x : mesh.nodes[i])
+      if (!is_finite(x)) throw NotFinite("mesh of a body, node " + std::to_string(i));
+  std::vector<bool> used(mesh.nodes.size(), false);
+  for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
+    for (int b = 0; b < corner_count(mesh.shape); ++b) {
+      int const node = mesh.cells[cell][b];
+      if (node < 0 || node >= int(mesh.nodes.size()))
+        throw NotABodyMesh(cell_name(mesh, cell), "its corners are nodes of the mesh; node", node,
+                           double(mesh.nodes.size()) - 1);
+      used[node] = true;
+    }
+  auto const idle = std::find(used.begin(), used.end(), false);
+  if (idle != used.end()) {
+    auto const node = idle - used.begin();
+    throw NotABodyMesh("mesh of a body, node " + std::to_string(node) + " at " + place_name(mesh.nodes[node]),
+                       "every node is a corner of a cell; cells at the node", 0, 1);
+  }
+}
+
+inline void require_volumes(BodyMesh const& mesh) {
+  // An entry of an edge is a difference of coordinates, and six products of them make the determinant: one
+  // that is not above their rounding has no sign.
+  double const bound = 64 * epsilon<double>();
+  int const places = is_simplex(mesh.shape) ? 1 : corner_count(mesh.shape);
+  for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
+    for (int b = 0; b < places; ++b) {
+      auto const J = corner_jacobian(mesh, cell, b);
+      if (J.volume > bound * J.box) continue;
+      bool const flat = !(J.volume < -bound * J.box);
+      throw NotABodyMesh(cell_name(mesh, cell) + ", corner " + std::to_string(b) + " at " +
+                             place_name(corner_place(mesh, cell, b)),
+                         flat ? "a cell is not degenerate; volume of the edges over their product"
+                              : "a cell is not inverted; volume of the edges over their product",
+                         J.box > 0 ? J.volume / J.box : 0, bound);
+    }
+}
+
+/// All facets with their nodes in increasing order, sorted, so that those of neighbours stand side by side.
+inline std::vector<std::pair<std::array<int, 4>, int>> sorted_facets(BodyMesh const& mesh) {
+  std::vector<std::pair<std::array<int, 4>, int>> facets;
+  facets.reserve(mesh.cells.size() * facet_count(mesh.shape));
+  for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
+    for (int facet = 0; facet < facet_count(mesh.shape); ++facet) {
+      auto nodes = facet_nodes(mesh, {cell, facet});
+      std::sort(nodes.begin(), nodes.end());
+      facets.emplace_back(nodes, cell);
+    }
+  std::sort(facets.begin(), facets.end());
+  return facets;
+}
+
+inline void require_one_piece(BodyMesh const& mesh) {
+  auto const facets = sorted_facets(mesh);
+  std::vector<int> piece(mesh.cells.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  auto const root = [&](int cell) {
+    while (piece[cell] != cell) cell = piece[cell] = piece[piece[cell]];
+    return cell;
+  };
+  for (std::size_t k = 1; k < facets.size(); ++k) {
+    if (facets[k].first != facets[k - 1].first) continue;
+    // In a periodic box of two cells facets with the same nodes need not be the same.
+    if (mesh.wraps.empty() && k > 1 && facets[k].first == facets[k - 2].first)
+      throw NotABodyMesh(cell_name(mesh, facets[k].second) + ", cells " +
+                             std::to_string(facets[k - 2].second) + " and " +
+                             std::to_string(facets[k - 1].second) + " have the same facet",
+                         "a facet belongs to two cells at most; cells", 3, 2);
+    int const a = root(facets[k].second), b = root(facets[k - 1].second);
+    piece[std::max(a, b)] = std::min(a, b);
+  }
+  for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
+    if (root(cell) != 0) {
+      int pieces = 0;
+      for (int c = 0; c < int(mesh.cells.size()); ++c) pieces += root(c) == c;
+      throw NotABodyMesh(cell_name(mesh, cell) + " is unconnected to cell 0",
+                         "cells are connected by their facets; pieces", pieces, 1);
+    }
+}
+
+}  // namespace detail
+
+/// Refuses a mesh that is none: cells that are inverted, degenerate, doubled or unconnected, corners or nodes
+/// that are missing, sides with facets that are none of a cell.
+///
+/// @throws NotABodyMesh  with the cell, its corner and the measured number; NotFinite where a place is none
+/// Its work is that of sorting all facets.
+inline void require_body_mesh(BodyMesh const& mesh) {
+  detail::require_nodes(mesh);
+  detail::require_volumes(mesh);
+  detail::require_one_piece(mesh);
+  for (auto const& side : mesh.sides) facets_of_side(mesh, side.first);
+}
+
+}  // namespace actio
