@@ -8,8 +8,8 @@
 
 #include <bit>
 
+#include "actio/forms/forms.hpp"
 #include "actio/jets/density.hpp"
-#include "actio/numbers/determinant.hpp"
 #include "actio/numbers/linear.hpp"
 
 namespace actio {
