@@ -1,0 +1,161 @@
+// Forces, energies and stiffness of a body on a mesh, by a plain loop over its cells.
+#pragma once
+
+#include "actio/multisymplectic/body_loads.hpp"
+#include "actio/multisymplectic/discrete_stress.hpp"
+
+namespace actio {
+
+/// The least Jacobian of a body, and the cell that has it.
+struct LeastJacobian {
+  double jacobian = HUGE_VAL;  ///< det F at the worst point of the cell; NaN where a place is none
+  int cell = -1;               ///< which cell
+};
+
+/// What acts inside of a body and on it.
+template <int d>
+class BodyForces {
+ public:
+  using Gradient = Matrix<double, d, d>;               ///< a deformation gradient, or a stress
+  using Law = std::shared_ptr<StoredEnergy<d> const>;  ///< the medium
+  using Density = std::function<double(std::array<double, d> const&)>;  ///< of mass, at X
+
+  /// @throws  what \ref BodyQuadrature and \ref LoadsOnBody refuse
+  BodyForces(BodyMesh const& mesh, Law law, Density const& density, BodyLoads<d> const& loads)
+      : body(mesh, *law, density), loads(mesh, loads), law_(std::move(law)) {}
+
+  BodyQuadrature<d> body;  ///< cells and masses
+  LoadsOnBody<d> loads;    ///< from outside
+
+  /// The forces on all nodes at places x and time t: minus the derivative of the energy, and pressures.
+  /// @return the least Jacobian; where it is not positive the forces are not complete
+  LeastJacobian forces(std::vector<double> const& x, double t, std::vector<double>& f) const {
+    f.assign(x.size(), 0);
+    LeastJacobian least;
+    double at[8][d], on[8][d];
+    for (int cell = 0; cell < body.cells(); ++cell) {
+      body.gather(x, cell, at);
+      clear(on);
+      for (int p = 0; p < body.points_per_cell; ++p) {
+        auto const& point = body.at(cell, p);
+        Gradient const F = body.gradient(at, p, point);
+        if (!note(F, cell, least)) return least;
+        body.add_forces(weighed_stress(F, point), p, point, on);
+      }
+      body.scatter(on, cell, f);
+    }
+    loads.add_forces(body, x, t, f);
+    return least;
+  }
+  /// The forces between places x0 and x1 that do the work which the energy loses, and keep momenta.
+  /// @return the least Jacobian at x1; where it is not positive the forces are not complete
+  LeastJacobian discrete_forces(std::vector<double> const& x0, std::vector<double> const& x1, double t,
+                                std::vector<double>& f) const {
+    f.assign(x0.size(), 0);
+    LeastJacobian least;
+    double from[8][d], to[8][d], on[8][d];
+    for (int cell = 0; cell < body.cells(); ++cell) {
+      body.gather(x0, cell, from), body.gather(x1, cell, to);
+      clear(on);
+      for (int p = 0; p < body.points_per_cell; ++p) {
+        auto const& point = body.at(cell, p);
+        Gradient const F0 = body.gradient(from, p, point), F1 = body.gradient(to, p, point);
+        if (!note(F1, cell, least)) return least;
+        auto const energy = [&](Gradient const& F) { return weighed_energy(F, point); };
+        auto const stress = [&](Gradient const& F) { return weighed_stress(F, point); };
+        body.add_forces(discrete_stress<d>(energy, stress, F0, F1), p, point, on);
+      }
+      body.scatter(on, cell, f);
+    }
+    loads.add_discrete_forces(body, x0, x1, t, f);
+    return least;
+  }
+  /// The rate at which forces fall along a change u of places x: the second derivative of the energy.
+  void stiffness(std::vector<double> const& x, std::vector<double> const& u, std::vector<double>& out) const {
+    out.assign(x.size(), 0);
+    double at[8][d], along[8][d], on[8][d];
+    for (int cell = 0; cell < body.cells(); ++cell) {
+      body.gather(x, cell, at), body.gather(u, cell, along, false);
+      clear(on);
+      for (int p = 0; p < body.points_per_cell; ++p) {
+        auto const& point = body.at(cell, p);
+        Gradient const F = body.gradient(at, p, point), change = body.gradient(along, p, point);
+        Gradient rate = law_->stress_rate(F, change) * (-point.weight);
+        if (loads.outside_pressure() != 0) rate -= cofactor_rate(F, change) * pressure_on(point);
+        body.add_forces(rate, p, point, on);
+      }
+      body.scatter(on, cell, out);
+    }
+    loads.add_stiffness(body, x, u, out);
+  }
+  /// What the body has stored at places x.
+  double stored(std::vector<double> const& x) const {
+    double sum = 0;
+    each_point(x, [&](int, int, CellPoint<d> const& point, Gradient const& F) {
+      sum += point.weight * law_->energy(F);
+    });
+    return sum;
+  }
+  /// The energy of the loads that have one: potentials, dead loads, outside pressure times volume.
+  double of_loads(std::vector<double> const& x) const {
+    double sum = loads.energy(body, x);
+    if (loads.outside_pressure() != 0)
+      each_point(x, [&](int, int, CellPoint<d> const& point, Gradient const& F) {
+        sum += pressure_on(point) * small_determinant(F);
+      });
+    return sum;
+  }
+  /// The least Jacobian at places x.
+  LeastJacobian least_jacobian(std::vector<double> const& x) const {
+    LeastJacobian least;
+    double at[8][d];
+    for (int cell = 0; cell < body.cells(); ++cell) {
+      body.gather(x, cell, at);
+      for (int p = 0; p < body.points_per_cell; ++p)
+        if (!note(body.gradient(at, p, body.at(cell, p)), cell, least) && least.jacobian != least.jacobian)
+          return least;
+    }
+    return least;
+  }
+  /// Calls f(cell, point number, point, F) for all points of all cells.
+  template <class Visit>
+  void each_point(std::vector<double> const& x, Visit const& visit) const {
+    double at[8][d];
+    for (int cell = 0; cell < body.cells(); ++cell) {
+      body.gather(x, cell, at);
+      for (int p = 0; p < body.points_per_cell; ++p)
+        visit(cell, p, body.at(cell, p), body.gradient(at, p, body.at(cell, p)));
+    }
+  }
+  /// The stored energy of the medium.
+  StoredEnergy<d> const& law() const { return *law_; }
+
+ private:
+  Law law_;
+
+  static void clear(double (&on)[8][d]) {
+    for (auto& corner : on)
+      for (double& one : corner) one = 0;
+  }
+  /// Remembers the Jacobian where it is the least; whether it is positive.
+  static bool note(Gradient const& F, int cell, LeastJacobian& least) {
+    double const J = small_determinant(F);
+    if (!(J >= least.jacobian)) least = {J, cell};
+    return J > 0;
+  }
+  double pressure_on(CellPoint<d> const& point) const { return loads.outside_pressure() * point.volume; }
+  double weighed_energy(Gradient const& F, CellPoint<d> const& point) const {
+    double const stored = point.weight * law_->energy(F);
+    return loads.outside_pressure() == 0 ? stored : stored + pressure_on(point) * small_determinant(F);
+  }
+  Gradient weighed_stress(Gradient const& F, CellPoint<d> const& point) const {
+    Gradient P = law_->stress(F) * point.weight;
+    if (loads.outside_pressure() != 0) P += cofactors(F) * pressure_on(point);
+    return P;
+  }
+  static Gradient cofactor_rate(Gradient const& F, Gradient const& change) {
+    return derivative_along([](auto const& moved) { return cofactors(moved); }, F, change).rate;
+  }
+};
+
+}  // namespace actio

@@ -1,0 +1,326 @@
+// A medium on any mesh of a body, in one, two or three dimensions: the plain road.
+//
+//     auto const mesh = box_mesh({0, 0, 0}, {4, 1, 1}, {16, 4, 4});
+//     BodyStart<3> start;                                       // at rest, density 1
+//     start.velocity = [](auto const& X) { return std::array{0.0, 0.1 * X[0], 0.0}; };
+//     MediumOnMesh<3> beam(mesh, stored_energy<3>(neo_hookean(2, 1)), start, {.step = 0.01},
+//                          {{"left", {BodySide<3>::Kind::fixed}}});
+//     beam.step(1000);
+//
+// The discrete Lagrangian of a slab of cells between two times is, as on the fast road,
+//
+//     L_d = sum over nodes of (m/2)|x1-x0|^2/dt - (dt/2)(E(x0)+E(x1)), E = sum over points of weight W(F),
+//
+// minus the energy of loads; its Euler-Lagrange field equations are the explicit step. `conserve = energy`
+// takes a step that keeps energy in place of the multisymplectic form; both keep momenta.
+#pragma once
+
+#include "actio/multisymplectic/body_steps.hpp"
+
+namespace actio {
+
+/// A cell of a body that would turn inside out: the state is that before the step which would do it.
+struct BodyCellInverts : OutsideDomain {
+  int cell;             ///< which
+  long step;            ///< the number of the step that would do it, from 1; 0 at the start
+  double time_step;     ///< its length
+  double would_do;      ///< a step from there that turns nothing inside out; 0 where none was found
+  double largest_step;  ///< the longest step for which small motions about the state before are stable
+  /// @param which, jacobian, step_number, dt, less, largest  as above; J at the worst point of the cell
+  BodyCellInverts(int which, double jacobian, long step_number, double dt, double less, double largest)
+      : OutsideDomain(where(which, step_number, dt, less, largest),
+                      "the Jacobian at its corners must be positive", jacobian, 0),
+        cell(which),
+        step(step_number),
+        time_step(dt),
+        would_do(less),
+        largest_step(largest) {}
+
+ private:
+  static std::string where(int which, long step_number, double dt, double less, double largest) {
+    std::string const cell = "cell " + std::to_string(which);
+    if (step_number == 0) return "medium: " + cell + " is inside out at the start";
+    return "medium: step " + std::to_string(step_number) + " of length " + show(dt) + " would turn " + cell +
+           " inside out (" +
+           (less > 0 ? "a step of " + show(less) + " would not" : "and so would any shorter one") +
+           "; the longest stable step before it is " + show(largest) + ")";
+  }
+};
+
+/// What a step keeps beside momenta.
+enum class Conserve {
+  form,   ///< the multisymplectic form: explicit; the energy oscillates
+  energy  ///< energy: implicit, by a discrete gradient; the form is given up
+};
+
+/// How time is stepped.
+struct BodyStepping {
+  double step;                         ///< length of a step
+  int order = 2;                       ///< 2, or 4 by five substeps (Suzuki)
+  Conserve conserve = Conserve::form;  ///< what it keeps
+};
+
+/// A body at the start.
+template <int d>
+struct BodyStart {
+  using Place = std::array<double, d>;  ///< a point of the body, of space, or a velocity
+  /// Mass per reference volume at X.
+  std::function<double(Place const&)> density = [](Place const&) { return 1.0; };
+  /// \f$X\mapsto\phi(X)\f$, length. In a periodic box \f$\phi(X)-X\f$ is periodic.
+  std::function<Place(Place const&)> placement = [](Place const& X) { return X; };
+  /// \f$X\mapsto\dot\phi(X)\f$, length/time.
+  std::function<Place(Place const&)> velocity = [](Place const&) { return Place{}; };
+};
+
+/// Energies of a body.
+struct BodyEnergies {
+  double kinetic;  ///< \f$\tfrac12\sum m|v|^2\f$
+  double stored;   ///< of the medium
+  double loads;    ///< potentials, dead loads, outside pressure times volume
+  /// All of them. With `conserve = form` it oscillates with the square of the step; it is kept where no side
+  /// is moved and no pressure follows.
+  double total() const { return kinetic + stored + loads; }
+};
+
+/// A medium on a mesh of a body.
+template <int d>
+class MediumOnMesh {
+ public:
+  using Place = std::array<double, d>;                 ///< a point, or a vector
+  using Tensor = Matrix<double, d, d>;                 ///< a deformation gradient, or a stress
+  using Law = std::shared_ptr<StoredEnergy<d> const>;  ///< a medium: \ref stored_energy
+
+  /// @throws OutsideDomain, NotFinite  where the step, the density or the start is none
+  /// @throws UnknownSide, NotABodyMesh  where sides and loads do not fit the mesh
+  /// @throws BodyCellInverts  with step 0, where a cell is inside out at the start
+  MediumOnMesh(BodyMesh mesh, Law law, BodyStart<d> const& start, BodyStepping const& stepping,
+               BodySides<d> const& sides = {}, BodyLoads<d> const& loads = {})
+      : mesh_(std::move(mesh)),
+        stepping_(examined(stepping)),
+        steps_of_(mesh_, std::move(law), start.density, sides, loads) {
+    if (stepping.order == 4) {
+      double const outer = 1 / (4 - std::cbrt(4.0));
+      fractions_ = {outer, outer, 1 - 4 * outer, outer, outer};
+    }
+    for (std::size_t k = 0; k < mesh_.nodes.size(); ++k) {
+      Place X;
+      for (int a = 0; a < d; ++a) X[a] = mesh_.nodes[k][a];
+      Place const place = start.placement(X), rate = start.velocity(X);
+      for (int a = 0; a < d; ++a) {
+        if (!is_finite(place[a]) || !is_finite(rate[a]))
+          throw NotFinite("medium: placement and velocity of node " + std::to_string(k));
+        state_.x.push_back(place[a]), state_.v.push_back(rate[a]);
+      }
+    }
+    steps_of_.held.put_places(state_.x, 0), steps_of_.held.put_velocities(state_.v, 0);
+    state_.x_rest.assign(state_.x.size(), 0), state_.v_rest.assign(state_.x.size(), 0);
+    begin();
+  }
+
+  /// So many steps on.
+  /// @throws BodyCellInverts  where a cell would turn inside out; then the state is that before this step, as
+  ///   it is whatever else is thrown
+  /// @throws NotFinite  where a load or a motion is none
+  /// @throws NotConverged  where a step that keeps energy is too long to be solved
+  /// @throws OutsideDomain  where count is negative
+  void step(long count = 1) {
+    if (count < 0)
+      throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
+                          0);
+    for (; count > 0; --count) {
+      kept_ = state_, kept_forces_ = forces_;
+      LeastJacobian least;
+      try {
+        least = attempt(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
+      } catch (...) {
+        put_back();
+        throw;
+      }
+      if (!(least.jacobian > 0)) refuse(least);
+      ++steps_;
+    }
+  }
+
+  /// The time since the start.
+  double time() const { return static_cast<double>(steps_) * stepping_.step; }
+  /// How many steps have been made.
+  long steps() const { return steps_; }
+  /// The time step.
+  double time_step() const { return stepping_.step; }
+  /// The mesh of the body.
+  BodyMesh const& mesh() const { return mesh_; }
+  /// The masses of the nodes.
+  std::vector<double> const& masses() const { return steps_of_.forces.body.masses; }
+  /// Memory for mesh, cells and states, bytes.
+  std::size_t bytes() const {
+    // A state, its copy, forces and their copy, and an acceleration.
+    return mesh_.bytes() + steps_of_.forces.body.bytes() + steps_of_.held.bytes() +
+           11 * state_.x.size() * sizeof(double);
+  }
+
+  /// Places of the nodes, length.
+  std::vector<Place> places() const { return points(state_.x); }
+  /// Velocities of the nodes, length/time.
+  std::vector<Place> velocities() const { return points(state_.v); }
+  /// Kinetic and stored energy, and that of loads, now.
+  BodyEnergies energies() const {
+    BodyEnergies e{0, steps_of_.forces.stored(state_.x), steps_of_.forces.of_loads(state_.x)};
+    for (std::size_t k = 0; k < state_.v.size(); ++k)
+      e.kinetic += 0.5 * masses()[k / d] * state_.v[k] * state_.v[k];
+    return e;
+  }
+  /// Linear momentum, mass x length/time: kept to rounding where nothing is held and no load acts.
+  Place momentum() const {
+    Place sum{};
+    for (std::size_t k = 0; k < state_.v.size(); ++k) sum[k % d] += masses()[k / d] * state_.v[k];
+    return sum;
+  }
+  /// Angular momentum about the origin of space, \f$\sum m\,x\times v\f$, mass x area/time: kept to rounding
+  /// where momentum is, and by the outside pressure. In the plane the third component; on a line none.
+  std::array<double, 3> angular_momentum() const {
+    std::array<double, 3> sum{};
+    for (std::size_t k = 0; k < masses().size(); ++k) {
+      double x[3] = {}, v[3] = {};
+      for (int a = 0; a < d; ++a) x[a] = state_.x[k * d + a], v[a] = state_.v[k * d + a];
+      for (int a = 0; a < 3; ++a) {
+        int const b = (a + 1) % 3, c = (a + 2) % 3;
+        sum[a] += masses()[k] * (x[b] * v[c] - x[c] * v[b]);
+      }
+    }
+    return sum;
+  }
+  /// For each cell the least det F at its points.
+  std::vector<double> jacobians() const {
+    std::vector<double> out(mesh_.cells.size(), HUGE_VAL);
+    each_point([&](int cell, int, CellPoint<d> const&, Tensor const& F) {
+      out[cell] = std::min(out[cell], small_determinant(F));
+    });
+    return out;
+  }
+  /// For each cell the mean of Cauchy's stress \f$PF^T/J\f$ over its points, pressure unit.
+  std::vector<Tensor> cauchy_stresses() const {
+    std::vector<Tensor> out(mesh_.cells.size(), Tensor::Zero());
+    double const share = 1.0 / steps_of_.forces.body.points_per_cell;
+    each_point([&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
+      Tensor const P = steps_of_.forces.law().stress(F);
+      out[cell] += P * F.transpose() * (share * point.weight / point.volume / small_determinant(F));
+    });
+    return out;
+  }
+  /// For each cell minus the mean of the diagonal of Cauchy's stress.
+  std::vector<double> pressures() const {
+    std::vector<double> out;
+    for (Tensor const& stress : cauchy_stresses()) {
+      double trace = 0;
+      for (int a = 0; a < d; ++a) trace += stress(a, a);
+      out.push_back(-trace / d);
+    }
+    return out;
+  }
+  /// For each cell what it has stored, per reference volume.
+  std::vector<double> energy_densities() const {
+    std::vector<double> out(mesh_.cells.size(), 0), volume(mesh_.cells.size(), 0);
+    each_point([&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
+      out[cell] += point.weight * steps_of_.forces.law().energy(F), volume[cell] += point.volume;
+    });
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] /= volume[k];
+    return out;
+  }
+  /// The longest time step for which small motions about the state now are stable, with the explicit step:
+  /// two over the largest frequency, which comes from below, so that the step comes from above, within a per
+  /// cent. With order 4 no substep is longer than 0.66 of the step, and the step may be longer by that.
+  double largest_step() const {
+    double longest = 0;
+    for (double const one : fractions_) longest = std::max(longest, std::abs(one));
+    return 2 / steps_of_.largest_frequency(state_.x) / longest;
+  }
+
+  /// The whole state: number of steps, places, velocities and their rests.
+  std::vector<double> remember() const {
+    std::vector<double> out{static_cast<double>(steps_)};
+    for (auto const* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})
+      out.insert(out.end(), part->begin(), part->end());
+    return out;
+  }
+  /// Goes on from a state that was remembered, bit for bit.
+  /// @throws OutsideDomain  where it is of another size
+  /// @throws BodyCellInverts  where a cell is inside out in it
+  void restore(std::vector<double> const& remembered) {
+    std::size_t const n = state_.x.size();
+    if (remembered.size() != 1 + 4 * n)
+      throw OutsideDomain("medium", "a remembered state has one and four numbers per component of a node",
+                          static_cast<double>(remembered.size()), static_cast<double>(1 + 4 * n));
+    auto from = remembered.begin() + 1;
+    for (auto* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})
+      part->assign(from, from + static_cast<long>(n)), from += static_cast<long>(n);
+    steps_ = static_cast<long>(remembered[0]);
+    begin();
+  }
+
+ private:
+  BodyMesh mesh_;
+  BodyStepping stepping_;
+  BodySteps<d> steps_of_;
+  std::vector<double> fractions_{1};
+  BodyState state_, kept_;
+  std::vector<double> forces_, kept_forces_;
+  long steps_ = 0;
+
+  static BodyStepping const& examined(BodyStepping const& stepping) {
+    if (!is_finite(stepping.step)) throw NotFinite("medium: time step");
+    if (!(stepping.step > 0))
+      throw OutsideDomain("medium", "a positive time step is needed", stepping.step, 0);
+    if (stepping.order != 2 && stepping.order != 4)
+      throw OutsideDomain("medium", "the order of a step is 2 or 4", stepping.order,
+                          stepping.order < 3 ? 2 : 4);
+    return stepping;
+  }
+  std::vector<Place> points(std::vector<double> const& in) const {
+    std::vector<Place> out(in.size() / d);
+    for (std::size_t k = 0; k < in.size(); ++k) out[k / d][k % d] = in[k];
+    return out;
+  }
+  template <class Visit>
+  void each_point(Visit const& visit) const {
+    steps_of_.forces.each_point(state_.x, visit);
+  }
+  void begin() {
+    LeastJacobian const least = steps_of_.forces.forces(state_.x, time(), forces_);
+    if (!(least.jacobian > 0)) throw BodyCellInverts(least.cell, least.jacobian, 0, stepping_.step, 0, 0);
+  }
+  void put_back() { state_ = kept_, forces_ = kept_forces_; }
+  /// A whole step of some length, by substeps; what it leaves is no state where a Jacobian is not positive.
+  LeastJacobian attempt(double h, double end) {
+    double const start = time();
+    double reached = 0;
+    LeastJacobian least;
+    for (std::size_t k = 0; k < fractions_.size(); ++k) {
+      double const from = start + reached * h;
+      reached += fractions_[k];
+      double const to = k + 1 == fractions_.size() ? end : start + reached * h;
+      least = stepping_.conserve == Conserve::form
+                  ? steps_of_.explicit_step(state_, forces_, fractions_[k] * h, to)
+                  : steps_of_.implicit_step(state_, fractions_[k] * h, from, to);
+      if (!(least.jacobian > 0)) break;
+    }
+    return least;
+  }
+  /// Finds a step that would do, puts the state before the step back, and throws.
+  [[noreturn]] void refuse(LeastJacobian const& least) {
+    double less = stepping_.step;
+    bool sound = false;
+    for (int halving = 0; halving < 30 && !sound; ++halving) {
+      less /= 2;
+      put_back();
+      try {
+        sound = attempt(less, time() + less).jacobian > 0;
+      } catch (Error const&) {
+      }
+    }
+    put_back();
+    throw BodyCellInverts(least.cell, least.jacobian, steps_ + 1, stepping_.step, sound ? less : 0,
+                          largest_step());
+  }
+};
+
+}  // namespace actio
