@@ -320,7 +320,7 @@ function makeCopy() {
       for (const entry of here) sync(`${name}/${entry}`);
     } else if (!own.has(name) && !(fs.existsSync(to) && fs.readFileSync(to).equals(fs.readFileSync(from)))) fs.copyFileSync(from, to);
   };
-  for (const part of ['CMakeLists.txt', 'CMakePresets.json', 'LICENSE', 'cmake', 'src', 'proofs_checks', 'tests', 'data']) if (fs.existsSync(path.join(root, part))) sync(part);
+  for (const part of ['CMakeLists.txt', 'CMakePresets.json', 'LICENSE', 'cmake', 'src', 'proofs_checks', 'tests', 'benchmarks/peers', 'data']) if (fs.existsSync(path.join(root, part))) sync(part);
   const header = path.join(copy, 'src/actio/mutants.hpp');
   if (!fs.existsSync(header) || fs.readFileSync(header, 'utf8') !== switchHeader) fs.writeFileSync(header, switchHeader);
 }
