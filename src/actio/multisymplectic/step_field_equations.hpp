@@ -48,7 +48,11 @@ bool correct_node(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh, Discr
   require_finite(r.sum, "step: the density is not defined near the next level; the step may be too long");
   // Each of the forms is a sum of 2^(n+1) (n+2) terms at most, and each term carries a few roundings.
   Base<S> const size = magnitude(r.sum);
-  if (r.terms > Base<S>(0)) worst = std::max(worst, Base<S>(size / r.terms));
+  // Over a field without order a residual is there or not, and has no size.
+  if (!ordered_arithmetic<Base<S>>())
+    worst = std::max(worst, size);
+  else if (r.terms > Base<S>(0))
+    worst = std::max(worst, Base<S>(size / r.terms));
   if (!at_least_once && size <= Base<S>(8) * epsilon<S>() * r.terms) return true;
 
   // [step_field_equations]
