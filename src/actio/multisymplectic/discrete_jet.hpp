@@ -58,11 +58,13 @@ Jet<S, n, N> discrete_jet(SpaceTimeCell<S, n, N> const& cell, int l) {
   Jet<S, n, N> j;
   j.x[0] = S(cell.time[level]);
   for (int i = 0; i < n; ++i) j.x[1 + i] = S(cell.geometry->places(i, b));
+  // [discrete_jet]
   for (int a = 0; a < N; ++a) {
     j.y[a] = cell.y(a, l);
     j.v(a, 0) = (cell.y(a, node_of_corner<n>(b, 1)) - cell.y(a, node_of_corner<n>(b, 0))) * rate;
     for (int i = 0; i < n; ++i) j.v(a, 1 + i) = F(a, i);
   }
+  // [discrete_jet]
   return j;
 }
 

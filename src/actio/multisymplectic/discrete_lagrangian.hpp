@@ -13,7 +13,9 @@ namespace actio {
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 S action_at_node(L const& density, SpaceTimeCell<S, n, N> const& cell, int l) {
+  // [discrete_lagrangian]
   return density(discrete_jet(cell, l)) * cell.volume(l);
+  // [discrete_lagrangian]
 }
 
 /// The discrete Lagrangian \f$L_d(y_1, \dots, y_{2^{n+1}}) = \sum_l\frac{|\text{cell}_l|}2\,\Delta t\;
