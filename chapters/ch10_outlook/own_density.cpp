@@ -16,7 +16,7 @@ using namespace actio;
 using Row = SpaceTimeMesh<double, 1>;
 using Angles = DiscreteSection<double, 1, 1>;
 
-// 1. The density, and a run from two levels of time. [own_density]
+// 1. The density, and a run from two levels of time.
 struct Pendulums {  // kinetic energy, twist of the band, weight
   template <class T>
   T operator()(Jet<T, 1, 1> const& j) const {
@@ -38,7 +38,6 @@ Row row_of(int cells, double length, double time) {
   return {
       equal_steps(0.0, h, static_cast<int>(std::lround(time / h))), {cells}, all_sides<1>(Side::fixed), band};
 }
-// [own_density]
 
 // 2. The exact kink with the velocity v: the angle goes from 0 to a full turn.
 struct Kink {
