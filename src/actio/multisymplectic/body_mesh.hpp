@@ -18,7 +18,10 @@ namespace actio {
 
 /// A mesh of a body that does not exist as described: without cells, inverted, in pieces, too large to count.
 struct NotABodyMesh : OutsideDomain {
-  using OutsideDomain::OutsideDomain;
+  int cell;  ///< the first cell that is wrong, or -1 where that is not a matter of one cell
+  NotABodyMesh(std::string const& where, std::string const& required, double measured_value,
+               double bound_value, int which_cell = -1)
+      : OutsideDomain(where, required, measured_value, bound_value), cell(which_cell) {}
 };
 
 /// Cells of a body in its reference space.

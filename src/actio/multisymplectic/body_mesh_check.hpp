@@ -66,7 +66,7 @@ inline void require_nodes(BodyMesh const& mesh) {
       int const node = mesh.cells[cell][b];
       if (node < 0 || node >= int(mesh.nodes.size()))
         throw NotABodyMesh(cell_name(mesh, cell), "its corners are nodes of the mesh; node", node,
-                           double(mesh.nodes.size()) - 1);
+                           double(mesh.nodes.size()) - 1, cell);
       used[node] = true;
     }
   auto const idle = std::find(used.begin(), used.end(), false);
@@ -91,7 +91,7 @@ inline void require_volumes(BodyMesh const& mesh) {
                              place_name(corner_place(mesh, cell, b)),
                          flat ? "a cell is not degenerate; volume of the edges over their product"
                               : "a cell is not inverted; volume of the edges over their product",
-                         J.box > 0 ? J.volume / J.box : 0, bound);
+                         J.box > 0 ? J.volume / J.box : 0, bound, cell);
     }
 }
 
@@ -124,7 +124,7 @@ inline void require_one_piece(BodyMesh const& mesh) {
       throw NotABodyMesh(cell_name(mesh, facets[k].second) + ", cells " +
                              std::to_string(facets[k - 2].second) + " and " +
                              std::to_string(facets[k - 1].second) + " have the same facet",
-                         "a facet belongs to two cells at most; cells", 3, 2);
+                         "a facet belongs to two cells at most; cells", 3, 2, facets[k].second);
     int const a = root(facets[k].second), b = root(facets[k - 1].second);
     piece[std::max(a, b)] = std::min(a, b);
   }
@@ -133,7 +133,7 @@ inline void require_one_piece(BodyMesh const& mesh) {
       int pieces = 0;
       for (int c = 0; c < int(mesh.cells.size()); ++c) pieces += root(c) == c;
       throw NotABodyMesh(cell_name(mesh, cell) + " is unconnected to cell 0",
-                         "cells are connected by their facets; pieces", pieces, 1);
+                         "cells are connected by their facets; pieces", pieces, 1, cell);
     }
 }
 

@@ -1,0 +1,201 @@
+// The mesh of a body from a file of Gmsh: version 4.1 or 2.2, in digits or in bytes.
+//
+// The elements of the highest dimension are the cells: segments, triangles, quadrilaterals, tetrahedra or
+// hexahedra, of one kind. Elements of one dimension less that are in a physical group are facets of a side
+// with the name of the group, or with its number where it has no name. All other elements, and nodes that are
+// no corner of a cell (centres of arcs), are left.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+#include "actio/multisymplectic/body_mesh_check.hpp"
+#include "actio/multisymplectic/gmsh_file.hpp"
+
+namespace actio {
+
+namespace detail {
+
+/// Makes a mesh of the contents of a file.
+class GmshBody {
+ public:
+  GmshBody(std::string_view text, std::string const& name) : sections_(text, name), in_(sections_.read()) {}
+
+  BodyMesh mesh() {
+    choose_cells();
+    number_nodes();
+    for (auto const* element : cells_) mesh_.cells.push_back(corners(*element));
+    keep_corners();
+    try {
+      require_body_mesh(mesh_);
+    } catch (NotABodyMesh const& e) {
+      if (e.cell < 0) throw;
+      bool const turned = corner_jacobian(mesh_, e.cell, 0).volume < 0;
+      fail_at(*cells_[e.cell],
+              std::string(e.what()) +
+                  (turned ? "; ReverseMesh in Gmsh turns elements round, if it is all of them" : ""));
+    }
+    add_sides();
+    return std::move(mesh_);
+  }
+
+ private:
+  GmshSections sections_;
+  GmshContents in_;
+  BodyMesh mesh_;
+  std::vector<GmshElement const*> cells_;
+  std::vector<int> by_tag_;  // numbers of the nodes of the file, by increasing tag
+  std::vector<int> number_;  // of each node of the file in the mesh, or -1
+
+  [[noreturn]] void fail_at(GmshElement const& element, std::string const& what) const {
+    sections_.file().fail_at(element.byte, what);
+  }
+
+  void choose_cells() {
+    using enum BodyMesh::Shape;
+    int dimension = 0;
+    for (auto const& element : in_.elements) dimension = std::max(dimension, element.shape->dimension);
+    if (dimension == 0) sections_.file().fail_at(sections_.file().at(), "the file has no cells");
+    for (auto const& element : in_.elements) {
+      if (element.shape->dimension != dimension) continue;
+      cells_.push_back(&element);
+      if (element.shape != cells_[0]->shape)
+        fail_at(element, std::string("cells are of one kind; ") + cells_[0]->shape->name + " and " +
+                             element.shape->name + " are found");
+    }
+    mesh_.dimension = dimension;
+    mesh_.shape = dimension == 1   ? segment
+                  : dimension == 2 ? (cells_[0]->shape->corners == 3 ? triangle : quadrilateral)
+                                   : (cells_[0]->shape->corners == 4 ? tetrahedron : hexahedron);
+    mesh_.cells.reserve(cells_.size());
+  }
+
+  void number_nodes() {
+    by_tag_.resize(in_.nodes.size());
+    std::iota(by_tag_.begin(), by_tag_.end(), 0);
+    std::sort(by_tag_.begin(), by_tag_.end(),
+              [&](int a, int b) { return std::pair(in_.nodes[a].tag, a) < std::pair(in_.nodes[b].tag, b); });
+    for (std::size_t k = 1; k < by_tag_.size(); ++k) {
+      auto const& again = in_.nodes[by_tag_[k]];
+      if (again.tag == in_.nodes[by_tag_[k - 1]].tag)
+        sections_.file().fail_at(again.byte, "node " + std::to_string(again.tag) + " comes twice");
+    }
+  }
+  // The number in the file of the node with a tag.
+  int node_with(int tag, GmshElement const& element) const {
+    auto const found = std::lower_bound(by_tag_.begin(), by_tag_.end(), tag,
+                                        [&](int node, int sought) { return in_.nodes[node].tag < sought; });
+    if (found == by_tag_.end() || in_.nodes[*found].tag != tag)
+      fail_at(element, std::string("a ") + element.shape->name + " has node " + std::to_string(tag) +
+                           ", which the file does not have");
+    return *found;
+  }
+  // Corners go around in the file and by bits here.
+  std::array<int, 8> corners(GmshElement const& element) const {
+    static constexpr std::array<int, 8> around = {0, 1, 3, 2, 4, 5, 7, 6};
+    bool const simplex = is_simplex(mesh_.shape);
+    std::array<int, 8> out{};
+    for (int b = 0; b < element.shape->corners; ++b)
+      out[b] = node_with(element.nodes[simplex ? b : around[b]], element);
+    return out;
+  }
+  // Leaves the nodes that are no corners, and numbers the others in the order of the file.
+  void keep_corners() {
+    number_.assign(in_.nodes.size(), -1);
+    int const count = corner_count(mesh_.shape);
+    for (auto const& cell : mesh_.cells)
+      for (int b = 0; b < count; ++b) number_[cell[b]] = 0;
+    double size = 0;
+    for (std::size_t k = 0; k < number_.size(); ++k)
+      if (number_[k] == 0)
+        for (double x : in_.nodes[k].place) size = std::max(size, std::abs(x));
+    for (std::size_t k = 0; k < number_.size(); ++k) {
+      if (number_[k] < 0) continue;
+      number_[k] = int(mesh_.nodes.size());
+      auto place = in_.nodes[k].place;
+      for (int i = mesh_.dimension; i < 3; ++i) {
+        // What the geometry's own arithmetic leaves of zero.
+        if (std::abs(place[i]) > 64 * epsilon<double>() * size)
+          sections_.file().fail_at(in_.nodes[k].byte,
+                                   "node " + std::to_string(in_.nodes[k].tag) + " at " + place_name(place) +
+                                       " is not in the " +
+                                       (mesh_.dimension == 1 ? "line of X" : "plane of X and Y") +
+                                       ", and the cells are " + cells_[0]->shape->name + "s");
+        place[i] = 0;
+      }
+      mesh_.nodes.push_back(place);
+    }
+    for (auto& cell : mesh_.cells)
+      for (int b = 0; b < count; ++b) cell[b] = number_[cell[b]];
+  }
+
+  // A facet of a file: its nodes in increasing order, the element, and the cells that have it.
+  struct Facet {
+    std::array<int, 4> nodes;
+    GmshElement const* element;
+    int cells = 0;
+    CellFacet at{};
+  };
+  void add_sides() {
+    std::vector<Facet> facets;
+    for (auto const& element : in_.elements) {
+      if (element.shape->dimension != mesh_.dimension - 1 || element.groups < 0) continue;
+      if (in_.groups[element.groups].empty()) continue;
+      Facet facet{{-1, -1, -1, -1}, &element};
+      for (int b = 0; b < element.shape->corners; ++b)
+        facet.nodes[b] = number_[node_with(element.nodes[b], element)];
+      std::sort(facet.nodes.begin(), facet.nodes.end());
+      facets.push_back(facet);
+    }
+    auto const before = [](Facet const& a, Facet const& b) { return a.nodes < b.nodes; };
+    std::stable_sort(facets.begin(), facets.end(), before);
+    for (int cell = 0; cell < int(mesh_.cells.size()); ++cell)
+      for (int k = 0; k < facet_count(mesh_.shape); ++k) {
+        Facet sought{facet_nodes(mesh_, {cell, k}), nullptr};
+        std::sort(sought.nodes.begin(), sought.nodes.end());
+        auto const [first, last] = std::equal_range(facets.begin(), facets.end(), sought, before);
+        for (auto facet = first; facet != last; ++facet) ++facet->cells, facet->at = {cell, k};
+      }
+    for (auto const& facet : facets) {
+      if (facet.cells != 1)
+        fail_at(*facet.element, std::string("a ") + facet.element->shape->name + " of a side belongs to " +
+                                    (facet.cells == 0 ? "no cell" : "two cells: it lies inside the body"));
+      for (int group : in_.groups[facet.element->groups]) {
+        int const tag = std::abs(group);
+        auto const named = in_.names.find({mesh_.dimension - 1, tag});
+        auto& side = mesh_.sides[named == in_.names.end() ? std::to_string(tag) : named->second];
+        auto const nodes = facet_nodes(mesh_, facet.at);
+        if (side.empty() || side.back() != nodes) side.push_back(nodes);
+      }
+    }
+  }
+};
+
+}  // namespace detail
+
+/// The mesh of a body from the text of a Gmsh file.
+/// @param text  all of it
+/// @param name  of the file, for messages
+/// @throws NotAGmshFile  where the text is no mesh: with the line, or in a binary file the byte; where cells
+///         are inverted, degenerate, doubled or unconnected; where nodes are missing or come twice; where
+///         kinds of elements are unknown or mixed; where sides are no facets of the body
+/// Memory: bounded by a multiple of the size of the text, whatever counts it announces.
+inline BodyMesh gmsh_mesh_of(std::string_view text, std::string const& name) {
+  return detail::GmshBody(text, name).mesh();
+}
+
+/// The mesh of a body from a Gmsh file.
+/// @throws Error  where the file cannot be read; and as \ref gmsh_mesh_of
+inline BodyMesh gmsh_mesh(std::string const& path) {
+  std::error_code error;
+  auto const size = std::filesystem::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file) throw Error(path + ": there is no such file that can be read");
+  std::string text(size, '\0');
+  if (!file.read(text.data(), std::streamsize(size)))
+    throw Error(path + ": the file cannot be read to its end");
+  return gmsh_mesh_of(text, path);
+}
+
+}  // namespace actio
