@@ -28,15 +28,21 @@ struct SpaceTimeCell {
   Base<S> volume(int l) const { return duration() / Base<S>(2) * geometry->volume[l % corners]; }
   /// The same cell with other values.
   template <class T>
-  SpaceTimeCell<T, n, N> with(Matrix<T, N, nodes> const& values) const { return {geometry, time, values}; }
+  SpaceTimeCell<T, n, N> with(Matrix<T, N, nodes> const& values) const {
+    return {geometry, time, values};
+  }
   /// The same cell over a scalar that extends S.
   template <class T>
-  SpaceTimeCell<T, n, N> cast() const { return with(Matrix<T, N, nodes>(y.template cast<T>())); }
+  SpaceTimeCell<T, n, N> cast() const {
+    return with(Matrix<T, N, nodes>(y.template cast<T>()));
+  }
 };
 
 /// The node at a corner of the cell of the body, at the earlier (0) or the later level (1).
 template <int n>
-constexpr int node_of_corner(int corner, int level) { return corner + level * corners_of_cell<n>; }
+constexpr int node_of_corner(int corner, int level) {
+  return corner + level * corners_of_cell<n>;
+}
 
 /// Whether the discrete jet at node l contains the value at node m: they are the same, or the ends of an edge
 /// of space-time.
@@ -58,10 +64,11 @@ Jet<S, n, N> discrete_jet(SpaceTimeCell<S, n, N> const& cell, int l) {
   Jet<S, n, N> j;
   j.x[0] = S(cell.time[level]);
   for (int i = 0; i < n; ++i) j.x[1 + i] = S(cell.geometry->places(i, b));
+  int const before = node_of_corner<n>(b, 0), after = node_of_corner<n>(b, 1);
   // [discrete_jet]
   for (int a = 0; a < N; ++a) {
     j.y[a] = cell.y(a, l);
-    j.v(a, 0) = (cell.y(a, node_of_corner<n>(b, 1)) - cell.y(a, node_of_corner<n>(b, 0))) * rate;
+    j.v(a, 0) = (cell.y(a, after) - cell.y(a, before)) * rate;
     for (int i = 0; i < n; ++i) j.v(a, 1 + i) = F(a, i);
   }
   // [discrete_jet]
