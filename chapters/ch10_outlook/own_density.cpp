@@ -21,7 +21,8 @@ struct Pendulums {  // kinetic energy, twist of the band, weight
   template <class T>
   T operator()(Jet<T, 1, 1> const& j) const {
     using std::cos;
-    return (j.v(0, 0) * j.v(0, 0) - j.v(0, 1) * j.v(0, 1)) / T(2) - (T(1) - cos(j.y[0]));
+    T const rate = j.v(0, 0), twist = j.v(0, 1);
+    return (rate * rate - twist * twist) / T(2) + cos(j.y[0]) - T(1);
   }
 };
 
@@ -34,9 +35,9 @@ Angles run(Row const& row, auto const& start) {
 Row row_of(int cells, double length, double time) {
   using Point = Matrix<double, 1, 1>;
   StraightBox<double, 1> const band{Point(-length / 2), Point(length / 2)};
-  double const h = 0.8 * length / cells;  // the limit of stability is the width of a cell
-  return {
-      equal_steps(0.0, h, static_cast<int>(std::lround(time / h))), {cells}, all_sides<1>(Side::fixed), band};
+  double const h = 0.8 * length / cells;  // at most the width of a cell
+  auto const times = equal_steps(0.0, h, static_cast<int>(std::lround(time / h)));
+  return {times, {cells}, all_sides<1>(Side::fixed), band};
 }
 
 // 2. The exact kink with the velocity v: the angle goes from 0 to a full turn.
