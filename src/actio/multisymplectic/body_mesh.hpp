@@ -19,6 +19,7 @@ namespace actio {
 /// A mesh of a body that does not exist as described: without cells, inverted, in pieces, too large to count.
 struct NotABodyMesh : OutsideDomain {
   int cell;  ///< the first cell that is wrong, or -1 where that is not a matter of one cell
+  /// As \ref OutsideDomain, with the first cell that is wrong.
   NotABodyMesh(std::string const& where, std::string const& required, double measured_value,
                double bound_value, int which_cell = -1)
       : OutsideDomain(where, required, measured_value, bound_value), cell(which_cell) {}
@@ -40,7 +41,7 @@ struct BodyMesh {
   std::vector<std::array<unsigned char, 8>> wraps;
   std::array<double, 3> periods = {0, 0, 0};  ///< of the box along each direction; zero where it has none
   /// Facets by the name of their side (left, right, bottom, top, front, back; inner, outer; the physical
-  /// names of a file): their nodes as \ref facet_nodes gives them, with -1 in places that are not used.
+  /// names of a file): their nodes as `facet_nodes` gives them, with -1 in places that are not used.
   std::map<std::string, std::vector<std::array<int, 4>>> sides;
 
   /// Memory that nodes, cells and wraps take, bytes.

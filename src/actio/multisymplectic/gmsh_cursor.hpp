@@ -18,9 +18,11 @@ namespace actio {
 struct NotAGmshFile : Error {
   std::size_t byte;  ///< where, from 0
   std::size_t line;  ///< the same as a line of text, from 1
-  /// @param name  of the file
-  /// @param text  all of it
-  /// @param at    the byte; in a file that is text to its end the message names the line instead
+  /// @param name    of the file
+  /// @param text    all of it
+  /// @param at      the byte
+  /// @param binary  whether numbers are bytes; if not the message names the line
+  /// @param what    what is wrong
   NotAGmshFile(std::string const& name, std::string_view text, std::size_t at, bool binary,
                std::string const& what)
       : Error(name + ", " + place(text, at, binary) + ": " + what), byte(at), line(line_of(text, at)) {}
