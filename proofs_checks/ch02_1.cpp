@@ -507,7 +507,7 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
   claim.same_slip_as("claim_2_1_lifted_variation");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);
     S const t = ratio<S>(1, 3);
 
@@ -551,7 +551,7 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
   claim.holds("The action determines both; the equations of motion alone do not determine the form.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     int const n = group.dimension();
     S const t = ratio<S>(1, 3);
     Dual<S> time(t);
@@ -621,7 +621,7 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
                   "G$ is the projection. As printed it would lie in $TG$; the curve is $g$, not $q$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     S const t = ratio<S>(1, 3);
     auto const state = tangent(curve, t);
     auto const second = second_tangent(curve, t);

@@ -383,7 +383,7 @@ template <class S, class L>
 void carry_solutions(Claim<S>& claim, Draw& draw, std::string const& what, std::string const& model,
                      Side side, Element<SpannedGroup, S> const& k, L const& lagrangian, bool symmetric) {
   auto const& group = k.group;
-  auto const curve = draw_curve<S>(draw, group);
+  auto const curve = draw_retracted_curve<S>(draw, group);
   S const t = ratio<S>(1, 3);
   auto const other = [&](auto const& s) {
     return carried(side, over<std::decay_t<decltype(s)>>(k), curve(s));

@@ -89,7 +89,7 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
               Vector<S>(-columns.transpose() * equation_on(side, l, xi, xi_rate).components));
 
   // ii and iv: every variation of g gives xi its variation in iv, so the actions vary alike.
-  auto const curve = draw_curve<S>(draw, group);
+  auto const curve = draw_retracted_curve<S>(draw, group);
   auto const family = draw_family<S>(draw, group, curve);
   S const t = ratio<S>(1, 3);
   auto const eta = [&](auto const& s) {
@@ -515,7 +515,7 @@ STATEMENT(claim_2_2_left_reduction, "Euler-Poincare and Lie-Poisson reduction on
     auto const along = moved_by_hamilton(left_invariant_function(h), chart, q, p);
     claim.zero("the spatial momentum is constant", model, rate_of(along.momentum),
                size_of(rate_of(body_momentum(along))), frame_condition);
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     S const t = ratio<S>(1, 3);
     claim.equal("Ad*_g of a constant momentum solves mu' = ad*_xi mu", model,
                 rate_of(Ad_star(curve(variable(t)), over<Dual<S>>(mu))),
@@ -709,7 +709,7 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
       "the bracket: fields of linear functions span the tangent space.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     auto const mu = draw.template momentum<S>(group);
     S const t = ratio<S>(1, 3);
     Dual<S> time(t);
@@ -790,7 +790,7 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
     claim.equal("mu = Ad*_{g^-1} J", model, Ad_star(inverse(p.configuration), J), p.momentum);
     // The other way round: along any curve, mu(t) = Ad*_{g^-1(t)} mu_0 has the rate - ad*_xi mu of the
     // Lie-Poisson equations with xi = g' g^-1.
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     S const t = ratio<S>(1, 3);
     Dual<S> time(t);
     time.part[0] = S(1);
@@ -861,7 +861,7 @@ STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, wi
       "With $\\eta = \\delta g\\,g^{-1}$, $\\xi = \\dot g\\,g^{-1}$ and $\\ad_\\xi\\eta = [\\xi,\\eta]$, "
       "the commutator.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);
     S const t = ratio<S>(1, 3);
     auto const eta = [&](auto const& s) { return lifted_variation(family, s).configuration; };
@@ -893,7 +893,7 @@ STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocit
       "differ in every group that is not abelian. The plus sign belongs to $\\xi = g^{-1}\\dot g$ and "
       "$\\eta = g^{-1}\\delta g$, the left-invariant case.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const curve = draw_curve<S>(draw, group);
+    auto const curve = draw_retracted_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);
     S const t = ratio<S>(1, 3);
     auto const commutator = [&](Velocity<SpannedGroup, S> const& x, Velocity<SpannedGroup, S> const& y) {

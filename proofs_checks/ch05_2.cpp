@@ -87,7 +87,7 @@ STATEMENT(eq_5_5, "difference approximation of the body angular velocity") {
   });
   if (claim.fits_orders())
     for (auto const& group : rotation_groups()) {
-      auto const curve = draw_curve<S>(draw, group);
+      auto const curve = draw_retracted_curve<S>(draw, group);
       std::vector<double> const steps = {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512, 1.0 / 1024, 1.0 / 2048};
       std::vector<double> at_end, at_start, skew_at_middle, whole_at_middle, from_space;
       for (double const length : steps) {

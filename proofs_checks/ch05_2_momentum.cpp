@@ -286,7 +286,7 @@ STATEMENT(claim_5_2_mv_first_line, "first Moser-Veselov equation, momentum updat
   if (claim.fits_orders())
     for (auto const& group : rotation_groups()) {
       // M' = [M, xi] along any curve of attitudes; the line gives M at the end of a step from M at its start.
-      auto const curve = draw_curve<S>(draw, group);
+      auto const curve = draw_retracted_curve<S>(draw, group);
       auto const m = draw_skew<S>(draw, group);
       auto const attitude = [&](S const& t) { return curve(t).value; };
       auto const seen = [&](S const& t) { return Matrix<S>(attitude(t).transpose() * m * attitude(t)); };

@@ -125,7 +125,7 @@ StateChange<SpannedGroup, S> draw_change(Draw& draw, SpannedGroup const& group) 
 /// A curve in a group through random points, t -> retract(t a + t^2 b) retract(t c) h: no geodesic, no
 /// one-parameter group.
 template <class S>
-auto draw_curve(Draw& draw, SpannedGroup const& group) {
+auto draw_retracted_curve(Draw& draw, SpannedGroup const& group) {
   auto const a = draw.velocity<S>(group, ratio<S>(1, 2)), b = draw.velocity<S>(group, ratio<S>(1, 2)),
              c = draw.velocity<S>(group, ratio<S>(1, 2));
   auto const h = draw.element<S>(group);

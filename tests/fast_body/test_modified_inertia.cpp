@@ -50,7 +50,7 @@ struct Model {
 };
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(modified_inertia)
+BOOST_AUTO_TEST_SUITE(modified_inertia_of_a_step)
 
 BOOST_AUTO_TEST_CASE(the_first_terms_are_those_of_hairer_and_vilmart_exactly) {
   Draw draw(testing::seed);
