@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <hdf5.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
@@ -136,6 +138,30 @@ BOOST_AUTO_TEST_CASE(an_ordinary_reader_opens_it_while_the_run_goes_on_and_after
   for (char const* name : {"t", "attitude", "energy"})
     for (auto const& folder : {run.out, run.whole})
       BOOST_TEST(chunks_without_checksum(folder + "/series.h5", name) == 0, name);
+}
+
+BOOST_AUTO_TEST_CASE(it_is_closed_before_the_summary_says_that_the_run_is_finished) {
+  Folder folder;
+  std::string const scene = folder.write("scene.toml", apophis(scene_of("100.0"))), out = folder / "out";
+  std::filesystem::create_directory(out);
+  int const events = ::inotify_init1(IN_NONBLOCK);
+  BOOST_REQUIRE(events >= 0);
+  BOOST_REQUIRE(::inotify_add_watch(events, out.c_str(), IN_MODIFY | IN_CLOSE_WRITE | IN_MOVED_TO) >= 0);
+  BOOST_REQUIRE(command::actio({"run", scene, "--out", out, "--quiet"}).status == 0);
+  // The names of the files in the order in which something happened to them.
+  std::vector<std::string> names;
+  alignas(inotify_event) char buffer[1 << 16];
+  for (ssize_t got; (got = ::read(events, buffer, sizeof buffer)) > 0;)
+    for (char const* at = buffer; at < buffer + got;) {
+      auto const* const event = reinterpret_cast<inotify_event const*>(at);
+      names.emplace_back(event->name);
+      at += sizeof *event + event->len;
+    }
+  ::close(events);
+  auto const summary = std::find(names.begin(), names.end(), "summary.json");
+  BOOST_REQUIRE((summary != names.end()));
+  BOOST_TEST((std::find(names.begin(), summary, "series.h5") != summary));
+  BOOST_TEST((std::find(summary, names.end(), "series.h5") == names.end()));
 }
 
 BOOST_AUTO_TEST_CASE(on_a_full_disk_it_is_readable_up_to_the_last_rows_and_goes_on_when_there_is_room) {
