@@ -42,9 +42,12 @@ DiscreteSection<S, n, N> drawn_start(SpaceTimeMesh<S, n> const& mesh, Draw& draw
   DiscreteSection<S, n, N> V;
   V.levels.resize(2);
   for (auto& level : V.levels)
-    for (Index i = 0; i < mesh.node_count(); ++i)
+    for (Index i = 0; i < mesh.node_count(); ++i) {
       level.push_back(mesh.fixed(i) ? Matrix<S, N, 1>(Matrix<S, N, 1>::Zero())
                                     : draw.vector<S, Matrix<S, N, 1>>(N));
+      for (int a = 0; a < N; ++a)
+        if (mesh.held_across(i) >> a & 1) level.back()[a] = S(0);
+    }
   return V;
 }
 
@@ -61,7 +64,10 @@ DiscreteSection<S, n, n> disturbed_identity(SpaceTimeMesh<S, n> const& mesh, Dra
   for (Index i = 0; i < mesh.node_count(); ++i) {
     if (mesh.fixed(i)) continue;
     section(0, i) += away(0, i) * width;
-    section(1, i) = section(0, i) + (common + away(1, i) * ratio<S>(1, 8)) * h;
+    Matrix<S, n, 1> velocity = common + away(1, i) * ratio<S>(1, 8);
+    for (int a = 0; a < n; ++a)
+      if (mesh.held_across(i) >> a & 1) velocity[a] = S(0);
+    section(1, i) = section(0, i) + velocity * h;
   }
   return section;
 }

@@ -73,7 +73,7 @@ void report(char const* what, Defects const& d) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_form_formula_and_noethers_theorem_hold_on_random_boxes) {
-  auto const free = Side::free, fixed = Side::fixed, periodic = Side::periodic;
+  auto const free = Side::free, fixed = Side::fixed, periodic = Side::periodic, sliding = Side::sliding;
   auto const holds = [](char const* what, Defects const& d) {
     report(what, d);
     BOOST_TEST(d.form <= 1e-15);
@@ -87,5 +87,28 @@ BOOST_AUTO_TEST_CASE(the_form_formula_and_noethers_theorem_hold_on_random_boxes)
   holds("solid, free", defects_of<2>(solid<double, 2>(), all_sides<2>(free), {4, 5}, 6, 60, true, 4));
   Sides<2> const sides{{{periodic, periodic}, {fixed, free}}};
   holds("solid, mixed sides", defects_of<2>(solid<double, 2>(), sides, {4, 5}, 6, 60, false, 5));
+  Sides<2> const along{{{sliding, free}, {sliding, sliding}}};
+  holds("gas, sliding sides", defects_of<2>(gas<double, 2>(), along, {4, 5}, 6, 60, true, 7));
   holds("solid in space", defects_of<3>(solid<double, 3>(), all_sides<3>(free), {3, 2, 2}, 3, 12, true, 6));
+}
+
+BOOST_AUTO_TEST_CASE(a_sliding_side_holds_what_is_across_it_and_takes_no_momentum_along_it) {
+  // A channel, free at its ends: along it the momentum stays, across it the walls push.
+  Draw draw(8);
+  Sides<2> const channel{{{Side::free, Side::free}, {Side::sliding, Side::sliding}}};
+  SpaceTimeMesh<double, 2> const mesh(equal_steps(0.0, 0.04, 12), {4, 5}, channel, bent_cube<double, 2>());
+  auto const density = gas<double, 2>();
+  auto section = disturbed_identity(mesh, draw);
+  run(density, mesh, section);
+  auto const momentum = [&](int axis, int slab) {
+    return momentum_of_level(density, shifting<double, 2>(axis), mesh, section, slab);
+  };
+  auto const [along, terms] = momentum(0, 0);
+  BOOST_TEST(std::abs(momentum(0, 11).sum - along) < 1e-13 * terms);
+  BOOST_TEST(std::abs(momentum(1, 11).sum - momentum(1, 0).sum) > 1e-3 * terms);
+  for (Index node = 0; node < mesh.node_count(); ++node)
+    if (mesh.held_across(node) != 0) {
+      BOOST_TEST(section(12, node)[1] == section(0, node)[1]);
+      BOOST_TEST(section(12, node)[0] != section(0, node)[0]);
+    }
 }

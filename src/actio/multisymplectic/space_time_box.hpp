@@ -42,10 +42,12 @@ bool in_box(SpaceTimeMesh<S, n> const& mesh, CellBox<n> const& box, GridIndex<n>
 }
 
 /// Whether a node is inside a box: every space-time cell that meets there belongs to the box, and the node is
-/// varied. All others are nodes of the boundary of the box.
+/// varied in every direction. All others are nodes of the boundary of the box.
 template <class S, int n>
 bool inside_box(SpaceTimeMesh<S, n> const& mesh, CellBox<n> const& box, int level, Index node) {
-  if (level <= box.first_slab || level >= box.first_slab + box.slabs || mesh.fixed(node)) return false;
+  if (level <= box.first_slab || level >= box.first_slab + box.slabs || mesh.fixed(node) ||
+      mesh.held_across(node) != 0)
+    return false;
   bool all = true;
   mesh.for_cells_at(node, [&](GridIndex<n> const& cell, int) { all = all && in_box(mesh, box, cell); });
   return all;

@@ -3,7 +3,8 @@
 // The body is a box of c_1 x ... x c_n cells in a coordinate cube, mapped to points of the body by a
 // callable; time runs through levels t_0 < t_1 < ..., a slab between two of them. A space-time cell is a cell
 // of the body times a slab, and has 2^(n+1) nodes: the corners of the cell at both levels. Opposite sides of
-// the box may be one and the same (periodic); other sides are free, or fixed.
+// the box may be one and the same (periodic); other sides are free, or fixed, or such that the section
+// slides along them. Unstructured meshes of simplices are stepped in asynchronous_steps.hpp.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +17,9 @@ namespace actio {
 
 /// What a side of the box is.
 enum class Side {
-  free,      ///< the section is varied there as anywhere else: no traction
-  fixed,     ///< the section is given there and not varied
+  free,     ///< the section is varied there as anywhere else: no traction
+  fixed,    ///< the section is given there and not varied
+  sliding,  ///< its component across the side, i in direction i, is given and not varied; the others are free
   periodic,  ///< the same as the opposite side
 };
 
@@ -134,6 +136,17 @@ class SpaceTimeMesh {
           (index[i] + 1 == nodes_[i] && sides_[i][1] == Side::fixed))
         return true;
     return false;
+  }
+
+  /// Which components of the value at a node the sliding sides through it hold: bit i for component i.
+  unsigned held_across(Index node) const {
+    auto const index = grid_index(node, nodes_);
+    unsigned held = 0;
+    for (int i = 0; i < n; ++i)
+      if ((index[i] == 0 && sides_[i][0] == Side::sliding) ||
+          (index[i] + 1 == nodes_[i] && sides_[i][1] == Side::sliding))
+        held |= 1u << i;
+    return held;
   }
 
   /// Calls f(cell, corner) for every cell of the body that meets at a node, the node being that corner of it.

@@ -9,7 +9,8 @@
 
 namespace actio {
 
-/// Where the nodes of fixed sides are if nobody moves them: where they were.
+/// Where the nodes of fixed sides are if nobody moves them, and those of sliding sides across them: where
+/// they were.
 struct AtRest {};
 
 /// How a level was solved for.
@@ -20,7 +21,7 @@ struct StepReport {
 
 namespace detail {
 
-/// Where a fixed node is at the next level.
+/// Where a node that is held is at the next level: on a sliding side this counts across the side alone.
 template <class S, int n, int N, class Wall>
 Matrix<S, N, 1> given_value(SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSection<S, n, N> const& section,
                             Wall const& wall, Index node) {
@@ -45,6 +46,9 @@ bool correct_node(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh, Discr
   auto r = cartan_forms_of_slab(density, mesh, section, slab, node, 0);
   r.add(momentum.sum);
   r.terms += momentum.terms;
+  unsigned const held = mesh.held_across(node);
+  for (int a = 0; a < N; ++a)
+    if (held >> a & 1) r.sum[a] = S(0);
   require_finite(r.sum, "step: the density is not defined near the next level; the step may be too long");
   // Each of the forms is a sum of 2^(n+1) (n+2) terms at most, and each term carries a few roundings.
   Base<S> const size = magnitude(r.sum);
@@ -63,6 +67,9 @@ bool correct_node(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh, Discr
     slope += discrete_mixed_derivative(density, here, node_of_corner<n>(b, 0), node_of_corner<n>(b, 1));
     largest = std::max(largest, magnitude(here.y));
   });
+  // What a sliding side holds does not change, and asks nothing of the others.
+  for (int a = 0; a < N; ++a)
+    if (held >> a & 1) slope.row(a) = Matrix<S, 1, N>::Unit(a);
   auto const change = solve_linear(slope, r.sum, "step: the discrete Lagrangian is not regular");
   section(slab + 1, node) -= change;
   // [step_field_equations]
@@ -108,7 +115,16 @@ StepReport append_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
   Level<S, N> level;
   std::vector<SumOfTerms<Matrix<S, N, 1>, Base<S>>> momenta;
   for (Index node = 0; node < mesh.node_count(); ++node) {
-    level.push_back(mesh.fixed(node) ? given_value(mesh, section, wall, node) : guess(node));
+    unsigned const held = mesh.fixed(node) ? ~0u : mesh.held_across(node);
+    if (held >> N != 0 && !mesh.fixed(node))
+      throw NotAMesh("step", "sections slide along sides across their own components; components", N, n);
+    Matrix<S, N, 1> y = guess(node);
+    if (held != 0) {
+      auto const given = given_value(mesh, section, wall, node);
+      for (int a = 0; a < N; ++a)
+        if (held >> a & 1) y[a] = given[a];
+    }
+    level.push_back(y);
     momenta.push_back(momentum(node));
   }
   section.levels.push_back(std::move(level));
@@ -126,7 +142,8 @@ StepReport append_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
 /// at the level after it, and appends them.
 ///
 /// @param section  at least two levels, and fewer than the mesh has
-/// @param wall     where the nodes of fixed sides are: a section, or `AtRest{}`
+/// @param wall     where the nodes of fixed sides are, and those of sliding sides across them: a section, or
+///                 `AtRest{}`
 /// @throws NotConverged, Singular, NotFinite  where the step is too long for the discrete Lagrangian to be
 ///         regular; and what the density refuses at the new level, a cell turned inside out for instance. The
 ///         section stays as it was.
