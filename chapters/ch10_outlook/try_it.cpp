@@ -1,5 +1,7 @@
-// Lines to try of chapter 10: a step of the fluid on the sphere, and how good its bracket is.
+// Lines to try of chapter 10: a step of the fluid on the sphere, how good its bracket is, and a sheet of
+// rubber.
 #include "book/try_it.hpp"
+#include "actio/multisymplectic/fast_medium_2d.hpp"
 #include "actio/numbers/print.hpp"
 #include "actio/vorticity/sphere_invariants.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
@@ -34,6 +36,18 @@ TRY_IT(bracket) {
     double const error = (bracket(n, l) - fine).norm() / fine.norm();
     print(("N = " + std::to_string(n)).c_str(), error * 6 * n * n / std::pow(l, 4));
   }
+}
+
+TRY_IT(sheet) {
+  // A sheet of rubber is stretched, set turning and let go: what has changed after a thousand steps.
+  auto const placed = [](auto const& X) { return std::array{1.3 * X[0], X[1]}; };
+  auto const turning = [](auto const& X) { return std::array{-X[1], X[0]}; };
+  FastMedium2d sheet(neo_hookean(2, 1), FastBox2d{{12, 8}, {0.1, 0.1}}, 0.02, 1, placed, turning);
+  double const angular = sheet.angular_momentum(), energy = sheet.energy();
+  sheet.step(1000);
+  print("angular momentum, relative", sheet.angular_momentum() / angular - 1);
+  print("energy, relative", sheet.energy() / energy - 1);
+  print("the longest stable step", sheet.largest_step());
 }
 
 TRY_IT_MAIN("the lines to try of chapter 10")
