@@ -5,12 +5,8 @@
 // that reads and writes each number once, as one step of a medium does that is larger than the caches. A pass
 // of the fast road makes several steps, so that it may come below the second. Times are those of a clock on
 // the wall, since two threads are no cheaper than one by processor time.
-#include <chrono>
-
 #include "actio/multisymplectic/fast_medium_2d.hpp"
-#include "benchmark.hpp"
-#include "peers/gathered_medium.hpp"
-#include "timing.hpp"
+#include "media_cost.hpp"
 
 using namespace actio;
 using Point = std::array<double, 2>;
@@ -68,58 +64,22 @@ struct Pass {
   }
 };
 
-double seconds_of(std::function<void()> const& work) {
-  auto const began = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-}
-/// Nanoseconds per unit on the wall: of each contestant what a tenth of its rounds came under.
-std::vector<double> nanoseconds(int rounds, std::vector<benchmark::Contestant> const& contestants) {
-  std::vector<std::vector<double>> seconds(contestants.size());
-  for (int round = -1; round < rounds; ++round)
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-      double const taken = seconds_of(contestants[i].work) / contestants[i].units;
-      if (round >= 0) seconds[i].push_back(1e9 * taken);
-    }
-  std::vector<double> best;
-  for (auto const& s : seconds) best.push_back(benchmark::best_tenth(s));
-  return best;
-}
-
 Point place(Point const& X) {
   return {X[0] + 0.01 * std::sin(6 * X[0] + 2 * X[1]), X[1] + 0.02 * std::cos(3 * X[0])};
 }
 Point velocity(Point const& X) { return {0.1 * X[1], -0.1 * X[0]}; }
-
-struct Size {
-  int across, up, steps;
-};
-struct Cost {
-  double one, two, plain;
-};
-
-template <class Medium, class Stress>
-Cost cost_of(benchmark::Benchmark const& program, Size const& size, Medium const& medium,
-             Stress const& stress) {
-  double const h = 1.0 / size.across, dt = 0.1 * h;
-  FastBox2d const box{{size.across, size.up}, {h, h}}, small{{100, 60}, {0.01, 0.01}};
-  FastMedium2d<Medium> one(medium, box, dt, 1, place, velocity),
-      two(medium, box, dt, 1, place, velocity, {2}), for_plain(medium, small, 0.001, 1, place, velocity);
-  auto plain = peers::gathered(stress, small, 0.001, for_plain.places(), for_plain.velocities());
-  double const cells = static_cast<double>(size.across) * size.up * size.steps;
-  auto const t = nanoseconds(program.rounds(15), {{"one thread", [&] { one.step(size.steps); }, cells},
-                                                  {"two threads", [&] { two.step(size.steps); }, cells},
-                                                  {"plain loop", [&] { plain.step(); }, 6000.0}});
-  sum += one.momentum()[0] + two.momentum()[0] + plain.v[7][0];
-  return {t[0], t[1], t[2]};
-}
 
 }  // namespace
 
 int main(int argc, char** argv) {
   benchmark::Benchmark program(argc, argv, "media in the plane: nanoseconds for a cell and step");
   using book::number;
+  struct Size {
+    int across, up, steps;
+  };
   Size const size = program.length(Size{2048, 1024, 32}, Size{1024, 256, 8});
+  double const h = 1.0 / size.across;
+  FastBox2d const box{{size.across, size.up}, {h, h}}, small{{100, 60}, {0.01, 0.01}};
 
   // What the machine can do.
   std::size_t const numbers = program.length<std::size_t>(1u << 22, 1u << 21);
@@ -132,16 +92,16 @@ int main(int argc, char** argv) {
       detail::run_with(best_registers(), one);
     });
   };
-  auto const limits =
-      nanoseconds(program.rounds(15), {{"fused",
-                                        [&] {
+  auto const limits = benchmark::nanoseconds_on_the_wall(
+      program.rounds(15), {{"fused",
+                            [&] {
     Fused fused{rounds};
     detail::run_with(best_registers(), fused);
     sum += fused.out.lane[0];
-                                        },
-                                        static_cast<double>(rounds) * 11 * 8},
-                                       {"memory", [&] { pass(1); }, static_cast<double>(numbers)},
-                                       {"memory, two", [&] { pass(2); }, static_cast<double>(numbers)}});
+                            },
+                            static_cast<double>(rounds) * 11 * 8},
+                           {"memory", [&] { pass(1); }, static_cast<double>(numbers)},
+                           {"memory, two", [&] { pass(2); }, static_cast<double>(numbers)}});
   program.figure("fused", 1 / limits[0], "10^9 additions and multiplications a second, fused, on one core");
   program.figure(
       "memory", limits[1],
@@ -151,7 +111,7 @@ int main(int argc, char** argv) {
   std::vector<book::Program::Row> rows;
   double gas = 0, solid = 0, any = 0, ratio = HUGE_VAL, shared = 0;
   auto const add = [&](std::string const& name, auto const& medium, auto const& stress, long operations) {
-    Cost const c = cost_of(program, size, medium, stress);
+    auto const c = benchmark::cost_of(program, medium, stress, box, small, size.steps, place, velocity, sum);
     double const floor = operations > 0 ? static_cast<double>(operations) * limits[0] : 0;
     rows.push_back({name, number(c.one), number(c.two), number(c.plain), number(c.plain / c.one),
                     operations > 0 ? std::to_string(operations) : "", operations > 0 ? number(floor) : "",

@@ -22,6 +22,37 @@ enum class FastSide {
   sliding    ///< its nodes keep the component of the velocity across the side
 };
 
+namespace detail {
+/// The share that node k of direction d of a box has of the mass of an inner node.
+template <class Box>
+double share_of_node(Box const& box, int d, int k) {
+  return !box.periodic(d) && (k == 0 || k == box.cells[d]) ? 0.5 : 1;
+}
+/// Whether forces change component c of the velocity at node k of direction d of a box.
+template <class Box>
+bool node_moves(Box const& box, int d, int k, int c) {
+  if (box.periodic(d) || (k != 0 && k != box.cells[d])) return true;
+  FastSide const side = box.ends(d)[k == 0 ? 0 : 1];
+  return side == FastSide::free || (side == FastSide::sliding && c != d);
+}
+/// Refuses a box that is none.
+template <class Box>
+void examine_box(Box const& box) {
+  for (int d = 0; d < Box::dimension; ++d) {
+    std::string const direction = "box of cells, direction " + std::to_string(d + 1);
+    if (box.cells[d] < 1) throw OutsideDomain(direction, "at least one cell is needed", box.cells[d], 1);
+    bool finite = is_finite(box.spacing[d]) && is_finite(box.origin[d]);
+    for (double const x : box.period[d]) finite = finite && is_finite(x);
+    if (!finite) throw NotFinite(direction);
+    if (!(box.spacing[d] > 0))
+      throw OutsideDomain(direction, "the length of a cell must be positive", box.spacing[d], 0);
+    auto const ends = box.ends(d);
+    if ((ends[0] == FastSide::periodic) != (ends[1] == FastSide::periodic))
+      throw OutsideDomain(direction, "both ends or none are periodic; periodic ends", 1, 2);
+  }
+}
+}  // namespace detail
+
 /// A rectangle of cells with corners \f$X = origin+(i\,h_1,j\,h_2)\f$.
 struct FastBox2d {
   std::array<int, 2> cells;                                             ///< how many along each direction
@@ -33,8 +64,14 @@ struct FastBox2d {
   /// stands for \f$Le_i\f$.
   std::array<std::array<double, 2>, 2> period{};
 
+  /// The directions of the body, and of space.
+  static constexpr int dimension = 2;
+  /// The sides at the ends of direction d.
+  std::array<FastSide, 2> const& ends(int d) const { return d == 0 ? left_right : below_above; }
+  /// \copydoc ends
+  std::array<FastSide, 2>& ends(int d) { return d == 0 ? left_right : below_above; }
   /// Whether direction d is periodic.
-  bool periodic(int d) const { return (d == 0 ? left_right : below_above)[0] == FastSide::periodic; }
+  bool periodic(int d) const { return ends(d)[0] == FastSide::periodic; }
   /// How many nodes there are along direction d; of two nodes that are one, one.
   int nodes(int d) const { return cells[d] + !periodic(d); }
   /// All nodes.
@@ -43,6 +80,10 @@ struct FastBox2d {
   std::array<double, 2> at(int i, int j) const {
     return {origin[0] + i * spacing[0], origin[1] + j * spacing[1]};
   }
+  /// \copydoc at
+  std::array<double, 2> at(std::array<int, 2> const& node) const { return at(node[0], node[1]); }
+  /// The reference area of a cell.
+  double measure() const { return spacing[0] * spacing[1]; }
   /// The period of a direction.
   detail::Plane<double> shift(int d) const {
     if (period[d][0] != 0 || period[d][1] != 0) return {period[d][0], period[d][1]};
@@ -50,37 +91,22 @@ struct FastBox2d {
     return d == 0 ? detail::Plane<double>{length, 0} : detail::Plane<double>{0, length};
   }
   /// The share that node k of direction d has of the mass of an inner node: a half at ends.
-  double share(int d, int k) const { return !periodic(d) && (k == 0 || k == cells[d]) ? 0.5 : 1; }
+  double share(int d, int k) const { return detail::share_of_node(*this, d, k); }
   /// Whether forces change component c of the velocity at node k of direction d.
-  bool moves(int d, int k, int c) const {
-    if (periodic(d) || (k != 0 && k != cells[d])) return true;
-    FastSide const side = (d == 0 ? left_right : below_above)[k == 0 ? 0 : 1];
-    return side == FastSide::free || (side == FastSide::sliding && c != d);
-  }
+  bool moves(int d, int k, int c) const { return detail::node_moves(*this, d, k, c); }
   /// What force per mass density becomes acceleration with: one over the reference area that a node has, or
   /// 0.
   double response(int i, int j, int c) const {
     if (!moves(0, i, c) || !moves(1, j, c)) return 0;
     return 1 / (share(0, i) * share(1, j) * spacing[0] * spacing[1]);
   }
+  /// \copydoc response
+  double response(std::array<int, 2> const& node, int c) const { return response(node[0], node[1], c); }
 
   /// @throws OutsideDomain  where there are no cells, lengths are not positive, or a direction is periodic at
   ///   one end alone
   /// @throws NotFinite  where a length is no number
-  void examine() const {
-    for (int d = 0; d < 2; ++d) {
-      std::string const direction = "box of cells, direction " + std::to_string(d + 1);
-      if (cells[d] < 1) throw OutsideDomain(direction, "at least one cell is needed", cells[d], 1);
-      if (!is_finite(spacing[d]) || !is_finite(origin[d]) || !is_finite(period[d][0]) ||
-          !is_finite(period[d][1]))
-        throw NotFinite(direction);
-      if (!(spacing[d] > 0))
-        throw OutsideDomain(direction, "the length of a cell must be positive", spacing[d], 0);
-      auto const& ends = d == 0 ? left_right : below_above;
-      if ((ends[0] == FastSide::periodic) != (ends[1] == FastSide::periodic))
-        throw OutsideDomain(direction, "both ends or none are periodic; periodic ends", 1, 2);
-    }
-  }
+  void examine() const { detail::examine_box(*this); }
 };
 
 namespace detail {
@@ -92,10 +118,11 @@ struct Strips {
   int full;                         ///< registers from the first on whose four cells are all there
   bool periodic;                    ///< whether node number `cells` is node 0
   alignas(32) Quad::Bits there[4];  ///< for the others, `full` first: which of the four cells are there
-  Plane<Quad>
-      share[5];  ///< response of the nodes over that of the row, for register 0 and for `full` to the last
+  /// Response of the nodes over that of the row, by components, for register 0 and for `full` to the last.
+  Quad share[5][3];
 
-  explicit Strips(FastBox2d const& box)
+  template <class Box>
+  explicit Strips(Box const& box)
       : cells(box.cells[0]),
         packs((cells + 4) / 4),
         full(cells > 3 * packs ? cells - 3 * packs : 0),
@@ -106,8 +133,8 @@ struct Strips {
         int const i = lane * packs + s;
         bool const node = s < packs && i <= cells;
         if (t > 0) there[t - 1][lane] = s < packs && i < cells ? -1 : 0;
-        share[t].x.lane[lane] = node && box.moves(0, i, 0) ? 1 / box.share(0, i) : 0;
-        share[t].y.lane[lane] = node && box.moves(0, i, 1) ? 1 / box.share(0, i) : 0;
+        for (int c = 0; c < 3; ++c)
+          share[t][c].lane[lane] = node && box.moves(0, i, c) ? 1 / box.share(0, i) : 0;
       }
     }
   }

@@ -12,6 +12,7 @@
 // Corners are numbered 0 (left below), 1 (right below), 2 (left above), 3 (right above).
 #pragma once
 
+#include <array>
 #include <type_traits>
 
 #include "actio/multisymplectic/fast_volume_laws.hpp"
@@ -32,9 +33,13 @@ struct Plane {
   }
 };
 template <class T>
-[[gnu::always_inline]] inline T cross(Plane<T> const& a, Plane<T> const& b) { return a.x * b.y - a.y * b.x; }
+[[gnu::always_inline]] inline T cross(Plane<T> const& a, Plane<T> const& b) {
+  return a.x * b.y - a.y * b.x;
+}
 template <class T>
-[[gnu::always_inline]] inline T dot(Plane<T> const& a, Plane<T> const& b) { return a.x * b.x + a.y * b.y; }
+[[gnu::always_inline]] inline T dot(Plane<T> const& a, Plane<T> const& b) {
+  return a.x * b.x + a.y * b.y;
+}
 
 /// One vector for each edge of a cell: two that go right, two that go up.
 template <class T>
@@ -46,6 +51,16 @@ template <class T>
 [[gnu::always_inline]] inline Edges<T> edges_between(Plane<T> const& x0, Plane<T> const& x1,
                                                      Plane<T> const& x2, Plane<T> const& x3) {
   return {x1 - x0, x3 - x2, x2 - x0, x3 - x1};
+}
+/// \copydoc edges_between
+template <class T>
+Edges<T> edges_between(Plane<T> const (&x)[4]) {
+  return edges_between(x[0], x[1], x[2], x[3]);
+}
+/// s a.
+template <class T>
+Plane<T> scaled_by(double s, Plane<T> const& a) {
+  return {s * a.x, s * a.y};
 }
 /// \f$e_1\times e_2\f$ at the corners: \f$h_1h_2J\f$.
 template <class T>
@@ -129,7 +144,9 @@ struct FastFluid {
   Volume volume;  ///< U, a law of fast_volume_laws.hpp or one's own
   /// W from \f$|F_1|^2\f$, \f$|F_2|^2\f$, \f$F_1.F_2\f$ and J.
   template <class T>
-  T energy(T const&, T const&, T const&, T const& J) const { return volume.energy(J); }
+  T energy(T const&, T const&, T const&, T const& J) const {
+    return volume.energy(J);
+  }
   /// What steps a cell of these lengths.
   auto on(double h1, double h2) const {
     auto const scaled = detail::scaled(volume, h1 * h2, 0.25);
@@ -163,7 +180,9 @@ FastNeoHookean(double, Volume) -> FastNeoHookean<Volume>;
 inline FastNeoHookean<LogarithmicLaw> neo_hookean(double lambda, double mu) { return {mu, {lambda, mu}}; }
 /// Blatz and Ko's solid, free of stress at rest: \f$U = \tfrac{\mu}{2m}(J^{-2m}-1)\f$, \f$\lambda = 2m\mu\f$.
 template <int m>
-FastNeoHookean<PolytropicByRoots<1, 2 * m + 1>> blatz_ko(double mu) { return {mu, {mu}}; }
+FastNeoHookean<PolytropicByRoots<1, 2 * m + 1>> blatz_ko(double mu) {
+  return {mu, {mu}};
+}
 
 /// St Venant and Kirchhoff's solid of the fast road: \f$W = \tfrac\lambda2(\Tr E)^2+\mu\Tr E^2\f$ with
 /// \f$E = \tfrac12(C-1)\f$.
@@ -181,9 +200,30 @@ struct FastStVenantKirchhoff {
 };
 
 namespace detail {
+/// What steps cells of these lengths.
+template <class Medium>
+auto cell_on(Medium const& medium, std::array<double, 2> const& h) {
+  return medium.on(h[0], h[1]);
+}
+/// \f$h_1h_2J\f$ at the corners.
+template <class T>
+std::array<T, 4> corner_volumes(Edges<T> const& e) {
+  T d[4];
+  areas(e, d);
+  return {d[0], d[1], d[2], d[3]};
+}
+/// The forces of a cell on its corners per mass density.
+template <class Cell, class T>
+std::array<Plane<T>, 4> corner_forces(Cell const& cell, Edges<T> const& e) {
+  T d[4];
+  areas(e, d);
+  Edges<T> const s = cell.slopes(e, d);
+  return {s.below + s.left, s.right - s.below, s.above - s.left, Plane<T>{} - (s.above + s.right)};
+}
 /// The energy of a cell per mass density: \f$\tfrac{h_1h_2}4\sum W\f$.
 template <class Medium, class T>
-T cell_energy(Medium const& medium, double h1, double h2, Edges<T> const& e) {
+T cell_energy(Medium const& medium, std::array<double, 2> const& h, Edges<T> const& e) {
+  double const h1 = h[0], h2 = h[1];
   T const a[2] = {dot(e.below, e.below) / (h1 * h1), dot(e.above, e.above) / (h1 * h1)},
           c[2] = {dot(e.left, e.left) / (h2 * h2), dot(e.right, e.right) / (h2 * h2)};
   T const b[4] = {dot(e.below, e.left), dot(e.below, e.right), dot(e.above, e.left), dot(e.above, e.right)};

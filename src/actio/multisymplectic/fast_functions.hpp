@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <numbers>
 
 #include "actio/multisymplectic/fast_lanes.hpp"
 
@@ -83,13 +84,22 @@ template <int n>
   split(x.quad[0], k.quad[0], m.quad[0]), split(x.quad[1], k.quad[1], m.quad[1]);
   split(x.quad[2], k.quad[2], m.quad[2]), split(x.quad[3], k.quad[3], m.quad[3]);
 }
-/// x between -700 and 700.
-[[gnu::always_inline]] inline Quad within_700(Quad const& x) {
-  Quad const above = chosen(x.lane < Quad(700).lane, x, Quad(700));
-  return chosen(above.lane > Quad(-700).lane, above, Quad(-700));
+/// x between -1000 and 1000.
+[[gnu::always_inline]] inline Quad within_1000(Quad const& x) {
+  Quad const above = chosen(x.lane < Quad(1000).lane, x, Quad(1000));
+  return chosen(above.lane > Quad(-1000).lane, above, Quad(-1000));
 }
-[[gnu::always_inline]] inline Fourfold within_700(Fourfold const& x) {
-  return {within_700(x.quad[0]), within_700(x.quad[1]), within_700(x.quad[2]), within_700(x.quad[3])};
+[[gnu::always_inline]] inline Fourfold within_1000(Fourfold const& x) {
+  return {within_1000(x.quad[0]), within_1000(x.quad[1]), within_1000(x.quad[2]), within_1000(x.quad[3])};
+}
+/// 1/x: relative error below one unit in the last place.
+[[gnu::always_inline]] inline Quad reciprocal(Quad const& x) { return Quad(1) / x; }
+/// Of four registers by one division: below three units in the last place, where the product of all is no
+/// denormal number.
+[[gnu::always_inline]] inline Fourfold reciprocal(Fourfold const& x) {
+  Quad const a = x.quad[0] * x.quad[1], b = x.quad[2] * x.quad[3], inverse = Quad(1) / (a * b),
+             of_a = b * inverse, of_b = a * inverse;
+  return {of_a * x.quad[1], of_a * x.quad[0], of_b * x.quad[3], of_b * x.quad[2]};
 }
 /// \f$2^k\f$ from the double \f$1.5\cdot2^{52}+k\f$.
 [[gnu::always_inline]] inline Quad power_of_two(Quad const& shifted) {
@@ -100,24 +110,27 @@ template <int n>
           power_of_two(shifted.quad[3])};
 }
 
+/// \f$y\,(1-t)^{-1/n}\f$ with \f$t = 1-xy^n\f$, by its series to the power `terms` of t.
+template <int n, int terms, QuadOrFour T>
+[[gnu::always_inline]] inline T better_root(T const& x, T const& y) {
+  constexpr double c1 = 1.0 / n, c2 = c1 * (c1 + 1) / 2, c3 = c2 * (c1 + 2) / 3, c4 = c3 * (c1 + 3) / 4;
+  T power = y;
+#pragma GCC unroll 8
+  for (int k = 1; k < n; ++k) power = power * y;
+  T const t = 1.0 - x * power;
+  if constexpr (terms == 3)
+    return y + y * (t * (c1 + t * (c2 + c3 * t)));
+  else
+    return y + y * (t * (c1 + t * (c2 + t * (c3 + c4 * t))));
+}
 /// \f$x^{-1/n}\f$: relative error below one unit in the last place.
 ///
-/// A guess from the bits, and twice the binomial series of \f$y\,(1-t)^{-1/n}\f$ in \f$t = 1-xy^n\f$ to the
-/// fourth power: the guess has \f$|t| < 0.2\f$, the first round leaves \f$|t| < 10^{-4}\f$, and the second
-/// nothing that a double holds.
+/// A guess from the bits, and twice the binomial series of \f$y\,(1-t)^{-1/n}\f$ in \f$t = 1-xy^n\f$: the
+/// guess has \f$|t| < 0.13\f$ for n to 3 and 0.2 for n = 5, the first round leaves
+/// \f$|t| < 1.4\cdot10^{-4}\f$, and the second less than what a double holds.
 template <int n, QuadOrFour T>
 [[gnu::always_inline]] inline T inverse_root(T const& x) {
-  constexpr double c1 = 1.0 / n, c2 = c1 * (c1 + 1) / 2, c3 = c2 * (c1 + 2) / 3, c4 = c3 * (c1 + 3) / 4;
-  T y = root_guess<n>(x);
-#pragma GCC unroll 2
-  for (int round = 0; round < 2; ++round) {
-    T power = y;
-#pragma GCC unroll 8
-    for (int k = 1; k < n; ++k) power = power * y;
-    T const t = 1.0 - x * power;
-    y = y + y * (t * (c1 + t * (c2 + t * (c3 + c4 * t))));
-  }
-  return y;
+  return better_root<n, (n <= 5 ? 3 : 4)>(x, better_root<n, (n <= 3 ? 3 : 4)>(x, root_guess<n>(x)));
 }
 /// The same for other scalars: numbers, and dual numbers.
 template <int n, class T>
@@ -129,41 +142,56 @@ T inverse_root(T const& x) {
     return pow(x, -1.0 / n);
 }
 
-/// \f$\log x\f$: relative error below 2 units in the last place.
+/// \f$\log_2x\f$: relative error below 4 units in the last place.
 ///
-/// \f$x = 2^km\f$ with m between \f$\sqrt{1/2}\f$ and \f$\sqrt2\f$, and
-/// \f$\log m = f - s\,(f-R(s^2))\f$ with \f$f = m-1\f$, \f$s = f/(2+f)\f$ and the polynomial R of fdlibm.
+/// \f$x = 2^km\f$ with m between \f$\sqrt{1/2}\f$ and \f$\sqrt2\f$, and \f$\log_2m = s\,A(s^2)\f$ with
+/// \f$s = (m-1)/(m+1)\f$ and the best polynomial A of degree 7, whose relative error is 2e-18.
 template <QuadOrFour T>
-[[gnu::always_inline]] inline T log(T const& x) {
+[[gnu::always_inline]] inline T log2(T const& x) {
   T k, m;
   split(x, k, m);
-  T const f = m - 1.0, s = f / (2.0 + f), z = s * s, w = z * z;
-  T const odd = z * (6.666666666666735130e-01 +
-                     w * (2.857142874366239149e-01 +
-                          w * (1.818357216161805012e-01 + 1.479819860511658591e-01 * w))),
-          even =
-              w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + 1.531383769920937332e-01 * w));
-  T const half_square = 0.5 * (f * f);
-  return 6.93147180369123816490e-01 * k -
-         ((half_square - (s * (half_square + (odd + even)) + 1.90821492927058770002e-10 * k)) - f);
+  T const f = m - 1.0, s = f * reciprocal(2.0 + f), z = s * s, w = z * z;
+  T const even = 2.8853900817779268 +
+                 w * (0.5770780163454704 + w * (0.3205985339264623 + 0.22091186685788852 * w)),
+          odd = 0.9617966939259898 +
+                w * (0.41219858585106456 + w * (0.26233440174514827 + 0.21367077946267188 * w));
+  return k + s * (even + z * odd);
 }
-
-/// \f$e^x\f$ for \f$|x|\le700\f$, beyond which it stays at \f$e^{\pm700}\f$: relative error below 2 units in
-/// the last place.
+/// \f$2^x\f$ for \f$|x|\le1000\f$, beyond which it stays at \f$2^{\pm1000}\f$: relative error below one unit
+/// in the last place.
 ///
-/// \f$x = k\log2+r\f$ with \f$|r|\le0.347\f$, and the exponential series of r to the thirteenth power, whose
-/// remainder is \f$r^{14}/14! < 5\cdot10^{-18}\f$.
+/// \f$x = k+r\f$ with \f$|r|\le\tfrac12\f$, and \f$2^r = 1+r\,B(r)\f$ with the best polynomial B of degree
+/// 10, whose error is 6e-18.
 template <QuadOrFour T>
-[[gnu::always_inline]] inline T exp(T const& argument) {
+[[gnu::always_inline]] inline T exp2(T const& argument) {
   constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52: its last bits are those of the integer added
-  T const x = within_700(argument), shifted = shift + 1.44269504088896338700 * x, k = shifted - shift;
-  T const r = (x - 6.93147180369123816490e-01 * k) - 1.90821492927058770002e-10 * k;
-  T const r2 = r * r, r4 = r2 * r2;
-  T const a = (1.0 / 2 + 1.0 / 6 * r) + r2 * (1.0 / 24 + 1.0 / 120 * r),
-          b = (1.0 / 720 + 1.0 / 5040 * r) + r2 * (1.0 / 40320 + 1.0 / 362880 * r),
-          c = (1.0 / 3628800 + 1.0 / 39916800 * r) + r2 * (1.0 / 479001600 + 1.0 / 6227020800 * r);
-  T const series = r + r2 * (a + r4 * (b + r4 * c)), power = power_of_two(shifted);
-  return power + power * series;
+  T const x = within_1000(argument), shifted = shift + x, r = x - (shifted - shift), r2 = r * r;
+  T const even = 0.6931471805599453 +
+                 r2 * (0.05550410866482166 +
+                       r2 * (0.0013333558146395997 +
+                             r2 * (1.5252733853281571e-05 +
+                                   r2 * (1.017805172938865e-07 + 4.4566749682698136e-10 * r2)))),
+          odd =
+              0.24022650695910097 +
+              r2 * (0.009618129107606887 + r2 * (0.00015403530441738348 +
+                                                 r2 * (1.3215442586740476e-06 + 7.072586159513708e-09 * r2)));
+  T const power = power_of_two(shifted);
+  return power + power * (r * (even + r * odd));
+}
+/// The same for other scalars: numbers, and dual numbers.
+template <class T>
+T log2(T const& x) {
+  using std::log;
+  return log(x) / std::numbers::ln2;
+}
+template <class T>
+T exp2(T const& x) {
+  using std::exp;
+  return exp(std::numbers::ln2 * x);
+}
+template <class T>
+T reciprocal(T const& x) {
+  return T(1) / x;
 }
 
 }  // namespace actio::detail

@@ -5,18 +5,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "actio/multisymplectic/fast_options.hpp"
 #include "actio/multisymplectic/fast_sweep_2d.hpp"
 #include "actio/multisymplectic/fast_team.hpp"
 
 namespace actio {
-
-/// How a medium of the fast road is computed. Nothing of this changes any bit of the result but the
-/// registers.
-struct FastOptions {
-  int threads = 1;                         ///< how many work; rows are shared among them
-  int levels = 0;                          ///< steps in one pass over the rows; 0: as the cache allows
-  Registers registers = best_registers();  ///< for which the steps are compiled
-};
 
 namespace detail {
 

@@ -120,7 +120,7 @@ struct Sweep2d {
   [[gnu::always_inline]] void move_end(NodeRow2d const& row, int t, Plane<Quad> const& force) const {
     int const s = t == 0 ? 0 : strips.full + t - 1;
     Plane<Quad> const x = row.x[s];
-    move(row, s, x, force, row.kick.x * strips.share[t].x, row.kick.y * strips.share[t].y, dt);
+    move(row, s, x, force, row.kick.x * strips.share[t][0], row.kick.y * strips.share[t][1], dt);
   }
   /// Node number `cells` is node 0 again.
   [[gnu::always_inline]] void close(NodeRow2d const& row) const {

@@ -1,0 +1,293 @@
+// A medium on a box of cells, stepped by the fast road: what it is in the plane and in space alike.
+// fast_medium_2d.hpp and fast_medium_3d.hpp name it for these.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "actio/multisymplectic/fast_forces.hpp"
+#include "actio/multisymplectic/fast_options.hpp"
+
+namespace actio {
+
+/// A cell of a medium that would turn inside out: the state is that before the step which would do it.
+struct CellInverts : OutsideDomain {
+  std::array<int, 3> cell;  ///< which, along the directions; 0 beyond the last one
+  long step;                ///< the number of the step that would do it, from 1; 0 at the start
+  double time_step;         ///< its length
+  double largest_step;      ///< the longest step for which small motions about the state before are stable
+  /// @param which, jacobian, step_number, dt, largest  as above; J at the worst of its corners
+  template <std::size_t n>
+  CellInverts(std::array<int, n> const& which, double jacobian, long step_number, double dt, double largest)
+      : OutsideDomain(where(which, step_number, dt, largest), "the Jacobian at its corners must be positive",
+                      jacobian, 0),
+        cell{},
+        step(step_number),
+        time_step(dt),
+        largest_step(largest) {
+    std::copy(which.begin(), which.end(), cell.begin());
+  }
+
+ private:
+  template <std::size_t n>
+  static std::string where(std::array<int, n> const& which, long step_number, double dt, double largest) {
+    std::string cell;
+    for (int const i : which) cell += (cell.empty() ? "cell (" : ", ") + std::to_string(i);
+    cell += ")";
+    if (step_number == 0) return "medium: " + cell + " is inside out at the start";
+    return "medium: step " + std::to_string(step_number) + " of length " + show(dt) + " would turn " + cell +
+           " inside out (the longest stable step before it is " + show(largest) + ")";
+  }
+};
+
+namespace detail {
+
+/// The nodes of a box as the fused steps hold them; one for each kind of box.
+template <class Box, class Cell>
+struct FusedNodes;
+
+/// Vectors as arrays.
+inline std::array<double, 2> as_point(Plane<double> const& a) { return {a.x, a.y}; }
+inline std::array<double, 3> as_point(Space<double> const& a) { return {a.x, a.y, a.z}; }
+inline double as_point(double a) { return a; }
+inline Plane<double> as_vector(std::array<double, 2> const& a) { return {a[0], a[1]}; }
+inline Space<double> as_vector(std::array<double, 3> const& a) { return {a[0], a[1], a[2]}; }
+
+}  // namespace detail
+
+/// A medium on a box of cells, of one density, stepped explicitly.
+///
+/// @tparam Medium  `FastFluid`, `FastNeoHookean` or `FastStVenantKirchhoff`
+/// @tparam Box     `FastBox2d` or `FastBox3d`
+template <class Medium, class Box>
+class FastMedium {
+ public:
+  /// A point or a vector.
+  using Point = std::array<double, Box::dimension>;
+  /// All that a run needs to go on, to the last bit.
+  struct State {
+    std::vector<Point> places;      ///< of the nodes, in their order
+    std::vector<Point> velocities;  ///< half a step ago
+    long steps = 0;                 ///< that have been made
+  };
+
+  /// @param medium     stored energy per unit mass, speed squared
+  /// @param box        cells and sides
+  /// @param dt         time step
+  /// @param density    mass per area or volume of the body
+  /// @param placement  \f$X\mapsto\phi(X)\f$ at the start, length
+  /// @param velocity   \f$X\mapsto\dot\phi(X)\f$ at the start, momentum over mass, length/time
+  /// @param options    how it is computed
+  /// @throws OutsideDomain, NotFinite where the box is none, or dt or the density is not a positive number,
+  ///   or a node is not at a finite place
+  /// @throws OutsideDomain  where small motions about the start are unstable with dt: measured dt, and the
+  ///   longest step as \ref largest_step has it, within a few per cent
+  /// @throws CellInverts  with step 0, where a cell is inside out at the start
+  template <class Placement, class Velocity>
+  FastMedium(Medium const& medium, Box const& box, double dt, double density, Placement const& placement,
+             Velocity const& velocity, FastOptions const& options = {})
+      : medium_(medium),
+        box_((box.examine(), box)),
+        cell_(detail::cell_on(medium, box.spacing)),
+        dt_(positive(dt, "time step")),
+        density_(positive(density, "density")),
+        nodes_(box_, cell_, dt, options) {
+    std::vector<Vector> x, v;
+    detail::for_nodes(box, [&](auto const& node, std::size_t) {
+      Point const place = placement(box.at(node)), rate = velocity(box.at(node));
+      for (std::size_t i = 0; i < place.size(); ++i)
+        if (!is_finite(place[i]) || !is_finite(rate[i])) refuse_node(node);
+      x.push_back(detail::as_vector(place)), v.push_back(detail::as_vector(rate));
+    });
+    refuse_inverted(x);
+    refuse_long_step(x);
+    // To half a step before the start.
+    add_kick(v, x, -dt / 2);
+    nodes_.put(x, v);
+    kept_ = nodes_.state();
+  }
+
+  /// So many steps on.
+  /// @throws CellInverts  where a cell would turn inside out; then the state is that before this step
+  /// @throws OutsideDomain  where count is negative
+  void step(long count = 1) {
+    if (count < 0)
+      throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
+                          0);
+    while (count > 0) {
+      if (steps_ - kept_at_ >= between_copies) kept_ = nodes_.state(), kept_at_ = steps_;
+      long const some = std::min(count, kept_at_ + between_copies - steps_);
+      bool const sound = nodes_.advance(some);
+      steps_ += some, count -= some;
+      if (!sound || !nodes_.examine()) find_inversion();
+    }
+  }
+
+  /// The time since the start.
+  double time() const { return static_cast<double>(steps_) * dt_; }
+  /// How many steps have been made.
+  long steps() const { return steps_; }
+  /// The time step.
+  double time_step() const { return dt_; }
+  /// Cells and sides.
+  Box const& box() const { return box_; }
+  /// How many steps a pass over the nodes makes.
+  int levels() const { return nodes_.levels(); }
+  /// Memory for states and copies, bytes.
+  std::size_t bytes() const { return nodes_.bytes() + kept_.capacity() * sizeof(Register); }
+
+  /// Places of the nodes, the first direction fastest; length.
+  std::vector<Point> places() const { return points(nodes_.read(false)); }
+  /// Velocities of the nodes now, momentum over mass; length/time.
+  std::vector<Point> velocities() const { return points(velocities_now()); }
+  /// Velocities half a step ago, from the places before to the places now.
+  std::vector<Point> velocities_half_a_step_ago() const { return points(nodes_.read(true)); }
+  /// The state now, for \ref go_on_from.
+  State state() const { return {places(), velocities_half_a_step_ago(), steps_}; }
+  /// Goes on from a state: the run from there is that of the medium that it was taken from, bit for bit.
+  /// @throws OutsideDomain  where it has not as many nodes as the box, or a negative number of steps
+  /// @throws CellInverts    with step 0, where a cell of it is inside out
+  void go_on_from(State const& state) {
+    auto const needed = static_cast<std::size_t>(box_.count());
+    for (std::size_t const found : {state.places.size(), state.velocities.size()})
+      if (found != needed)
+        throw OutsideDomain("medium: state", "it has a place and a velocity for each node of the box",
+                            static_cast<double>(found), static_cast<double>(needed));
+    if (state.steps < 0)
+      throw OutsideDomain("medium: state", "the number of steps must not be negative",
+                          static_cast<double>(state.steps), 0);
+    std::vector<Vector> x, v;
+    for (auto const& p : state.places) x.push_back(detail::as_vector(p));
+    for (auto const& p : state.velocities) v.push_back(detail::as_vector(p));
+    refuse_inverted(x);
+    nodes_.put(x, v);
+    steps_ = kept_at_ = state.steps, kept_ = nodes_.state();
+  }
+
+  /// Linear momentum, mass x length/time. With free or periodic sides it is conserved to rounding.
+  Point momentum() const {
+    Vector sum{};
+    each_node([&](double mass, Vector const&, Vector const& v) { sum = sum + detail::scaled_by(mass, v); });
+    return detail::as_point(sum);
+  }
+  /// Angular momentum about the origin of space, mass x area/time, a number in the plane: the discrete
+  /// Noether momentum of rotations on the last slab, \f$\sum m\,x\times v\f$. With free sides it is conserved
+  /// to rounding.
+  auto angular_momentum() const {
+    decltype(cross(Vector{}, Vector{})) sum{};
+    each_node([&](double mass, Vector const& x, Vector const& v) {
+      sum = sum + cross(detail::scaled_by(mass, x), v);
+    });
+    return detail::as_point(sum);
+  }
+  /// Kinetic and stored energy now. The sum oscillates with the square of the time step.
+  std::array<double, 2> energies() const {
+    auto const x = nodes_.read(false), v = velocities_now();
+    double kinetic = 0, stored = 0;
+    detail::for_nodes(
+        box_, [&](auto const& node, std::size_t k) { kinetic += node_share(node) * dot(v[k], v[k]); });
+    detail::for_indices(box_.cells, [&](auto const& cell) {
+      stored += detail::cell_energy(medium_, box_.spacing,
+                                    detail::edges_of(box_, detail::corners_of(box_, cell), x));
+    });
+    return {0.5 * kinetic * density_ * box_.measure(), stored * density_};
+  }
+  /// Kinetic plus stored energy now.
+  double energy() const { return energies()[0] + energies()[1]; }
+  /// The longest time step for which small motions about the state now are stable: two over the largest
+  /// frequency, which comes from below, so that the step comes from above; within a per cent.
+  double largest_step() const { return 2 / detail::largest_frequency(box_, cell_, nodes_.read(false)); }
+
+ private:
+  using Cell = decltype(detail::cell_on(std::declval<Medium const&>(), std::declval<Box const&>().spacing));
+  using Nodes = typename detail::FusedNodes<Box, Cell>::type;
+  using Register = typename Nodes::Register;
+  using Vector = detail::VectorOf<Box, double>;
+  static constexpr long between_copies = 512;  // a copy costs about a step
+
+  static double positive(double x, char const* what) {
+    if (!is_finite(x)) throw NotFinite(std::string("medium: ") + what);
+    if (!(x > 0)) throw OutsideDomain("medium", std::string("a positive ") + what + " is needed", x, 0);
+    return x;
+  }
+  template <class Node>
+  [[noreturn]] static void refuse_node(Node const& node) {
+    std::string name;
+    for (int const i : node) name += (name.empty() ? "(" : ", ") + std::to_string(i);
+    throw NotFinite("medium: placement and velocity of node " + name + ")");
+  }
+  static std::vector<Point> points(std::vector<Vector> const& in) {
+    std::vector<Point> out;
+    for (auto const& p : in) out.push_back(detail::as_point(p));
+    return out;
+  }
+  /// Adds so much time of the accelerations at x.
+  void add_kick(std::vector<Vector>& v, std::vector<Vector> const& x, double time) const {
+    auto const a = detail::accelerations(box_, cell_, x);
+    for (std::size_t k = 0; k < v.size(); ++k) v[k] = v[k] + detail::scaled_by(time, a[k]);
+  }
+  std::vector<Vector> velocities_now() const {
+    auto v = nodes_.read(true);
+    add_kick(v, nodes_.read(false), dt_ / 2);
+    return v;
+  }
+  template <class Node>
+  double node_share(Node const& node) const {
+    double share = 1;
+    for (int d = 0; d < Box::dimension; ++d) share *= box_.share(d, node[d]);
+    return share;
+  }
+  template <class Visit>
+  void each_node(Visit const& visit) const {
+    auto const x = nodes_.read(false), v = nodes_.read(true);
+    double const mass = density_ * box_.measure();
+    detail::for_nodes(box_,
+                      [&](auto const& node, std::size_t k) { visit(mass * node_share(node), x[k], v[k]); });
+  }
+
+  /// The cell with the least Jacobian, and that.
+  std::pair<std::array<int, Box::dimension>, double> worst_cell(std::vector<Vector> const& x) const {
+    std::pair<std::array<int, Box::dimension>, double> worst{{}, HUGE_VAL};
+    detail::for_indices(box_.cells, [&](auto const& cell) {
+      if (!(worst.second == worst.second)) return;
+      auto const volumes = detail::corner_volumes(detail::edges_of(box_, detail::corners_of(box_, cell), x));
+      for (double const one : volumes)
+        if (!(one / box_.measure() >= worst.second)) worst = {cell, one / box_.measure()};
+    });
+    return worst;
+  }
+  void refuse_inverted(std::vector<Vector> const& x) const {
+    auto const [cell, jacobian] = worst_cell(x);
+    if (!(jacobian > 0)) throw CellInverts(cell, jacobian, 0, dt_, 0);
+  }
+  void refuse_long_step(std::vector<Vector> const& x) const {
+    double const bound = detail::bound_of_stable_steps(box_, cell_, x);
+    if (dt_ > bound)
+      throw OutsideDomain("medium: time step", "small motions about the start are stable up to the bound",
+                          dt_, bound);
+  }
+  /// Goes back to the copy, and from there step by step to where a cell turns inside out.
+  void find_inversion() {
+    long const end = steps_;
+    nodes_.restore(kept_), steps_ = kept_at_;
+    while (steps_ < end) {
+      kept_ = nodes_.state(), kept_at_ = steps_;
+      bool const sound = nodes_.advance(1);
+      ++steps_;
+      if (sound && nodes_.examine()) continue;
+      auto const [cell, jacobian] = worst_cell(nodes_.read(false));
+      nodes_.restore(kept_), steps_ = kept_at_;
+      throw CellInverts(cell, jacobian, steps_ + 1, dt_, largest_step());
+    }
+  }
+
+  Medium medium_;
+  Box box_;
+  Cell cell_;
+  double dt_, density_;
+  Nodes nodes_;
+  std::vector<Register> kept_;
+  long steps_ = 0, kept_at_ = 0;
+};
+
+}  // namespace actio
