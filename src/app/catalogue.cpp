@@ -5,6 +5,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/keys.hpp"
+#include "actio/scene/materials.hpp"
 #include "actio/scene/scenes.hpp"
 #include "actio/scene/statements.hpp"
 
@@ -46,6 +47,8 @@ std::vector<std::string> names_in(std::string const& list) {
     for (auto const& entry : all_quantities()) add(entry.quantity->name);
   if (list == "bodies")
     for (auto const& body : library_bodies()) add(body.name);
+  if (list == "materials")
+    for (auto const& material : library_materials()) add(material.name);
   if (list == "keys")
     for (auto const& key : all_keys()) add(key.parameter.key);
   if (list == "scenes")

@@ -7,6 +7,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/keys.hpp"
+#include "actio/scene/materials.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/registry_json.hpp"
@@ -66,6 +67,18 @@ Rows list_of_bodies() {
   return rows;
 }
 
+Rows list_of_materials() {
+  Rows rows;
+  for (auto const& material : library_materials()) {
+    std::string constants;
+    for (auto const& constant : material.constants)
+      constants += (constants.empty() ? "" : ",") + constant.name;
+    rows.push_back(
+        {material.name, material.fluid ? "barotropic_fluid" : "elastic_body", constants, material.meaning});
+  }
+  return rows;
+}
+
 Rows list_of_keys() {
   Rows rows;
   // What differs between systems in its default or its words alone has one row.
@@ -88,12 +101,8 @@ Rows list_of_scenes() {
   return rows;
 }
 
-/// How scenes take what is listed, or that they do not take it yet.
+/// How scenes take what is listed.
 void say_how_scenes_take(std::string const& what) {
-  if (what == "materials" && names_in("materials").empty())
-    say(stderr,
-        "There are no materials for scenes yet: they come with the systems of continua. Those of the "
-        "library, for programs in C++, are in actio/continuum/materials.hpp.\n");
   if (what == "groups")
     say(stderr,
         "A scene takes one with its numbers, or a product: kind = \"euler_poincare\", group = \"SO(3) x "
@@ -133,7 +142,9 @@ int list(std::string const& what, bool json) {
     rows = list_of_keys();
   else if (what == "scenes")
     rows = list_of_scenes();
-  else if (what != "materials")
+  else if (what == "materials")
+    rows = list_of_materials();
+  else
     throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what),
                                                  listed(kinds_of_lists())));
   say_how_scenes_take(what);

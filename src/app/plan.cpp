@@ -129,6 +129,7 @@ int plan(Scene& scene, RunArguments const& arguments, std::string const& out) {
   for (auto const& remark : scene.simulation.remarks) tell("remark", remark);
   Estimate const taken = estimate(scene);
   tell("time", time_of(taken));
+  if (scene.simulation.bytes > 0) tell("memory", "at most about " + size_text(scene.simulation.bytes));
   tell("folder", out);
   tell("files", files_of(scene, arguments, taken));
   tell_disk(scene, taken, out);

@@ -9,6 +9,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/keys.hpp"
+#include "actio/scene/materials.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/scenes.hpp"
 #include "actio/scene/statements.hpp"
@@ -133,6 +134,23 @@ std::string about(NamedScene const& carried) {
   return account.text();
 }
 
+std::string about(NamedMaterial const& material) {
+  std::string const system = material.fluid ? "barotropic_fluid" : "elastic_body";
+  Account account(material.name, "a material of " + system);
+  account.tell("meaning", material.meaning);
+  account.tell("formula", plain_formula(material.formula));
+  std::vector<std::vector<std::string>> constants;
+  std::string example;
+  for (auto const& constant : material.constants) {
+    constants.push_back({constant.name, constant.meaning});
+    example += constant.name + " = " + constant.example + "\n";
+  }
+  account.table("constants", constants);
+  account.scene("[system]\nkind = \"" + system + "\"\n[system.material]\nname = \"" + material.name + "\"\n" +
+                example);
+  return account.text();
+}
+
 std::string about(System const& system) {
   Account account(system.name, "a system: " + system.title);
   account.tell("meaning", system.meaning);
@@ -249,6 +267,7 @@ std::string about(Statement const& statement) {
 int show(std::string const& name) {
   std::vector<std::string> accounts;
   if (auto const* const body = find_body(name)) accounts.push_back(about(*body));
+  if (auto const* const material = find_material(name)) accounts.push_back(about(*material));
   if (auto const* const system = find_system(name)) accounts.push_back(about(*system));
   for (auto const& entry : all_methods())
     if (entry.method->name == name) accounts.push_back(about(entry));

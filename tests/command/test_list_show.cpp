@@ -56,11 +56,16 @@ BOOST_AUTO_TEST_CASE(columns_are_aligned) {
   BOOST_TEST(second.size() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(there_are_no_materials_yet_and_that_is_said_beside_the_list) {
+BOOST_AUTO_TEST_CASE(materials_are_listed_with_their_systems_and_constants_and_shown) {
   auto const outcome = actio({"list", "materials"});
   BOOST_TEST(outcome.status == 0);
-  BOOST_TEST(outcome.out == "");
-  BOOST_TEST(has(outcome.err, "systems of continua"));
+  for (auto const& part :
+       {"polytropic_gas ", " barotropic_fluid ", " K,gamma ", "neo_hookean ", " elastic_body "})
+    BOOST_TEST(has(outcome.out, part), outcome.out);
+  std::string const shown = actio({"show", "tait"}).out;
+  for (auto const& part : {"a material of barotropic_fluid", "modulus, a pressure", "[system.material]",
+                           "name = \"tait\"", "gamma = 7"})
+    BOOST_TEST(has(shown, part), shown);
 }
 
 BOOST_AUTO_TEST_CASE(how_a_scene_takes_a_group_is_said_beside_the_list) {

@@ -72,6 +72,17 @@ std::vector<Long> const& long_scenes() {
        "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\ndeformation = 0.4\n[initial]\nstate = "
        "\"random\"\n[method]\nname = \"energy_casimir\"\nstep = 0.05\n[run]\nuntil = 250\nevery = "
        "0.5\n[output]\nquantities = [\"energy\", \"histogram\", \"splitting\"]\n"},
+      {"barotropic_fluid, a periodic box by fused steps",
+       "[system]\nkind = \"barotropic_fluid\"\nmesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], "
+       "cells = [19, 18], periodic = [true, true] }\nmaterial = { name = \"polytropic_gas\", K = 1, gamma = "
+       "1.4 }\n[initial]\nplacement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]\n[method]\nstep = "
+       "0.01\n[run]\nuntil = 500\nevery = 1\n[output]\nquantities = [\"energy\", \"momentum\", "
+       "\"min_jacobian\"]\n"},
+      {"elastic_body on a disc that falls, order 4",
+       "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"disc\", radius = 1, cells = [2, 4] "
+       "}\nmaterial = { name = \"neo_hookean\", mu = 1, kappa = 2 }\nload = { gravity = \"0.1*y\" "
+       "}\n[initial]\nplacement = [\"1.1*X\", \"Y\"]\n[method]\norder = 4\nstep = 0.02\n[run]\nuntil = "
+       "60\nevery = 0.2\n[output]\nquantities = [\"energy\", \"angular_momentum\"]\n"},
   };
   return scenes;
 }

@@ -76,12 +76,18 @@ void read_formula(std::string const& text) {
   }
 }
 
-/// A scene whose size alone makes reading it as much work as its steps: products of matrices of that size.
+/// A scene whose size alone makes reading it as much work as its steps: products of matrices of that size, or
+/// formulas at the nodes of so many cells.
 bool is_work(SceneFile const& file) {
   try {
     SceneTable const system = file.section("system");
     long const n = system.has("N") ? system.integer("N", 0, 1L << 20) : 0;
-    return n > 48 && n < 100000;  // what is larger is refused by the memory that it takes
+    if (n > 48 && n < 100000) return true;  // what is larger is refused by the memory that it takes
+    SceneTable const mesh = file.section("system.mesh");
+    double cells = mesh.has("cells") ? 1 : 0;
+    if (mesh.has("cells"))
+      for (double const along : mesh.numbers("cells")) cells *= along;
+    return cells > 2000;
   } catch (SceneError const&) {
     return false;
   }

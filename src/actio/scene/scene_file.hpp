@@ -67,6 +67,8 @@ class SceneTable {
   std::vector<std::string> texts(std::string const& key) const;
   /// A list of finite numbers; `size` of them, or any number where it is negative.
   std::vector<double> numbers(std::string const& key, long size = -1) const;
+  /// A list of `size` times true or false.
+  std::vector<bool> booleans(std::string const& key, long size) const;
   /// A list of three finite numbers.
   Eigen::Vector3d vector(std::string const& key) const;
   /// A list of rows, n by n.
@@ -95,6 +97,7 @@ class SceneTable {
   void set(std::string const& key, std::vector<double> const& values);
   void set(std::string const& key, Eigen::MatrixXd const& values);           ///< a list of rows
   void set(std::string const& key, std::vector<std::string> const& values);  ///< a list of texts
+  void set(std::string const& key, std::vector<bool> const& values);         ///< a list of true or false
 
   /// The place of a value, of its key, of the table where there is no such key.
   Place place(std::string const& key) const;

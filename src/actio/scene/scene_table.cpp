@@ -236,6 +236,20 @@ std::vector<double> SceneTable::numbers(std::string const& key, long size) const
   return numbers_in(list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of numbers"),
                     place(key), key, size, document_->name);
 }
+std::vector<bool> SceneTable::booleans(std::string const& key, long size) const {
+  std::string const wanted = fmt::format("a list of {} times true or false", size);
+  auto const& list = list_of(value_of(*document_, path_, key, *this), place(key), key, wanted);
+  std::vector<bool> out;
+  for (auto const& item : list) {
+    if (!item.is_boolean())
+      throw SceneError(place_of(item.source(), document_->name),
+                       fmt::format("{}: true or false is expected, found {}", key, described(item)));
+    out.push_back(*item.value<bool>());
+  }
+  if (out.size() != static_cast<std::size_t>(size))
+    fail(key, fmt::format("{}: {} is expected, found {}", key, wanted, out.size()));
+  return out;
+}
 Eigen::Vector3d SceneTable::vector(std::string const& key) const {
   return Eigen::Vector3d(numbers(key, 3).data());
 }
@@ -305,6 +319,11 @@ void SceneTable::set(std::string const& key, Eigen::MatrixXd const& values) {
 void SceneTable::set(std::string const& key, std::vector<std::string> const& values) {
   toml::array list;
   for (auto const& v : values) list.push_back(v);
+  document_->set(path_, key, std::move(list));
+}
+void SceneTable::set(std::string const& key, std::vector<bool> const& values) {
+  toml::array list;
+  for (bool const v : values) list.push_back(v);
   document_->set(path_, key, std::move(list));
 }
 

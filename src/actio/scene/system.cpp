@@ -7,7 +7,9 @@
   with(rigid_body_n)            \
   with(heavy_top)               \
   with(euler_poincare)          \
-  with(vorticity_sphere)
+  with(vorticity_sphere)        \
+  with(barotropic_fluid)        \
+  with(elastic_body)
 // clang-format on
 
 namespace actio::scene {

@@ -1,38 +1,18 @@
 #include "actio/scene/systems/vorticity_snapshots.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "actio/scene/checkpoint.hpp"
+#include "actio/scene/number_table.hpp"
 #include "actio/scene/systems/vorticity_input.hpp"
 #include "actio/scene/units.hpp"
 
 namespace actio::scene {
 namespace {
 
-/// A table that is put together in memory: rows of numbers with 17 significant digits.
-class Table {
- public:
-  explicit Table(std::string heading) : text_(std::move(heading)) { text_ += '\n'; }
-  void add(double x) {
-    constexpr std::size_t longest = 25;
-    std::size_t const before = text_.size();
-    text_.resize(before + longest);
-    char* const at = text_.data() + before;
-    text_.resize(static_cast<std::size_t>(
-        std::to_chars(at, at + longest, x, std::chars_format::general, 17).ptr - text_.data()));
-    text_ += ',';
-  }
-  void end_row() { text_.back() = '\n'; }
-  std::string const& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 std::string table_of_harmonics(SphereHarmonics const& f) {
-  Table table("l,m,re,im");
+  NumberTable table("l,m,re,im");
   for (int l = 1; l < f.degrees(); ++l)
     for (int m = 0; m <= l; ++m) {
       table.add(l), table.add(m), table.add(f(l, m).real()), table.add(m == 0 ? 0 : f(l, m).imag());
@@ -45,7 +25,7 @@ std::string table_of_fields(SphereGrid const& grid, std::vector<std::string> con
                             std::vector<GridField const*> const& fields) {
   std::string heading = "longitude,latitude";
   for (auto const& name : names) heading += "," + name;
-  Table table(heading);
+  NumberTable table(heading);
   for (int j = 0; j < grid.latitudes(); ++j)
     for (int k = 0; k < grid.longitudes; ++k) {
       table.add(grid.longitude(k)), table.add(grid.latitude(j));

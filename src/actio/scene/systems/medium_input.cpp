@@ -1,0 +1,217 @@
+#include "actio/scene/systems/medium_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "actio/multisymplectic/body_mesh_check.hpp"
+#include "actio/multisymplectic/body_shapes.hpp"
+#include "actio/multisymplectic/gmsh_mesh.hpp"
+#include "actio/numbers/nearest_name.hpp"
+
+namespace actio::scene {
+namespace {
+
+std::vector<std::string> const& axes() {
+  static std::vector<std::string> const names{"X", "Y", "Z"};
+  return names;
+}
+
+/// Numbers of cells, each 1 or more.
+std::vector<int> read_cells(SceneTable const& mesh, std::size_t count) {
+  auto const numbers = mesh.numbers("cells", static_cast<long>(count));
+  std::vector<int> out;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (!(numbers[k] >= 1 && numbers[k] <= 1e9) || numbers[k] != std::floor(numbers[k]))
+      throw SceneError(mesh.place("cells", k),
+                       fmt::format("cells: a whole number of at least 1 is expected, found {}", numbers[k]));
+    out.push_back(static_cast<int>(numbers[k]));
+  }
+  return out;
+}
+
+void read_box(SceneTable& mesh, MediumMesh& out) {
+  mesh.allow({"shape", "lower", "upper", "cells", "periodic"});
+  out.lower = mesh.numbers("lower");
+  std::size_t const d = out.lower.size();
+  if (d < 1 || d > 3)
+    mesh.fail("lower", fmt::format("lower: one to three numbers are expected, as many as the body has "
+                                   "dimensions, found {}",
+                                   d));
+  out.dimension = static_cast<int>(d);
+  out.upper = mesh.numbers("upper", static_cast<long>(d));
+  out.cells = read_cells(mesh, d);
+  if (!mesh.has("periodic")) mesh.set("periodic", std::vector<bool>(d, false));
+  out.periodic = mesh.booleans("periodic", static_cast<long>(d));
+  for (std::size_t k = 0; k < d; ++k) {
+    if (!(out.upper[k] > out.lower[k]))
+      throw SceneError(
+          mesh.place("upper", k),
+          fmt::format("upper: a number greater than {} is expected, found {}", out.lower[k], out.upper[k]));
+    if (out.periodic[k] && out.cells[k] < 2)
+      throw SceneError(mesh.place("cells", k), "cells: along a periodic direction there are at least 2");
+  }
+}
+
+void read_round(SceneTable& mesh, MediumMesh& out) {
+  bool const hollow = out.shape == "annulus" || out.shape == "shell";
+  out.dimension = out.shape == "disc" || out.shape == "annulus" ? 2 : 3;
+  mesh.allow(hollow ? std::vector<std::string>{"shape", "inner", "outer", "cells"}
+                    : std::vector<std::string>{"shape", "radius", "cells"});
+  out.outer = mesh.positive(hollow ? "outer" : "radius");
+  if (hollow) out.inner = mesh.positive("inner");
+  if (hollow && !(out.inner < out.outer))
+    mesh.fail("inner", fmt::format("inner: a radius less than outer = {} is expected, found {}", out.outer,
+                                   out.inner));
+  out.cells = read_cells(mesh, 2);
+  if (out.shape == "annulus" && out.cells[1] < 3)
+    throw SceneError(mesh.place("cells", 1), "cells: around an annulus there are at least 3");
+}
+
+void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
+  namespace fs = std::filesystem;
+  mesh.allow({"shape", "file"});
+  fs::path path = mesh.text("file");
+  if (path.is_relative()) path = fs::absolute(fs::path(scene.name()).parent_path() / path).lexically_normal();
+  try {
+    out.read = std::make_shared<BodyMesh const>(gmsh_mesh(path.string()));
+  } catch (Error const& error) {
+    mesh.fail("file", std::string("file: ") + error.what());
+  }
+  if (path.string() != mesh.text("file")) mesh.set("file", path.string());
+  out.dimension = out.read->dimension;
+}
+
+/// The names of the sides that are not periodic.
+std::vector<std::string> side_names(MediumMesh const& mesh) {
+  std::vector<std::string> out;
+  if (mesh.read)
+    for (auto const& [name, facets] : mesh.read->sides) out.push_back(name);
+  else if (mesh.shape == "box")
+    for (int k = 0; k < mesh.dimension; ++k)
+      for (int end = 0; end < 2; ++end)
+        if (!mesh.periodic[static_cast<std::size_t>(k)]) out.emplace_back(actio::detail::side_names[k][end]);
+  if (mesh.inner > 0) out.emplace_back("inner");
+  if (mesh.outer > 0) out.emplace_back("outer");
+  return out;
+}
+
+void read_sides(SceneFile const& file, MediumMesh& out) {
+  auto const names = side_names(out);
+  SceneTable table = file.section("system.boundary");
+  for (auto const& key : table.keys())
+    if (std::find(names.begin(), names.end(), key) == names.end())
+      table.fail(
+          key, fmt::format("boundary: the body has no side '{}'{} (its sides: {})", shown(key),
+                           did_you_mean(key, names), names.empty() ? "none, it is periodic" : listed(names)));
+  for (auto const& name : names) {
+    if (!table.has(name)) table.set(name, "free");
+    out.sides[name] = table.choice(name, "condition of a side", {"free", "fixed", "sliding"});
+  }
+}
+
+}  // namespace
+
+double MediumMesh::cell_count() const {
+  if (read) return static_cast<double>(read->cells.size());
+  double count = 1;
+  if (shape == "box") {
+    for (int const n : cells) count *= n;
+    return count;
+  }
+  double const across = cells[0], along = cells[1];
+  if (shape == "annulus") return across * along;
+  if (shape == "disc") return along * along + 4 * along * across;
+  return 6 * along * along * across + (shape == "ball" ? along * along * along : 0);
+}
+double MediumMesh::node_count() const {
+  if (read) return static_cast<double>(read->nodes.size());
+  double count = 1;
+  if (shape != "box") return cell_count() * 1.1 + 100;
+  for (std::size_t k = 0; k < cells.size(); ++k) count *= cells[k] + !periodic[k];
+  return count;
+}
+
+BodyMesh MediumMesh::make() const {
+  if (read) return *read;
+  if (shape == "box") return box_mesh(lower, upper, cells, periodic);
+  std::array<int, 2> const n{cells[0], cells[1]};
+  BodyMesh mesh = shape == "disc"      ? disc_mesh(outer, n)
+                  : shape == "annulus" ? annulus_mesh(inner, outer, n)
+                  : shape == "ball"    ? ball_mesh(outer, n)
+                                       : shell_mesh(inner, outer, n);
+  return mesh;
+}
+
+MediumMesh read_medium_mesh(SceneFile const& file) {
+  std::vector<std::string> const shapes{"box", "disc", "annulus", "ball", "shell", "file"};
+  SceneTable mesh = file.section("system.mesh");
+  if (!mesh.has("shape")) {
+    if (mesh.keys().empty())
+      throw SceneError(file.section("system").place(),
+                       fmt::format("[system.mesh] is needed, with a shape, one of {}", listed(shapes)));
+    mesh.set("shape", mesh.has("file") ? "file" : "box");
+  }
+  MediumMesh out;
+  out.shape = mesh.choice("shape", "shape", shapes);
+  if (out.shape == "box")
+    read_box(mesh, out);
+  else if (out.shape == "file")
+    read_mesh_file(file, mesh, out);
+  else
+    read_round(mesh, out);
+  if (out.cell_count() > 1e9)
+    mesh.fail("cells",
+              fmt::format("cells: at most 1000000000 can be counted, these are {}", out.cell_count()));
+  read_sides(file, out);
+  return out;
+}
+
+PlaceFormula::PlaceFormula(SceneTable table, std::string const& key,
+                           std::vector<std::string> const& otherwise)
+    : variables_(axes().begin(), axes().begin() + static_cast<long>(otherwise.size())) {
+  if (!table.has(key)) table.set(key, otherwise);
+  auto const texts = table.texts(key);
+  if (texts.size() != otherwise.size())
+    table.fail(key, fmt::format("{}: {} formulas in {} are expected, one for each dimension, found {}", key,
+                                otherwise.size(), listed(variables_), texts.size()));
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    formulas_.emplace_back(texts[k], variables_, table.text_place(key, k));
+  place_ = table.text_place(key, 0);
+}
+PlaceFormula::PlaceFormula(std::string const& text, int dimension, TextPlace const& place)
+    : variables_(axes().begin(), axes().begin() + dimension), place_(place) {
+  formulas_.emplace_back(text, variables_, place);
+}
+bool PlaceFormula::is_constant() const {
+  for (auto const& formula : formulas_)
+    for (auto const& variable : variables_)
+      if (formula.uses(variable)) return false;
+  return true;
+}
+
+MediumStart read_medium_start(SceneFile const& file, int dimension) {
+  SceneTable system = file.section("system"), initial = file.section("initial");
+  auto const d = static_cast<long>(dimension);
+  std::vector<std::string> const identity(axes().begin(), axes().begin() + d),
+      rest(static_cast<std::size_t>(d), "0");
+  if (!system.has("density")) system.set("density", "1");
+  if (!system.is_text("density")) {
+    double const number = system.positive("density");
+    system.set("density", fmt::format("{}", number));
+  }
+  MediumStart out{PlaceFormula(initial, "placement", identity), PlaceFormula(initial, "velocity", rest),
+                  PlaceFormula(system.text("density"), dimension, system.text_place("density"))};
+  out.uniform = out.density.is_constant();
+  if (!out.uniform) return out;
+  double rho = 0;
+  out.density(std::array<double, 3>{}, &rho);
+  if (!(rho > 0))
+    system.fail("density",
+                fmt::format("density: a positive mass per reference volume is expected, found {}", rho));
+  return out;
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,75 @@
+// Laws of the volume that materials of scenes are made of, for lanes of the fast road as well.
+#pragma once
+
+#include <cmath>
+
+#include "actio/multisymplectic/fast_cell_2d.hpp"
+
+namespace actio::scene {
+
+/// The law of a gas that may be held together by an inner pressure, Tait's:
+/// \f$U = \frac K{\gamma-1}J^{1-\gamma}+BJ\f$, \f$U' = B-KJ^{-\gamma}\f$; with B it is zero at J = 1.
+struct GasLaw {
+  static constexpr bool in_lanes = true;  ///< slopes come four at a time
+  double K;                               ///< pressure over density at J = 1, B aside
+  double gamma;                           ///< exponent, above 1
+  double B;                               ///< inner pressure over density; 0 of a gas
+
+  /// U, speed squared.
+  template <class T>
+  T energy(T const& J) const {
+    using std::exp, std::log;
+    return (K / (gamma - 1)) * exp((1 - gamma) * log(J)) + B * J - (B == 0 ? 0 : K / (gamma - 1) + B);
+  }
+  /// \f$U'\f$, speed squared.
+  template <class T>
+  [[gnu::always_inline]] T slope(T const& J) const {
+    using std::exp, std::log;
+    return B - K * exp(-gamma * log(J));
+  }
+  /// \f$U'\f$ at four corners.
+  template <class T>
+  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
+    if constexpr (std::same_as<T, actio::detail::Quad>) {
+      PolytropicGas{K, gamma}.slopes(J, out);
+      for (int k = 0; k < 4; ++k) out[k] = out[k] + T(B);
+    } else {
+      for (int k = 0; k < 4; ++k) out[k] = slope(J[k]);
+    }
+  }
+  /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
+  GasLaw scaled(double unit, double weight) const {
+    return {weight * K * std::pow(unit, gamma), gamma, weight * B};
+  }
+};
+
+/// \f$U = \tfrac b2(J-1)^2+(b-c)J-a\log J\f$, \f$U' = bJ-a/J-c\f$: with a the shear modulus and b = c that
+/// of the volume it is the part of a neo-Hookean solid that knows the volume, free of stress at rest.
+struct ReciprocalLaw {
+  static constexpr bool in_lanes = true;  ///< slopes come four at a time
+  double a, b, c;                         ///< moduli over the mass density
+
+  /// U, speed squared.
+  template <class T>
+  T energy(T const& J) const {
+    using std::log;
+    return 0.5 * b * ((J - 1.0) * (J - 1.0)) + (b - c) * J - a * log(J);
+  }
+  /// \f$U'\f$, speed squared.
+  template <class T>
+  [[gnu::always_inline]] T slope(T const& J) const {
+    return T(b) * J - T(a) / J - T(c);
+  }
+  /// \f$U'\f$ at four corners.
+  template <class T>
+  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) out[k] = slope(J[k]);
+  }
+  /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
+  ReciprocalLaw scaled(double unit, double weight) const {
+    return {weight * a * unit, weight * b / unit, weight * c};
+  }
+};
+
+}  // namespace actio::scene

@@ -1,0 +1,180 @@
+#include "actio/scene/systems/medium_loads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "actio/formula/parse_formula.hpp"
+#include "actio/formula/tape_derivatives.hpp"
+#include "actio/numbers/nearest_name.hpp"
+
+namespace actio::scene {
+namespace {
+
+std::vector<std::string> first_names(std::vector<std::string> names, int d) {
+  names.resize(static_cast<std::size_t>(d));
+  return names;
+}
+
+Tape parsed(std::string const& text, std::vector<std::string> const& variables, TextPlace const& place) {
+  try {
+    return parse_formula(text, variables, {});
+  } catch (FormulaError const& error) {
+    place.fail(text, error.position, error.what());
+  } catch (Error const& error) {
+    place.fail(text, 0, error.what());
+  }
+}
+
+/// A tape with the memory that it works in.
+struct Evaluated {
+  Tape tape;
+  std::vector<double> work = {};
+  void operator()(double const* x, double* y) { tape(x, y, work); }
+};
+
+/// A potential per mass in the coordinates of space.
+template <int d>
+SpacePotential<d> read_potential(SceneTable const& table, std::string const& key) {
+  using Place = std::array<double, d>;
+  std::string const text = table.text(key);
+  Tape const value = parsed(text, first_names({"x", "y", "z"}, d), table.text_place(key));
+  std::vector<int> all(d);
+  for (int k = 0; k < d; ++k) all[static_cast<std::size_t>(k)] = k;
+  constexpr int size = 1 + d + d * (d + 1) / 2;
+  auto const first = std::make_shared<Evaluated>(Evaluated{with_gradient(value, all)}),
+             second = std::make_shared<Evaluated>(Evaluated{with_hessian(value, all)});
+  auto const slope = [first](Place const& x) {
+    std::array<double, 1 + d> y;
+    (*first)(x.data(), y.data());
+    return y;
+  };
+  return {[slope](Place const& x) { return slope(x)[0]; },
+          [slope](Place const& x) {
+    Place out;
+    std::copy_n(slope(x).begin() + 1, d, out.begin());
+    return out;
+          },
+          [second](Place const& x, Place const& u) {
+    double y[size];
+    (*second)(x.data(), y);
+    Place out{};
+    double const* h = y + 1 + d;
+    for (int i = 0; i < d; ++i)
+      for (int j = i; j < d; ++j, ++h) {
+        out[i] += *h * u[j];
+        if (j > i) out[j] += *h * u[i];
+      }
+    return out;
+  }};
+}
+
+/// A motion of a side, formulas in X, Y, Z and t.
+template <int d>
+PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side) {
+  using Place = std::array<double, d>;
+  auto variables = first_names({"X", "Y", "Z"}, d);
+  variables.emplace_back("t");
+  auto const texts = table.texts(side);
+  if (texts.size() != d)
+    table.fail(side, fmt::format("motion: {} formulas in {} are expected, found {}", d, listed(variables),
+                                 texts.size()));
+  auto const tapes = std::make_shared<std::vector<Evaluated>>();
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    tapes->push_back({with_gradient(parsed(texts[k], variables, table.text_place(side, k)), {d})});
+  auto const at = [tapes](Place const& X, double t, int which) {
+    double x[d + 1], y[2];
+    std::copy(X.begin(), X.end(), x), x[d] = t;
+    Place out;
+    for (int k = 0; k < d; ++k) (*tapes)[static_cast<std::size_t>(k)](x, y), out[k] = y[which];
+    return out;
+  };
+  return {[at](Place const& X, double t) { return at(X, t, 0); },
+          [at](Place const& X, double t) { return at(X, t, 1); }};
+}
+
+void require_known_side(SceneTable const& table, std::string const& side, MediumMesh const& mesh) {
+  std::vector<std::string> names;
+  for (auto const& [name, does] : mesh.sides) names.push_back(name);
+  if (std::find(names.begin(), names.end(), side) == names.end())
+    table.fail(side, fmt::format("{}: the body has no side '{}'{} (its sides: {})", table.name(), shown(side),
+                                 did_you_mean(side, names), names.empty() ? "none" : listed(names)));
+}
+
+template <int d>
+void read_tractions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>& out) {
+  SceneTable const table = file.section("system.load.traction");
+  for (auto const& side : table.keys()) {
+    require_known_side(table, side, mesh);
+    auto const force = table.numbers(side, d);
+    std::copy_n(force.begin(), d, out.loads.tractions[side].begin());
+    out.momentum = out.angular_momentum = false;
+  }
+}
+
+template <int d>
+void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>& out) {
+  SceneTable const table = file.section("system.load.motion");
+  for (auto const& side : table.keys()) {
+    require_known_side(table, side, mesh);
+    if (mesh.sides.at(side) != "free")
+      table.fail(side, fmt::format("motion: the side '{}' is {} and cannot be moved besides", side,
+                                   mesh.sides.at(side)));
+    out.sides[side] = {BodySide<d>::Kind::moved, read_motion<d>(table, side)};
+    out.energy = out.momentum = out.angular_momentum = false;
+  }
+}
+
+}  // namespace
+
+bool has_loads(SceneFile const& file) {
+  return !file.section("system.load").keys().empty() || !file.section("system.obstacle").keys().empty();
+}
+
+template <int d>
+MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh) {
+  using Kind = typename BodySide<d>::Kind;
+  MediumLoads<d> out;
+  for (auto const& [name, does] : mesh.sides) {
+    if (does == "free") continue;
+    out.sides[name] = {does == "fixed" ? Kind::fixed : Kind::sliding, {}};
+    out.momentum = out.angular_momentum = false;
+  }
+  for (bool const one : mesh.periodic) out.angular_momentum = out.angular_momentum && !one;
+  SceneTable const load = file.section("system.load"), obstacle = file.section("system.obstacle");
+  load.allow({"gravity", "pressure", "traction", "motion"});
+  obstacle.allow({"potential"});
+  if (load.has("gravity")) out.loads.potentials.push_back(read_potential<d>(load, "gravity"));
+  if (obstacle.has("potential")) out.loads.potentials.push_back(read_potential<d>(obstacle, "potential"));
+  if (!out.loads.potentials.empty()) out.momentum = out.angular_momentum = false;
+  if (load.has("pressure")) {
+    out.loads.outside_pressure = load.number("pressure");
+    // The pressure of a closed surface adds up to nothing, that of a part of one does not.
+    for (auto const& [name, does] : mesh.sides) out.momentum = out.momentum && does == "free";
+  }
+  read_tractions(file, mesh, out), read_motions(file, mesh, out);
+  return out;
+}
+/// Along a line.
+template MediumLoads<1> read_medium_loads<1>(SceneFile const&, MediumMesh const&);
+/// In the plane.
+template MediumLoads<2> read_medium_loads<2>(SceneFile const&, MediumMesh const&);
+/// In space.
+template MediumLoads<3> read_medium_loads<3>(SceneFile const&, MediumMesh const&);
+
+std::vector<Parameter> load_parameters() {
+  return {
+      {"system.load", "a table", "no loads",
+       "What acts on the body: gravity, a potential per mass as a formula in x, y, z, whose force is minus "
+       "its "
+       "gradient; pressure, that of the outside; traction.SIDE, the force per reference area on a side, "
+       "which "
+       "keeps its direction; motion.SIDE, formulas in X, Y, Z and t of where that side is.",
+       "", "{ gravity = \"0.1*y\" }"},
+      {"system.obstacle", "a table", "none",
+       "An obstacle as a potential per mass that rises towards its inside: potential, a formula in x, y, z.",
+       "", "{ potential = \"exp(-20*((x - 2)^2 + y^2))\" }"},
+  };
+}
+
+}  // namespace actio::scene

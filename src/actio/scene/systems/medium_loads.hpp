@@ -1,0 +1,30 @@
+// What acts on a medium of a scene from outside, and where its sides are moved: formulas with their exact
+// derivatives.
+#pragma once
+
+#include "actio/multisymplectic/body_loads.hpp"
+#include "actio/scene/systems/medium_input.hpp"
+
+namespace actio::scene {
+
+/// Whether the scene has loads, an obstacle or moved sides.
+bool has_loads(SceneFile const& file);
+
+/// What the sides of a body do, those that are moved among them, and its loads.
+template <int d>
+struct MediumLoads {
+  BodySides<d> sides;  ///< by their names
+  BodyLoads<d> loads;  ///< what acts on it
+  /// Whether energy, linear and angular momentum are conserved.
+  bool energy = true, momentum = true, angular_momentum = true;
+};
+
+/// `[system.load]`, `[system.obstacle]` and what the mesh says of sides.
+/// @throws SceneError  where a side is unknown, or a formula is none
+template <int d>
+MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh);
+
+/// The records of their keys.
+std::vector<Parameter> load_parameters();
+
+}  // namespace actio::scene

@@ -1,0 +1,29 @@
+// The material of a medium of a scene, with its numbers.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "actio/multisymplectic/stored_energies.hpp"
+#include "actio/scene/materials.hpp"
+#include "actio/scene/scene_file.hpp"
+
+namespace actio::scene {
+
+/// A material with its numbers.
+struct Material {
+  NamedMaterial const* record = nullptr;  ///< which one
+  std::vector<double> constants;          ///< in the order of the record
+};
+
+/// `[system.material]`.
+/// @throws SceneError  where it is missing, no material of this kind of system, or a number is not as it
+///   should be
+Material read_material(SceneTable const& system, bool fluid);
+
+/// Its stored energy in d dimensions, 1, 2 or 3.
+template <int d>
+std::shared_ptr<StoredEnergy<d> const> stored_energy_of(Material const& material);
+
+}  // namespace actio::scene

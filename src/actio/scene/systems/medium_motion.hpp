@@ -1,0 +1,130 @@
+// A medium of a scene in motion, whichever road steps it, and its cells.
+#pragma once
+
+#include <memory>
+
+#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/scene/simulation.hpp"
+
+namespace actio::scene {
+
+/// The cells of a body, as they are looked at: with no memory of their own where they are those of a box.
+template <int d>
+class MediumCells {
+ public:
+  using Place = std::array<double, d>;  ///< a point, or a vector
+  /// The nodes at the corners of a cell, and how many periods beyond each corner lies: bit k along k.
+  struct Cell {
+    std::array<int, 8> nodes{};            ///< at the corners
+    std::array<unsigned char, 8> wraps{};  ///< of the corners
+  };
+  virtual ~MediumCells() = default;
+  virtual BodyMesh::Shape shape() const = 0;               ///< of every cell
+  virtual std::size_t nodes() const = 0;                   ///< how many there are
+  virtual std::size_t cells() const = 0;                   ///< how many there are
+  virtual Place reference(std::size_t node) const = 0;     ///< X of a node, length
+  virtual Cell cell(std::size_t number) const = 0;         ///< the corners of one
+  virtual double period(int k) const = 0;                  ///< along k, length; 0: none
+  virtual std::string name(std::size_t number) const = 0;  ///< of a cell, for messages
+
+  /// Where the corners of a cell are, given the places of all nodes.
+  void gather(Cell const& cell, std::vector<Place> const& x, Place (&at)[8]) const {
+    for (int b = 0; b < corner_count(shape()); ++b) {
+      at[b] = x[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)])];
+      beyond(cell, b, at[b]);
+    }
+  }
+  /// Where the corners of a cell are in the reference space.
+  void gather_reference(Cell const& cell, Place (&at)[8]) const {
+    for (int b = 0; b < corner_count(shape()); ++b) {
+      at[b] = reference(static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)]));
+      beyond(cell, b, at[b]);
+    }
+  }
+  /// How many deformation gradients a cell has: at each corner of a box-like one, otherwise one.
+  int points() const { return is_simplex(shape()) || d == 1 ? 1 : corner_count(shape()); }
+  /// The corners at both ends of edge k of a point of a cell.
+  std::array<int, 2> ends(int point, int k) const {
+    if (points() == 1) return {0, k + 1};
+    return {point & ~(1 << k), point | (1 << k)};
+  }
+  /// The edges that meet at a point of a cell, as columns.
+  Matrix<double, d, d> edges(Place const (&at)[8], int point) const {
+    Matrix<double, d, d> out;
+    for (int k = 0; k < d; ++k) {
+      auto const [low, up] = ends(point, k);
+      for (int i = 0; i < d; ++i) out(i, k) = at[up][i] - at[low][i];
+    }
+    return out;
+  }
+  /// The part of a cell that a point stands for, over the determinant of its edges.
+  double share() const {
+    if (points() > 1) return 1.0 / points();
+    return d == 1 ? 1 : d == 2 ? 0.5 : 1.0 / 6;
+  }
+
+ private:
+  void beyond(Cell const& cell, int b, Place& at) const {
+    for (int k = 0; k < d; ++k)
+      if (cell.wraps[static_cast<std::size_t>(b)] >> k & 1) at[k] += period(k);
+  }
+};
+
+/// The least Jacobian of a placement, and the cell that has it; a NaN is the least.
+template <int d>
+std::pair<double, std::size_t> least_jacobian(MediumCells<d> const& cells,
+                                              std::vector<typename MediumCells<d>::Place> const& x) {
+  std::pair<double, std::size_t> least{HUGE_VAL, 0};
+  std::array<double, d> at[8], from[8];
+  for (std::size_t c = 0; c < cells.cells(); ++c) {
+    auto const cell = cells.cell(c);
+    cells.gather(cell, x, at), cells.gather_reference(cell, from);
+    for (int p = 0; p < cells.points(); ++p) {
+      double const J = small_determinant(cells.edges(at, p)) / small_determinant(cells.edges(from, p));
+      if (!(J >= least.first)) least = {J, c};
+      if (!(J == J)) return least;
+    }
+  }
+  return least;
+}
+
+/// The motion of a medium.
+template <int d>
+class MediumMotion : public Motion {
+ public:
+  using Place = std::array<double, d>;                ///< a point, or a vector
+  virtual long steps() const = 0;                     ///< that were made
+  virtual MediumCells<d> const& cells() const = 0;    ///< of the body
+  virtual std::vector<Place> places() const = 0;      ///< of the nodes, length
+  virtual std::vector<Place> velocities() const = 0;  ///< of the nodes, length/time
+  virtual double mass(std::size_t node) const = 0;    ///< of a node
+  virtual BodyEnergies energies() const = 0;          ///< now
+};
+
+/// The cells of a mesh.
+template <int d>
+class MeshCells final : public MediumCells<d> {
+ public:
+  /// @param mesh  outlives it
+  explicit MeshCells(BodyMesh const& mesh) : mesh_(mesh) {}
+  BodyMesh::Shape shape() const override { return mesh_.shape; }
+  std::size_t nodes() const override { return mesh_.nodes.size(); }
+  std::size_t cells() const override { return mesh_.cells.size(); }
+  std::array<double, d> reference(std::size_t node) const override {
+    std::array<double, d> X;
+    for (int k = 0; k < d; ++k) X[k] = mesh_.nodes[node][k];
+    return X;
+  }
+  typename MediumCells<d>::Cell cell(std::size_t number) const override {
+    typename MediumCells<d>::Cell out{mesh_.cells[number], {}};
+    if (!mesh_.wraps.empty()) out.wraps = mesh_.wraps[number];
+    return out;
+  }
+  double period(int k) const override { return mesh_.periods[static_cast<std::size_t>(k)]; }
+  std::string name(std::size_t number) const override { return "cell " + std::to_string(number); }
+
+ private:
+  BodyMesh const& mesh_;
+};
+
+}  // namespace actio::scene

@@ -1,0 +1,73 @@
+// The records of the keys of [system], [initial] and [method] of a medium.
+#include "actio/scene/systems/medium_input.hpp"
+#include "actio/scene/systems/medium_material.hpp"
+
+namespace actio::scene {
+namespace {
+
+std::string tables_of_materials(bool fluid) {
+  std::string out;
+  for (auto const& material : library_materials()) {
+    if (material.fluid != fluid) continue;
+    std::string constants;
+    for (auto const& constant : material.constants)
+      constants += (constants.empty() ? "" : ", ") + constant.name;
+    out += (out.empty() ? "" : "; ") + material.name + " with " + constants;
+  }
+  return out;
+}
+
+std::vector<Parameter> of_system(bool fluid) {
+  return {
+      {"system.mesh", "a table", "needed",
+       "The body in its reference space, and its cells. shape = \"box\" with lower, upper, cells and "
+       "periodic, each with as many entries as the body has dimensions, one to three; \"disc\" and "
+       "\"ball\" with radius and cells = [across, along], from the core outwards and along an edge of the "
+       "core; \"annulus\" and \"shell\" with inner, outer and cells = [across, around], for a shell along a "
+       "quarter of a great circle; \"file\" with file, the path of a mesh of Gmsh beside the scene.",
+       "", "{ shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [8, 8] }"},
+      {"system.material", "a table", "needed",
+       "The name of a material of the library with its constants, per reference volume (actio list "
+       "materials): " +
+           tables_of_materials(fluid) + ".",
+       "",
+       fluid ? "{ name = \"polytropic_gas\", K = 1, gamma = 1.4 }"
+             : "{ name = \"neo_hookean\", mu = 1, kappa = 2 }"},
+      {"system.density", "a text, a formula in X, Y, Z, or a positive real", "1",
+       "The mass per reference volume.", "", "\"1\""},
+      {"system.boundary", "a table of texts", "every side is free",
+       "What each side of the body does, by its name: left, right, bottom, top, front and back of a box "
+       "where "
+       "it is not periodic, inner and outer of round bodies, those of a file. free: no force acts on it; "
+       "fixed: its nodes keep the velocity that they have at the start, mostly none; sliding: they keep the "
+       "component of it across the side.",
+       "", "{}"},
+  };
+}
+
+std::vector<Parameter> of_start() {
+  return {
+      {"initial.placement", "a list of texts, a formula in X, Y, Z for each dimension", "[\"X\", \"Y\"]",
+       "Where the point X of the body is at the start. Its Jacobian is positive; in a periodic box what it "
+       "differs from X by is periodic.",
+       "", "[\"X + 0.01*sin(2*pi*X)\", \"Y\"]"},
+      {"initial.velocity", "a list of texts, a formula in X, Y, Z for each dimension", "[\"0\", \"0\"]",
+       "The velocity of the point X of the body at the start.", "", "[\"0\", \"0.1*cos(2*pi*X)\"]"},
+  };
+}
+
+}  // namespace
+
+std::vector<Parameter> medium_parameters(bool fluid) {
+  auto all = of_system(fluid);
+  for (auto& key : of_start()) all.push_back(std::move(key));
+  all.push_back(
+      {"method.step", "a number > 0", "four tenths of the longest stable step, or less",
+       "The time that a step takes, a whole number of times in the time between two rows, or two "
+       "snapshots. By default it is at most four tenths of the longest for which small motions about "
+       "the start are stable.",
+       "time", "0.01"});
+  return all;
+}
+
+}  // namespace actio::scene

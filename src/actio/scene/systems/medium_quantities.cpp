@@ -1,0 +1,276 @@
+#include "actio/scene/systems/medium_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace actio::scene {
+namespace {
+
+using Kind = Quantity::Kind;
+
+/// Places and velocities of the nodes, read once for all quantities of a row.
+template <int d>
+class Observed {
+ public:
+  using Place = std::array<double, d>;
+  explicit Observed(MediumView<d> const& medium) : medium_(medium) {}
+  MediumView<d> const& medium() const { return medium_; }
+  MediumMotion<d> const& motion() const { return *medium_.motion; }
+  std::vector<Place> const& places() { return look(), x_; }
+  std::vector<Place> const& velocities() { return look(), v_; }
+  /// `visit(mass, place, velocity)` of each node; of two and one dimensions the other components are zero.
+  template <class Visit>
+  void for_nodes(Visit const& visit) {
+    look();
+    for (std::size_t k = 0; k < x_.size(); ++k) {
+      std::array<double, 3> x{}, v{};
+      std::copy_n(x_[k].begin(), d, x.begin()), std::copy_n(v_[k].begin(), d, v.begin());
+      visit(motion().mass(k), x, v);
+    }
+  }
+
+ private:
+  void look() {
+    if (seen_ == motion().steps()) return;
+    x_ = {}, v_ = {};
+    x_ = motion().places(), v_ = motion().velocities(), seen_ = motion().steps();
+  }
+  MediumView<d> medium_;
+  std::vector<Place> x_, v_;
+  long seen_ = -1;
+};
+
+template <int d>
+using Seen = std::shared_ptr<Observed<d>>;
+
+double length_of(std::array<double, 3> const& a) { return std::hypot(a[0], a[1], a[2]); }
+
+template <int d>
+void define_momenta(QuantityGraph& graph, Seen<d> const& seen) {
+  std::vector<std::string> ends{"_x", "_y", "_z"};
+  ends.resize(d);
+  graph.define(
+      "momentum", ends,
+      [seen](auto, double* out) {
+    std::fill_n(out, d, 0.0);
+    seen->for_nodes([&](double m, auto const&, auto const& v) {
+      for (std::size_t a = 0; a < d; ++a) out[a] += m * v[a];
+    });
+      },
+      [seen](auto, double const*, std::size_t) {
+    double sum = 0;
+    seen->for_nodes([&](double m, auto const&, auto const& v) { sum += m * length_of(v); });
+    return sum;
+  });
+  // On a line there is none: the zero has a column all the same.
+  graph.define(
+      "angular_momentum",
+      d == 3 ? std::vector<std::string>{"_x", "_y", "_z"} : std::vector<std::string>{"_z"},
+      [seen](auto, double* out) {
+    double sum[3] = {};
+    seen->for_nodes([&](double m, auto const& x, auto const& v) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        std::size_t const b = (a + 1) % 3, c = (a + 2) % 3;
+        sum[a] += m * (x[b] * v[c] - x[c] * v[b]);
+      }
+    });
+    std::copy_n(d == 3 ? sum : sum + 2, d == 3 ? 3 : 1, out);
+      },
+      [seen](auto, double const*, std::size_t) {
+    double sum = 0;
+    seen->for_nodes([&](double m, auto const& x, auto const& v) { sum += m * length_of(x) * length_of(v); });
+    return sum;
+  });
+}
+
+template <int d>
+double circulation_along(Observed<d>& seen, MaterialLoop<d> const& loop) {
+  auto const &x = seen.places(), &v = seen.velocities();
+  double sum = 0;
+  for (std::size_t k = 1; k < loop.stops.size(); ++k) {
+    auto const &a = loop.stops[k - 1], &b = loop.stops[k];
+    for (int i = 0; i < d; ++i)
+      sum += 0.5 * (v[a.node][i] + v[b.node][i]) * (x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i]);
+  }
+  return sum;
+}
+
+/// The row of nodes from one end of a box to the other along direction k, at the lower ends of the others.
+template <int d>
+MaterialLoop<d> row_around(MediumMesh const& mesh, int k) {
+  std::size_t stride = 1;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(k); ++a)
+    stride *= static_cast<std::size_t>(mesh.cells[a] + !mesh.periodic[a]);
+  auto const n = static_cast<std::size_t>(mesh.cells[static_cast<std::size_t>(k)]);
+  MaterialLoop<d> loop;
+  for (std::size_t i = 0; i <= n; ++i) loop.stops.push_back({i % n * stride, {}});
+  auto const at = static_cast<std::size_t>(k);
+  loop.stops.back().beyond[at] = mesh.upper[at] - mesh.lower[at];
+  return loop;
+}
+
+/// The longest chain of facets that belong to one cell each, in the order in which they look outwards.
+MaterialLoop<2> boundary_loop(MediumCells<2> const& cells) {
+  std::map<std::pair<int, int>, int> count;
+  std::map<int, int> next;
+  for (int const pass : {0, 1})
+    for (std::size_t c = 0; c < cells.cells(); ++c)
+      for (int f = 0; f < facet_count(cells.shape()); ++f) {
+        auto const& corners = facet_corners(cells.shape(), f);
+        auto const cell = cells.cell(c);
+        int const a = cell.nodes[static_cast<std::size_t>(corners[0])],
+                  b = cell.nodes[static_cast<std::size_t>(corners[1])];
+        if (pass == 0)
+          ++count[std::minmax(a, b)];
+        else if (count[std::minmax(a, b)] == 1)
+          next[a] = b;
+      }
+  MaterialLoop<2> longest;
+  while (!next.empty()) {
+    MaterialLoop<2> loop;
+    int const first = next.begin()->first;
+    int at = first;
+    do {
+      loop.stops.push_back({static_cast<std::size_t>(at), {}});
+      auto const step = next.find(at);
+      if (step == next.end()) break;
+      at = step->second;
+      next.erase(step);
+    } while (at != first);
+    loop.stops.push_back({static_cast<std::size_t>(first), {}});
+    if (loop.stops.size() > longest.stops.size()) longest = std::move(loop);
+  }
+  return longest;
+}
+
+std::vector<Quantity> sums_of_body(bool fluid) {
+  std::string const loss =
+      " The steps of conserve = form keep it to the square of the step; it is not conserved where a side is "
+      "moved.";
+  return {
+      {"energy",
+       Kind::scalar,
+       "The kinetic energy, the stored one, and that of loads." + loss,
+       "E = \\sum\\tfrac m2|v|^2 + \\int\\rho W + \\int\\rho V",
+       "energy",
+       "",
+       {},
+       true},
+      {"momentum",
+       Kind::vector,
+       "The linear momentum: conserved to rounding where every side is free or periodic and no load acts.",
+       "\\int\\rho\\,\\dot\\phi",
+       "mass x length/time",
+       "thm_9_1_1",
+       {},
+       true},
+      {"angular_momentum",
+       Kind::vector,
+       "The angular momentum about the origin of space, in the plane its component across it: conserved to "
+       "rounding where every side is free and no load acts.",
+       "\\int\\rho\\,\\phi\\times\\dot\\phi",
+       "mass x length^2/time",
+       "",
+       {},
+       true},
+      {"circulation",
+       Kind::scalar,
+       std::string("The circulation of the velocity along the outermost closed row of nodes of a body in the "
+                   "plane, counterclockwise; in a periodic box along the row that goes once around it. ") +
+           (fluid ? "In the continuum the motion conserves it; on a mesh it does so to the order of the "
+                    "scheme."
+                  : "A solid does not conserve it."),
+       "\\oint\\dot\\phi\\cdot d\\phi",
+       "length^2/time",
+       "",
+       {},
+       fluid},
+  };
+}
+
+}  // namespace
+
+std::vector<Quantity> medium_quantities(bool fluid) {
+  auto all = sums_of_body(fluid);
+  all.push_back(
+      {"noether_balance",
+       Kind::scalar,
+       "How far the discrete Noether currents of translations and turns are from adding up to zero over a "
+       "cell of space-time, the largest over the cells of the last step, relative to the sum of their "
+       "moduli: zero but for rounding. Relabelling and translations of time are no symmetries of a mesh; "
+       "circulation and energy tell of them.",
+       "\\max\\frac{|\\sum_l J^l(\\xi)|}{\\sum_l|J^l(\\xi)|}",
+       "1",
+       "",
+       {}});
+  all.push_back({"min_jacobian",
+                 Kind::scalar,
+                 "The least Jacobian of the placement over all cells: a run ends before it reaches zero.",
+                 "\\min J",
+                 "1",
+                 "",
+                 {}});
+  return all;
+}
+
+template <int d>
+MaterialLoop<d> outermost_loop(MediumCells<d> const& cells, MediumMesh const& mesh) {
+  for (std::size_t k = 0; k < mesh.periodic.size(); ++k)
+    if (mesh.periodic[k]) return row_around<d>(mesh, static_cast<int>(k));
+  if constexpr (d == 2)
+    return boundary_loop(cells);
+  else
+    return {};
+}
+/// \copydoc outermost_loop
+template MaterialLoop<1> outermost_loop(MediumCells<1> const&, MediumMesh const&);
+/// \copydoc outermost_loop
+template MaterialLoop<2> outermost_loop(MediumCells<2> const&, MediumMesh const&);
+/// \copydoc outermost_loop
+template MaterialLoop<3> outermost_loop(MediumCells<3> const&, MediumMesh const&);
+
+template <int d>
+void define_medium(QuantityGraph& graph, MediumView<d> const& medium, MaterialLoop<d> const& loop,
+                   double step) {
+  auto const seen = std::make_shared<Observed<d>>(medium);
+  MediumMotion<d> const& motion = *medium.motion;
+  graph.define(
+      "energy", {""}, [&motion](auto, double* out) { *out = motion.energies().total(); },
+      [&motion](auto, double const*, std::size_t) {
+    BodyEnergies const e = motion.energies();
+    return e.kinetic + std::abs(e.stored) + std::abs(e.loads);
+      });
+  define_momenta<d>(graph, seen);
+  graph.define(
+      "circulation", {""}, [seen, loop](auto, double* out) { *out = circulation_along(*seen, loop); },
+      [seen, loop](auto, double const*, std::size_t) {
+    auto const& v = seen->velocities();
+    auto const& x = seen->places();
+    double fastest = 0, length = 0;
+    for (std::size_t k = 1; k < loop.stops.size(); ++k) {
+      auto const &a = loop.stops[k - 1], &b = loop.stops[k];
+      double speed = 0, edge = 0;
+      for (int i = 0; i < d; ++i) {
+        double const along = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
+        speed += v[b.node][i] * v[b.node][i], edge += along * along;
+      }
+      fastest = std::max(fastest, std::sqrt(speed)), length += std::sqrt(edge);
+    }
+    return fastest * length;
+      });
+  graph.define("noether_balance", {""}, [seen, step](auto, double* out) {
+    *out = noether_residual(seen->medium(), seen->places(), seen->velocities(), step);
+  });
+  graph.define("min_jacobian", {""}, [seen](auto, double* out) {
+    *out = least_jacobian(seen->motion().cells(), seen->places()).first;
+  });
+}
+/// \copydoc define_medium
+template void define_medium(QuantityGraph&, MediumView<1> const&, MaterialLoop<1> const&, double);
+/// \copydoc define_medium
+template void define_medium(QuantityGraph&, MediumView<2> const&, MaterialLoop<2> const&, double);
+/// \copydoc define_medium
+template void define_medium(QuantityGraph&, MediumView<3> const&, MaterialLoop<3> const&, double);
+
+}  // namespace actio::scene

@@ -1,0 +1,292 @@
+// Media that move (thesis, chapters 6 to 10): barotropic fluids and elastic bodies by the multisymplectic
+// scheme.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "actio/scene/systems/medium_fast_road.hpp"
+#include "actio/scene/systems/medium_memory.hpp"
+#include "actio/scene/systems/medium_mesh_road.hpp"
+#include "actio/scene/systems/medium_quantities.hpp"
+#include "actio/scene/systems/medium_snapshots.hpp"
+#include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/vorticity_memory.hpp"
+
+namespace actio::scene {
+namespace {
+
+std::vector<Method> methods() {
+  return {
+      {"multisymplectic",
+       {"2", "4"},
+       "The discrete Hamilton principle on space-time, with lumped masses and a deformation gradient at "
+       "each corner of a cell: explicit. It conserves the multisymplectic form, linear and angular "
+       "momentum; the energy oscillates with the square of the step. Composed of substeps order 4 in time.",
+       "claim_10_0_variational_discretisation"}};
+}
+
+/// Before anything of that size is touched.
+double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
+  double const needed = bytes_for_medium(mesh, fast, request.snapshots ? &*request.snapshots : nullptr),
+               there = bytes_of_machine();
+  if (needed > there)
+    file.section("system.mesh")
+        .fail("cells", fmt::format("cells: {:.0f} cells take about {} of memory in this scene, where {} are "
+                                   "there; about {:.0f} would do",
+                                   mesh.cell_count(), bytes_in_words(needed), bytes_in_words(there),
+                                   std::floor(0.9 * mesh.cell_count() * there / needed)));
+  return needed;
+}
+
+/// In a periodic box what places differ from X by, and velocities, are the same beyond a period.
+template <int d>
+void require_periodic(SceneTable const& initial, char const* key, PlaceFormula& formula,
+                      std::array<double, d> const& X, std::array<double, d> const& here,
+                      MediumMesh const& mesh) {
+  for (std::size_t k = 0; k < mesh.periodic.size(); ++k) {
+    if (!mesh.periodic[k] || X[k] != mesh.lower[k]) continue;
+    std::array<double, d> beyond = X, there;
+    beyond[k] = mesh.upper[k];
+    formula(beyond, there.data());
+    double const period = mesh.upper[k] - mesh.lower[k];
+    for (std::size_t a = 0; a < d; ++a) {
+      double const jump = there[a] - here[a] - (a == k && std::string(key) == "placement" ? period : 0);
+      if (std::abs(jump) > 1e-9 * (period + std::abs(here[a])))
+        throw SceneError(
+            initial.place(key, a),
+            fmt::format("{}: in a box that is periodic along {}, {} is periodic along it; here it "
+                        "jumps by {} from {} = {} to {}",
+                        key, "XYZ"[k],
+                        std::string(key) == "placement" ? "placement minus the identity" : "the velocity",
+                        jump, "XYZ"[k], mesh.lower[k], mesh.upper[k]));
+    }
+  }
+}
+
+/// Places of the nodes at the start, which are where the formulas have them, velocities as well.
+/// @throws SceneError  where one is not finite, a cell is inside out, or a seam is not closed
+template <int d>
+std::vector<std::array<double, d>> examined_start(SceneFile const& file, MediumStart& start,
+                                                  MediumCells<d> const& cells, MediumMesh const& mesh) {
+  SceneTable const initial = file.section("initial");
+  std::vector<std::array<double, d>> x;
+  x.reserve(cells.nodes());
+  for (std::size_t k = 0; k < cells.nodes(); ++k) {
+    auto const X = cells.reference(k);
+    std::array<double, d> place, rate;
+    start.placement(X, place.data()), start.velocity(X, rate.data());
+    require_periodic<d>(initial, "placement", start.placement, X, place, mesh);
+    require_periodic<d>(initial, "velocity", start.velocity, X, rate, mesh);
+    x.push_back(place);
+  }
+  auto const [least, cell] = least_jacobian(cells, x);
+  if (!(least > 0)) {
+    std::string where;
+    auto const X = cells.reference(static_cast<std::size_t>(cells.cell(cell).nodes[0]));
+    for (std::size_t a = 0; a < d; ++a) where += fmt::format("{}{}", a ? ", " : "", X[a]);
+    initial.fail("placement", fmt::format("placement: the Jacobian must be positive, and it is {} in {} at X "
+                                          "= ({})",
+                                          least, cells.name(cell), where));
+  }
+  return x;
+}
+
+/// Rows and snapshots of a medium are at its steps.
+void require_rows_at_steps(Request const& request, double step) {
+  if (request.schedule.met_by(step) || !request.schedule.between_steps()) return;
+  double const nearest = request.schedule.step_up_to(step);
+  request.file.section("run").fail("between_steps",
+                                   "between_steps: the rows and snapshots of a medium are at its steps" +
+                                       (nearest > 0 ? fmt::format("; a step of {} meets them", nearest)
+                                                    : std::string("; these times have no step in common")));
+}
+
+/// The step of the scene, at most the longest stable one.
+double step_of(Request const& request, double longest) {
+  SceneTable method = request.file.section("method");
+  if (!method.has("step") && request.schedule.common_divisor() == 0)
+    throw SceneError(
+        request.file.section("run").place(),
+        "the times of rows and snapshots have no divisor in common, and those of a medium are at "
+        "its steps; run.every has them at multiples of one time");
+  double const step = read_step(method, request.schedule, 2 / longest, 0.8);
+  // The largest frequency is known from below, within a per cent.
+  if (step > 0.99 * longest)
+    fail_for_long_step(method, request.schedule, StepTooLong("medium", step, 0.99 * longest),
+                       fmt::format("steps of length {} are not stable", step));
+  require_rows_at_steps(request, step);
+  return step;
+}
+
+template <int d>
+void finish(Simulation& simulation, Request const& request, std::unique_ptr<MediumMotion<d>> motion,
+            MediumView<d> view, MediumMesh const& mesh, double cells) {
+  view.motion = motion.get();
+  bool const circulates = std::find(request.quantities.begin(), request.quantities.end(), "circulation") !=
+                          request.quantities.end();
+  MaterialLoop<d> const loop = circulates ? outermost_loop(motion->cells(), mesh) : MaterialLoop<d>{};
+  if (circulates && loop.stops.empty())
+    request.file.section("output").fail(
+        "quantities",
+        "quantities: circulation is that of bodies in the plane and of periodic boxes; this body "
+        "has no outermost closed row of nodes");
+  define_medium(simulation.quantities, view, loop, simulation.step);
+  simulation.quantities.ask(request.quantities);
+  simulation.snapshots = write_medium(request, view);
+  simulation.steps_at_once = std::max(1L, static_cast<long>(5e-3 / (cells * 1e-8)));
+  simulation.companion = {nullptr, 0, 0, false,
+                          "not estimated: a run with half the step and twice the cells along each direction "
+                          "tells it"};
+  simulation.motion = std::move(motion);
+}
+
+/// The density at a point of the body.
+template <int d>
+std::function<double(std::array<double, d> const&)> density_of(std::shared_ptr<MediumStart> const& start) {
+  return [start](std::array<double, d> const& X) {
+    double rho = 0;
+    start->density(X, &rho);
+    return rho;
+  };
+}
+
+void prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh,
+                  Material const& material, FastRoad const& road, FastBox2d const& box,
+                  std::shared_ptr<MediumStart> const& start) {
+  BoxCells const cells(box);
+  double const longest = road.longest_step(examined_start<2>(request.file, *start, cells, mesh));
+  simulation.step = step_of(request, longest);
+  simulation.shortcuts.emplace_back(
+      "a box of equal cells of one density in the plane without loads: fused steps");
+  finish<2>(simulation, request, road.motion(simulation.step, start),
+            {nullptr, stored_energy_of<2>(material), density_of<2>(start)}, mesh, mesh.cell_count());
+}
+
+template <int d>
+void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh const& mesh,
+                     Material const& material, MethodChoice const& choice, bool energy,
+                     std::shared_ptr<MediumStart> const& start) {
+  MeshRoad<d> const road{mesh.make(),     material,
+                         start,           read_medium_loads<d>(request.file, mesh),
+                         choice.number(), energy ? Conserve::energy : Conserve::form};
+  examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh);
+  simulation.step = step_of(request, road.longest_step());
+  finish<d>(simulation, request, road.motion(simulation.step),
+            {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count());
+}
+
+/// What the motion conserves under these sides and loads.
+std::vector<Quantity> conserved_here(bool fluid, SceneFile const& file, MediumMesh const& mesh) {
+  MediumLoads<2> const loads = mesh.dimension == 2 ? read_medium_loads<2>(file, mesh) : MediumLoads<2>{};
+  auto all = medium_quantities(fluid);
+  for (auto& quantity : all) {
+    if (quantity.name == "energy") quantity.conserved = loads.energy;
+    if (quantity.name == "momentum") quantity.conserved = loads.momentum;
+    if (quantity.name == "angular_momentum") quantity.conserved = loads.angular_momentum;
+  }
+  return all;
+}
+
+template <bool fluid>
+Simulation prepare(Request const& request) {
+  SceneTable system = request.file.section("system"), method = request.file.section("method");
+  MethodChoice const choice = read_method(method, methods());
+  if (!method.has("conserve")) method.set("conserve", "form");
+  bool const energy = method.choice("conserve", "conserved form", {"form", "energy"}) == "energy";
+  Material const material = read_material(system, fluid);
+  MediumMesh const mesh = read_medium_mesh(request.file);
+  auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
+
+  std::unique_ptr<FastRoad> road;
+  auto const box = fast_box(mesh);
+  if (box && start->uniform && choice.number() == 2 && !energy && !has_loads(request.file)) {
+    double rho = 0;
+    start->density(std::array<double, 2>{}, &rho);
+    road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
+  }
+  double const bytes = require_memory(request.file, mesh, road != nullptr, request);
+  Simulation simulation(conserved_here(fluid, request.file, mesh));
+  simulation.bytes = bytes;
+  if (road)
+    prepare_fast(simulation, request, mesh, material, *road, *box, start);
+  else if (mesh.dimension == 1)
+    prepare_on_mesh<1>(simulation, request, mesh, material, choice, energy, start);
+  else if (mesh.dimension == 2)
+    prepare_on_mesh<2>(simulation, request, mesh, material, choice, energy, start);
+  else
+    prepare_on_mesh<3>(simulation, request, mesh, material, choice, energy, start);
+  return simulation;
+}
+
+std::vector<Parameter> parameters(bool fluid) {
+  auto all = medium_parameters(fluid);
+  for (auto& key : load_parameters()) all.push_back(std::move(key));
+  all.push_back(
+      {"method.conserve",
+       "a text",
+       "\"form\"",
+       "What steps conserve besides linear and angular momentum: the multisymplectic form, explicitly, "
+       "where the energy oscillates with the square of the step; or the energy, by a discrete gradient, "
+       "which is implicit and gives up the form.",
+       "",
+       "\"energy\"",
+       {"form", "energy"}});
+  return all;
+}
+
+System medium(bool fluid, Simulation (*prepare)(Request const&), std::string const& example) {
+  return {fluid ? "barotropic_fluid" : "elastic_body",
+          fluid ? "Barotropic fluid" : "Elastic body",
+          fluid
+              ? "A compressible fluid without friction whose pressure is a function of its density, followed "
+                "particle by particle: a gas in a box, or against vacuum, on cells that move with it."
+              : "A hyperelastic solid at any strain and rotation, on cells that move with it.",
+          "chapter 10",
+          parameters(fluid),
+          methods(),
+          medium_quantities(fluid),
+          prepare,
+          example,
+          nullptr,
+          {},
+          nullptr,
+          medium_snapshots(fluid)};
+}
+
+}  // namespace
+
+/// The compressible fluid.
+System barotropic_fluid_system() {
+  return medium(true, prepare<true>, R"scene([system]
+kind = "barotropic_fluid"
+mesh = { shape = "box", lower = [0, 0], upper = [1, 1], cells = [16, 16], periodic = [true, true] }
+material = { name = "polytropic_gas", K = 1, gamma = 2 }
+[initial]
+placement = ["X + 0.1*sin(2*pi*X)/(2*pi)", "Y"]
+velocity = ["0", "0"]
+[run]
+until = 1
+every = 0.005
+[output]
+quantities = ["energy", "momentum", "min_jacobian"]
+)scene");
+}
+/// The hyperelastic solid.
+System elastic_body_system() {
+  return medium(false, prepare<false>, R"scene([system]
+kind = "elastic_body"
+mesh = { shape = "box", lower = [-1, -0.5], upper = [1, 0.5], cells = [16, 8] }
+material = { name = "neo_hookean", mu = 1, kappa = 2 }
+[initial]
+placement = ["X", "Y"]
+velocity = ["1 - 0.5*Y", "1 + 0.5*X + 0.2*Y"]
+[run]
+until = 4
+every = 0.02
+[output]
+quantities = ["energy", "momentum", "angular_momentum", "min_jacobian"]
+)scene");
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,179 @@
+// Snapshots of media: tables of the nodes, grids for ParaView, and their list, read back byte by byte.
+#include <zlib.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "medium_scene.hpp"
+
+namespace {
+
+using namespace command;
+
+/// The number behind `name="` in a piece of XML.
+std::string attribute(std::string const& text, std::string const& name) {
+  std::size_t const at = text.find(" " + name + "=\"");
+  if (at == std::string::npos) return "";
+  std::size_t const begin = at + name.size() + 3;
+  return text.substr(begin, text.find('"', begin) - begin);
+}
+
+/// A .vtu file.
+class Grid {
+ public:
+  explicit Grid(std::string const& path) : text_(contents(path)) {
+    std::string const mark = "<AppendedData encoding=\"raw\">";
+    std::size_t const at = text_.find(mark);
+    BOOST_REQUIRE(at != std::string::npos);
+    data_ = text_.find('_', at) + 1;
+    head_ = text_.substr(0, at);
+    std::string const piece = head_.substr(head_.find("<Piece"));
+    points = std::stoul(attribute(piece, "NumberOfPoints"));
+    cells = std::stoul(attribute(piece, "NumberOfCells"));
+  }
+  std::string const& head() const { return head_; }
+  /// The numbers of an array.
+  template <class T>
+  std::vector<T> array(std::string const& name) const {
+    std::size_t const at = head_.find("Name=\"" + name + "\"");
+    BOOST_REQUIRE_MESSAGE(at != std::string::npos, "no array " << name);
+    std::size_t from = data_ + std::stoul(attribute(head_.substr(at), "offset"));
+    auto const number = [&] {
+      std::uint64_t out = 0;
+      std::memcpy(&out, text_.data() + from, sizeof out);
+      from += sizeof out;
+      return out;
+    };
+    std::uint64_t const blocks = number(), size = number(), last = number();
+    std::vector<std::uint64_t> packed;
+    for (std::uint64_t k = 0; k < blocks; ++k) packed.push_back(number());
+    std::string bytes;
+    for (std::uint64_t k = 0; k < blocks; ++k) {
+      uLongf length = k + 1 == blocks && last ? last : size;
+      std::string block(length, '\0');
+      BOOST_REQUIRE(uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
+                               reinterpret_cast<Bytef const*>(text_.data() + from), packed[k]) == Z_OK);
+      bytes += block, from += packed[k];
+    }
+    std::vector<T> out(bytes.size() / sizeof(T));
+    std::memcpy(out.data(), bytes.data(), bytes.size());
+    return out;
+  }
+  std::size_t points = 0, cells = 0;
+
+ private:
+  std::string text_, head_;
+  std::size_t data_ = 0;
+};
+
+/// A run in a periodic box, with tables and grids.
+Medium sheared() {
+  Medium out;
+  out.kind = "elastic_body", out.material = "name = \"neo_hookean\", mu = 1, kappa = 3";
+  out.mesh = "shape = \"box\", lower = [0, 0], upper = [1, 0.5], cells = [8, 4], periodic = [true, true]";
+  out.initial = "placement = [\"X\", \"Y + 0.1*sin(2*pi*X)\"]\nvelocity = [\"1\", \"0\"]";
+  out.output =
+      "formats = [\"csv\", \"vtu\"]\nsnapshots = [\"jacobian\", \"pressure\", \"stress\"]\nsnapshot_every = "
+      "0.1\n";
+  return out;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(medium_snapshots)
+
+BOOST_AUTO_TEST_CASE(a_table_has_the_nodes_with_what_was_asked) {
+  Folder const folder;
+  run_in(folder, sheared());
+  Table const nodes = read_csv(folder / "out/snapshots/000000.csv");
+  BOOST_TEST((nodes.columns == std::vector<std::string>{"X", "Y", "x", "y", "u", "v", "jacobian", "pressure",
+                                                        "stress_xx", "stress_xy", "stress_yy"}),
+             boost::test_tools::per_element());
+  BOOST_REQUIRE(nodes.rows.size() == 32u);
+  for (std::size_t k = 0; k < 32; ++k) {
+    BOOST_TEST(nodes["X"][k] == static_cast<double>(k % 8) / 8);
+    BOOST_TEST(nodes["x"][k] == nodes["X"][k]);
+    BOOST_TEST(nodes["u"][k] == 1);
+    BOOST_TEST(std::abs(nodes["jacobian"][k] - 1) <= 1e-15);
+    // Under a shear g the stress is mu g across and mu g^2 along; a node has the means of both its sides.
+    double const h = 0.125, X = nodes["X"][k], pi = std::acos(-1.0);
+    auto const y = [&](double at) { return 0.1 * std::sin(2 * pi * at); };
+    double const right = (y(X + h) - y(X)) / h, left = (y(X) - y(X - h)) / h;
+    BOOST_TEST(std::abs(nodes["stress_xy"][k] - (right + left) / 2) <= 1e-14);
+    BOOST_TEST(std::abs(nodes["stress_yy"][k] - (right * right + left * left) / 2) <= 1e-14);
+    BOOST_TEST(std::abs(nodes["stress_xx"][k]) <= 1e-14);
+  }
+  BOOST_TEST(contents(folder / "out/snapshots/times.csv").starts_with("snapshot,t\n0,0\n1,0.1"));
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_has_the_same_numbers_and_closes_its_seams) {
+  Folder const folder;
+  run_in(folder, sheared());
+  for (char const* number : {"000000", "000002"}) {
+    Grid const grid(folder / "out/snapshots/" + number + ".vtu");
+    Table const nodes = read_csv(folder / "out/snapshots/" + number + ".csv");
+    BOOST_TEST(grid.cells == 32u);
+    BOOST_TEST(grid.points == 9u * 5u);
+    for (char const* const part : {"compressor=\"vtkZLibDataCompressor\"", "header_type=\"UInt64\"",
+                                   "Name=\"TimeValue\" NumberOfTuples=\"1\""})
+      BOOST_TEST(grid.head().find(part) != std::string::npos, part);
+    auto const places = grid.array<double>("Points"), reference = grid.array<double>("reference"),
+               velocity = grid.array<double>("velocity");
+    BOOST_REQUIRE(places.size() == 3 * grid.points);
+    for (std::size_t k = 0; k < 32; ++k) {
+      BOOST_TEST(places[3 * k] == nodes["x"][k]);
+      BOOST_TEST(places[3 * k + 1] == nodes["y"][k]);
+      BOOST_TEST(places[3 * k + 2] == 0);
+      BOOST_TEST(reference[3 * k] == nodes["X"][k]);
+      BOOST_TEST(velocity[3 * k + 1] == nodes["v"][k]);
+    }
+    // Every cell goes around counterclockwise with its whole area.
+    auto const corners = grid.array<std::int64_t>("connectivity"), ends = grid.array<std::int64_t>("offsets");
+    BOOST_TEST(ends.back() == 4 * 32);
+    for (unsigned char const type : grid.array<unsigned char>("types")) BOOST_TEST(type == 9);
+    double area = 0;
+    for (std::size_t c = 0; c < grid.cells; ++c)
+      for (std::size_t k = 0; k < 4; ++k) {
+        auto const a = static_cast<std::size_t>(3 * corners[4 * c + k]),
+                   b = static_cast<std::size_t>(3 * corners[4 * c + (k + 1) % 4]);
+        area += 0.5 * (reference[a] * reference[b + 1] - reference[a + 1] * reference[b]);
+      }
+    BOOST_TEST(std::abs(area - 0.5) <= 1e-14);
+    BOOST_TEST(grid.array<double>("stress").size() == 3 * grid.cells);
+    BOOST_TEST(grid.array<double>("jacobian").size() == grid.cells);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_list_of_grids_has_each_with_its_time_after_a_resumption_as_well) {
+  Folder const folder;
+  run_in(folder, sheared());
+  std::string const path = folder / "out/snapshots/series.pvd", list = contents(path);
+  for (char const* const entry :
+       {"timestep=\"0\" group=\"\" part=\"0\" file=\"000000.vtu\"", "file=\"000001.vtu\"",
+        "file=\"000002.vtu\"", "</Collection>\n</VTKFile>\n"})
+    BOOST_TEST(list.find(entry) != std::string::npos, list);
+  BOOST_TEST(actio({"resume", folder / "out", "--until", "0.4"}).status == 0);
+  std::string const longer = contents(path);
+  BOOST_TEST(longer.find("file=\"000004.vtu\"") != std::string::npos, longer);
+  BOOST_TEST(Grid(folder / "out/snapshots/000004.vtu").cells == 32u);
+}
+
+BOOST_AUTO_TEST_CASE(the_reader_of_vtk_opens_them) {
+  if (shell("python3 -c 'import vtk'").status != 0) {
+    BOOST_TEST_MESSAGE("VTK for Python is not installed, and is not asked");
+    return;
+  }
+  Folder const folder;
+  run_in(folder, sheared());
+  std::string const script = folder.write(
+      "read.py",
+      "import sys, vtk\nreader = vtk.vtkXMLUnstructuredGridReader()\nreader.SetFileName(sys.argv[1])\n"
+      "reader.Update()\ngrid = reader.GetOutput()\nprint(grid.GetNumberOfPoints(), grid.GetNumberOfCells(), "
+      "grid.GetCellData().GetArray('jacobian').GetRange()[0] > 0.99, "
+      "grid.GetFieldData().GetArray('TimeValue').GetValue(0))\n");
+  auto const told = shell("python3 " + script + " " + folder / "out/snapshots/000001.vtu");
+  BOOST_TEST(told.out == "45 32 True 0.1\n", told.out << told.err);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
