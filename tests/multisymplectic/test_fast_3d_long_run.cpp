@@ -1,14 +1,11 @@
-// The fast road of media in space: held to the general road, to a plain loop in matrices of Eigen, to the
-// plane and to itself.
+// The fast road of media in space: held to a plain loop in matrices of Eigen, to the plane and to itself.
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 #include <random>
 
 #include "../../benchmarks/peers/gathered_medium.hpp"
-#include "actio/continuum/materials.hpp"
 #include "actio/multisymplectic/fast_medium_2d.hpp"
 #include "actio/multisymplectic/fast_medium_3d.hpp"
-#include "actio/multisymplectic/step_field_equations.hpp"
 
 using namespace actio;
 
@@ -150,76 +147,6 @@ BOOST_AUTO_TEST_CASE(threads_calls_and_a_resumed_run_change_no_bit) {
 }
 
 namespace {
-/// The general road: one level by the fast road, the others by the discrete Euler-Lagrange field equations of
-/// the density, by duals.
-template <class Medium, class Energy>
-void roads_agree(Medium const& medium, Energy const& energy, FastBox3d::Ends const (&fast_sides)[3],
-                 Side const (&general)[3]) {
-  int const steps = 6;
-  double const dt = 0.01, density = 2.5;
-  FastBox3d const box{{4, 3, 2}, {0.1, 0.13, 0.11}, {fast_sides[0], fast_sides[1], fast_sides[2]}};
-  FastMedium3d<Medium> fast = let_go(medium, box, dt);
-  // Whoever is held is at rest.
-  auto const bump = [&](Place const& X) {
-    double product = 1;
-    for (int d = 0; d < 3; ++d) product *= std::sin(M_PI * X[d] / (box.cells[d] * box.spacing[d]));
-    return product * product;
-  };
-  fast = FastMedium3d<Medium>(
-      medium, box, dt, density,
-      [&](Place const& X) {
-    double const b = 0.02 * bump(X);
-    return Place{X[0] + b * (X[1] + X[2]), X[1] - b, X[2] + b * X[0]};
-      },
-      [&](Place const& X) {
-    return Place{0.2 * bump(X), -0.1 * bump(X) * X[0], 0.1 * bump(X) * X[1]};
-  });
-  std::vector<double> times;
-  for (int k = 0; k <= steps + 1; ++k) times.push_back(k * dt);
-  Sides<3> sides;
-  for (int d = 0; d < 3; ++d) sides[d] = {general[d], general[d]};
-  Eigen::Vector3d const lengths(0.4, 3 * 0.13, 0.22);
-  SpaceTimeMesh<double, 3> const mesh(times, GridIndex<3>{{4, 3, 2}}, sides,
-                                      StraightBox<double, 3>{Eigen::Vector3d::Zero(), lengths});
-  DiscreteSection<double, 3, 3> section;
-  section.jump << lengths[0], 0, 0, 0, lengths[1], 0, 0, 0, lengths[2];
-  auto const add = [&] {
-    section.levels.emplace_back();
-    for (auto const& p : fast.places()) section.levels.back().push_back({p[0], p[1], p[2]});
-  };
-  add(), fast.step(), add();
-  Continuum const continuum{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{density}, energy};
-  for (int k = 0; k < steps; ++k) step(continuum, mesh, section);
-  fast.step(steps);
-  auto const x = fast.places();
-  double worst = 0;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    worst = std::max(worst, (section.levels.back()[k] - Eigen::Vector3d(x[k].data())).norm());
-  // The general road solves each level to 64 roundings of places below 1, and both lose some 200 roundings of
-  // a kick, dt^2 times a modulus below 4 over h; what a step is off goes on as a velocity.
-  double const h = 0.1, a_step = eps * (64 + 200 * dt * dt * 4 / h * (1 + 1 / h));
-  BOOST_TEST_MESSAGE("in space the fast road and the general road differ by " << worst);
-  BOOST_TEST(worst <= a_step * steps * (steps + 1) / 2);
-}
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(both_roads_are_the_same_to_rounding) {
-  FastBox3d::Ends const loose{FastSide::free, FastSide::free}, held{fixed, fixed}, round{periodic, periodic};
-  for (auto const& [fast, general] :
-       {std::pair{std::array{loose, held, round}, std::array{Side::free, Side::fixed, Side::periodic}},
-        {std::array{round, loose, loose}, std::array{Side::periodic, Side::free, Side::free}}}) {
-    FastBox3d::Ends const fast_sides[3] = {fast[0], fast[1], fast[2]};
-    Side const sides[3] = {general[0], general[1], general[2]};
-    roads_agree(FastFluid{PolytropicByRoots<1, 2>{0.7}}, Barotropic{WholePolytropic<double, 1>{0.7}},
-                fast_sides, sides);
-    roads_agree(FastStVenantKirchhoff{0.9, 0.6}, OfGreenTensor{StVenantKirchhoff<double>{0.9, 0.6}},
-                fast_sides, sides);
-    roads_agree(neo_hookean(0.9, 0.6), OfGreenTensor{NeoHookean{0.6, LogarithmicVolume<double>{0.9}}},
-                fast_sides, sides);
-  }
-}
-
-namespace {
 /// A motion that does not depend on Z, between two walls that it slides along.
 template <class Medium>
 void moves_as_in_the_plane(Medium const& medium, double modulus) {
@@ -300,101 +227,6 @@ BOOST_AUTO_TEST_CASE(a_body_let_go_conserves_momenta_and_its_energy_does_not_dri
   BOOST_TEST(of_L <= 2e-14);
   BOOST_TEST(of_E <= 2e-3);
   BOOST_TEST(std::abs(drift) <= 0.5 * of_E);
-}
-
-namespace {
-/// A solid that does not resist collapse, whose left side is thrown against the right.
-FastMedium3d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {
-  FastBox3d const box{{12, 5, 4},
-                      {0.1, 0.1, 0.1},
-                      {FastBox3d::Ends{fixed, fixed}, FastBox3d::Ends{FastSide::free, FastSide::free},
-                       FastBox3d::Ends{FastSide::free, FastSide::free}}};
-  return {FastStVenantKirchhoff{0.3, 0.2},
-          box,
-          0.02,
-          1,
-          [](Place const& X) { return X; },
-          [](Place const& X) {
-    return Place{X[0] < 0.5 ? 1.5 : 0, 0.1 * X[1], 0.05 * X[2] * X[1]};
-          },
-          options};
-}
-template <class Try>
-CellInverts inversion_in(Try const& tried) {
-  try {
-    tried();
-  } catch (CellInverts const& error) {
-    return error;
-  }
-  BOOST_FAIL("no cell was found inside out");
-  throw 0;
-}
-/// The least Jacobian of the corners of a cell.
-double least_jacobian(std::vector<Place> const& x, FastBox3d const& box, std::array<int, 3> const& cell) {
-  double least = HUGE_VAL;
-  auto const at = [&](int i, int j, int k) {
-    return Eigen::Vector3d(x[static_cast<std::size_t>((k * box.nodes(1) + j) * box.nodes(0) + i)].data());
-  };
-  for (int k = 0; k < 8; ++k) {
-    int const i = cell[0] + k % 2, j = cell[1] + k / 2 % 2, l = cell[2] + k / 4;
-    Eigen::Matrix3d F;
-    F << at(cell[0] + 1, j, l) - at(cell[0], j, l), at(i, cell[1] + 1, l) - at(i, cell[1], l),
-        at(i, j, cell[2] + 1) - at(i, j, cell[2]);
-    least = std::min(least, F.determinant() / box.measure());
-  }
-  return least;
-}
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_the_state_before) {
-  auto medium = thrown();
-  CellInverts const found = inversion_in([&] { medium.step(1000); });
-  BOOST_TEST(medium.steps() == found.step - 1);
-  BOOST_TEST(found.measured <= 0);
-  BOOST_TEST(found.largest_step > 0.02);
-  BOOST_TEST(std::string(found.what()).find("inside out") != std::string::npos);
-  double least = HUGE_VAL;
-  detail::for_indices(medium.box().cells, [&](auto const& cell) {
-    least = std::min(least, least_jacobian(medium.places(), medium.box(), cell));
-  });
-  BOOST_TEST(least > 0);
-  // The step that is refused, made by hand: x + dt v with the velocities after it is inside out there.
-  auto x = medium.places();
-  auto const v = medium.velocities(), v_before = medium.velocities_half_a_step_ago();
-  for (std::size_t k = 0; k < x.size(); ++k)
-    for (std::size_t d = 0; d < 3; ++d) x[k][d] += 0.02 * (2 * v[k][d] - v_before[k][d]);
-  BOOST_TEST(std::abs(least_jacobian(x, medium.box(), found.cell) - found.measured) <= 1e-12);
-  for (int const threads : {2, 4}) {
-    auto other = thrown({threads});
-    CellInverts const again = inversion_in([&] { other.step(1000); });
-    BOOST_TEST((again.step == found.step && again.cell == found.cell && again.measured == found.measured));
-    BOOST_TEST(same(other.places(), medium.places()));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(what_is_no_medium_in_space_is_refused_at_once) {
-  FastStVenantKirchhoff const solid{0.3, 0.2};
-  auto const with = [&](FastBox3d const& box, double dt, double flat) {
-    FastMedium3d(
-        solid, box, dt, 1,
-        [&](Place const& X) {
-      return Place{X[0], X[1], flat * X[2]};
-        },
-        [](Place const&) { return Place{}; });
-  };
-  FastBox3d const box{{4, 4, 4}, {0.1, 0.1, 0.1}};
-  FastBox3d half = box;
-  half.sides[2] = {periodic, FastSide::free};
-  with(box, 0.01, 1);
-  BOOST_CHECK_THROW(with({{4, 0, 4}, {0.1, 0.1, 0.1}}, 0.01, 1), OutsideDomain);
-  BOOST_CHECK_THROW(with({{4, 4, 4}, {0.1, 0.1, -0.1}}, 0.01, 1), OutsideDomain);
-  BOOST_CHECK_THROW(with({{4, 4, 4}, {0.1, NAN, 0.1}}, 0.01, 1), NotFinite);
-  BOOST_CHECK_THROW(with(half, 0.01, 1), OutsideDomain);
-  BOOST_CHECK_THROW(with(box, 0, 1), OutsideDomain);
-  BOOST_CHECK_THROW(with(box, 0.01, -1), CellInverts);
-  BOOST_CHECK_THROW(with(box, 0.01, NAN), NotFinite);
-  BOOST_CHECK_THROW(thrown().step(-1), OutsideDomain);
-  BOOST_CHECK_THROW(thrown().go_on_from({}), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -35,25 +35,18 @@ struct Slopes3d {
   FourNodes first;
   Space<Quad> second[2], third[2];
 };
-/// Which of the four cells of a register are there: all of them, or those of a mask.
-struct AllThere {
-  [[gnu::always_inline]] Quad operator()(Quad const& x, double) const { return x; }
-};
-struct SomeThere {
-  Quad::Bits const& mask;
-  [[gnu::always_inline]] Quad operator()(Quad const& x, double otherwise) const {
-    return chosen(mask, x, Quad(otherwise));
-  }
-};
-
+/// x where a cell is there, else zero, whatever x is.
+[[gnu::always_inline]] inline Quad where(Quad::Bits const& there, Quad const& x) {
+  return Quad(Quad::Bits(reinterpret_cast<Quad::Bits>(x.lane) & there));
+}
 /// \f$e_1\cdot(e_2\times e_3)\f$ at the corners of one side of the cells.
-template <class There>
 [[gnu::always_inline]] inline void put_volumes(FourNodes const& first, Column3d const& side,
-                                               There const& there, double otherwise, Quad::Bits& seen,
-                                               Quad (&d)[4]) {
-  d[0] = there(dot(first[0], side.face[0]), otherwise), d[1] = there(dot(first[1], side.face[1]), otherwise);
-  d[2] = there(dot(first[2], side.face[2]), otherwise), d[3] = there(dot(first[3], side.face[3]), otherwise);
-  note_signs(seen, d);
+                                               Quad::Bits const& there, Quad::Bits& seen, Quad (&d)[4]) {
+  d[0] = dot(first[0], side.face[0]), d[1] = dot(first[1], side.face[1]);
+  d[2] = dot(first[2], side.face[2]), d[3] = dot(first[3], side.face[3]);
+  Quad::Bits signs{};
+  note_signs(signs, d);
+  seen |= signs & there;
 }
 /// q e.
 [[gnu::always_inline]] inline Space<Quad> weighted(Quad const& q, Space<Quad> const& e) {
@@ -82,11 +75,10 @@ struct AlongRow3d;
 template <class Law>
 struct VolumeAlongRow3d {
   Law const& law;
-  double otherwise;  ///< a volume as good as any, for cells that are not there
 
-  template <class There>
   [[gnu::always_inline]] void pass(FourNodes const& e, Column3d const& left, Column3d const& right,
-                                   There const& there, FourNodes& g, Slopes3d& out, Quad::Bits& seen) const {
+                                   Quad::Bits const& there, FourNodes& g, Slopes3d& out,
+                                   Quad::Bits& seen) const {
     Quad q[4];
     put_slopes(e, left, there, seen, q);
     add_multiple(out.first[0], q[0], left.face[0]), add_multiple(out.first[1], q[1], left.face[1]);
@@ -102,13 +94,13 @@ struct VolumeAlongRow3d {
   }
 
  private:
-  template <class There>
-  [[gnu::always_inline]] void put_slopes(FourNodes const& e, Column3d const& side, There const& there,
+  [[gnu::always_inline]] void put_slopes(FourNodes const& e, Column3d const& side, Quad::Bits const& there,
                                          Quad::Bits& seen, Quad (&q)[4]) const {
     Quad d[4];
-    put_volumes(e, side, there, otherwise, seen, d);
+    put_volumes(e, side, there, seen, d);
     law.slopes(d, q);
-    q[0] = there(q[0], 0), q[1] = there(q[1], 0), q[2] = there(q[2], 0), q[3] = there(q[3], 0);
+    q[0] = where(there, q[0]), q[1] = where(there, q[1]), q[2] = where(there, q[2]),
+    q[3] = where(there, q[3]);
   }
 };
 
@@ -121,14 +113,13 @@ struct AlongRow3d<FluidCell3d<Scaled>> {
     FourNodes weighted;
   };
   FluidCell3d<Scaled> const& cell;
-  double otherwise;
 
   [[gnu::always_inline]] static void begin(Carry& carry) { clear(carry.weighted); }
   [[gnu::always_inline]] static void prepare(Column&) {}
-  template <class There>
   [[gnu::always_inline]] void pass(FourNodes const& e, Column const& left, Column const& right,
-                                   There const& there, Carry& carry, Slopes3d& out, Quad::Bits& seen) const {
-    VolumeAlongRow3d<Scaled> const volume{cell.volume, otherwise};
+                                   Quad::Bits const& there, Carry& carry, Slopes3d& out,
+                                   Quad::Bits& seen) const {
+    VolumeAlongRow3d<Scaled> const volume{cell.volume};
     volume.pass(e, left, right, there, carry.weighted, out, seen);
   }
   [[gnu::always_inline]] static void finish(Column const& last, Carry const& carry, Slopes3d& out) {
@@ -146,19 +137,18 @@ struct AlongRow3d<NeoHookeanCell3d<Scaled>> {
     Quad there;
   };
   NeoHookeanCell3d<Scaled> const& cell;
-  double otherwise;
 
   [[gnu::always_inline]] static void begin(Carry& carry) { clear(carry.weighted), carry.there = Quad(0); }
   [[gnu::always_inline]] static void prepare(Column&) {}
-  template <class There>
   [[gnu::always_inline]] void pass(FourNodes const& e, Column const& left, Column const& right,
-                                   There const& there, Carry& carry, Slopes3d& out, Quad::Bits& seen) const {
-    Quad const one = there(Quad(1), 0), along = there(Quad(cell.spring[0]), 0);
+                                   Quad::Bits const& there, Carry& carry, Slopes3d& out,
+                                   Quad::Bits& seen) const {
+    Quad const one = where(there, Quad(1)), along = where(there, Quad(cell.spring[0]));
     add_multiple(out.first[0], along, e[0]), add_multiple(out.first[1], along, e[1]);
     add_multiple(out.first[2], along, e[2]), add_multiple(out.first[3], along, e[3]);
     add_springs(carry.there + one, left, out);
     carry.there = one;
-    VolumeAlongRow3d<Scaled> const volume{cell.volume, otherwise};
+    VolumeAlongRow3d<Scaled> const volume{cell.volume};
     volume.pass(e, left, right, there, carry.weighted, out, seen);
   }
   [[gnu::always_inline]] void finish(Column const& last, Carry const& carry, Slopes3d& out) const {
@@ -192,7 +182,6 @@ struct AlongRow3d<StVenantKirchhoffCell3d> {
     Quad there;  ///< 1 or 0
   };
   StVenantKirchhoffCell3d const& cell;
-  double otherwise;
 
   [[gnu::always_inline]] static void begin(Carry& carry) {
     clear(carry.second), clear(carry.third);
@@ -215,14 +204,14 @@ struct AlongRow3d<StVenantKirchhoffCell3d> {
     c.mixed[2] = cell.mixed[0] * dot(c.second[1], c.third[0]);
     c.mixed[3] = cell.mixed[0] * dot(c.second[1], c.third[1]);
   }
-  template <class There>
   [[gnu::always_inline]] void pass(FourNodes const& e, Column const& left, Column const& right,
-                                   There const& there, Carry& carry, Slopes3d& out, Quad::Bits& seen) const {
+                                   Quad::Bits const& there, Carry& carry, Slopes3d& out,
+                                   Quad::Bits& seen) const {
     Quad d[4];
-    put_volumes(e, left, there, otherwise, seen, d), put_volumes(e, right, there, otherwise, seen, d);
-    Quad const a[4] = {there(dot(e[0], e[0]), 0), there(dot(e[1], e[1]), 0), there(dot(e[2], e[2]), 0),
-                       there(dot(e[3], e[3]), 0)};
-    Quad const one = there(Quad(1), 0);
+    put_volumes(e, left, there, seen, d), put_volumes(e, right, there, seen, d);
+    Quad const a[4] = {where(there, dot(e[0], e[0])), where(there, dot(e[1], e[1])),
+                       where(there, dot(e[2], e[2])), where(there, dot(e[3], e[3]))};
+    Quad const one = where(there, Quad(1));
     along<0>(a, e, left, right, there, out), along<1>(a, e, left, right, there, out);
     along<2>(a, e, left, right, there, out), along<3>(a, e, left, right, there, out);
     corner<0>(e, left, there, carry, out), corner<1>(e, left, there, carry, out);
@@ -260,19 +249,19 @@ struct AlongRow3d<StVenantKirchhoffCell3d> {
 
  private:
   /// The part of the slope in an edge along the row that goes along it.
-  template <int i, class There>
+  template <int i>
   [[gnu::always_inline]] void along(Quad const (&a)[4], FourNodes const& e, Column const& left,
-                                    Column const& right, There const& there, Slopes3d& out) const {
+                                    Column const& right, Quad::Bits const& there, Slopes3d& out) const {
     Quad const factor = cell.own[0] * a[i] + (left.along[i] + right.along[i]);
-    add_multiple(out.first[i], there(factor, 0), e[i]);
+    add_multiple(out.first[i], where(there, factor), e[i]);
   }
   /// What an edge along the row and the column at one of its ends make of each other.
-  template <int i, class There>
-  [[gnu::always_inline]] void corner(FourNodes const& e, Column const& side, There const& there, Carry& carry,
-                                     Slopes3d& out) const {
+  template <int i>
+  [[gnu::always_inline]] void corner(FourNodes const& e, Column const& side, Quad::Bits const& there,
+                                     Carry& carry, Slopes3d& out) const {
     Space<Quad> const &back = side.second[i >> 1], &up = side.third[i & 1];
-    Quad const to_back = there(cell.mixed[2] * dot(e[i], back), 0),
-               to_up = there(cell.mixed[1] * dot(e[i], up), 0);
+    Quad const to_back = where(there, cell.mixed[2] * dot(e[i], back)),
+               to_up = where(there, cell.mixed[1] * dot(e[i], up));
     add_multiple(out.first[i], to_back, back), add_multiple(out.first[i], to_up, up);
     add_multiple(carry.second[i >> 1], to_back, e[i]), add_multiple(carry.third[i & 1], to_up, e[i]);
   }

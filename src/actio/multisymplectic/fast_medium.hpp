@@ -93,6 +93,8 @@ class FastMedium {
         density_(positive(density, "density")),
         nodes_(box_, cell_, dt, options) {
     std::vector<Vector> x, v;
+    auto const count = static_cast<std::size_t>(box.count());
+    x.reserve(count), v.reserve(count);
     detail::for_nodes(box, [&](auto const& node, std::size_t) {
       Point const place = placement(box.at(node)), rate = velocity(box.at(node));
       for (std::size_t i = 0; i < place.size(); ++i)
@@ -157,6 +159,7 @@ class FastMedium {
       throw OutsideDomain("medium: state", "the number of steps must not be negative",
                           static_cast<double>(state.steps), 0);
     std::vector<Vector> x, v;
+    x.reserve(needed), v.reserve(needed);
     for (auto const& p : state.places) x.push_back(detail::as_vector(p));
     for (auto const& p : state.velocities) v.push_back(detail::as_vector(p));
     refuse_inverted(x);
@@ -218,6 +221,7 @@ class FastMedium {
   }
   static std::vector<Point> points(std::vector<Vector> const& in) {
     std::vector<Point> out;
+    out.reserve(in.size());
     for (auto const& p : in) out.push_back(detail::as_point(p));
     return out;
   }

@@ -158,9 +158,7 @@ class FusedPlanes3d {
   void make_layers(Band& band) {
     auto const add = [&](int k, Register* low, std::size_t low_stride, bool moves) {
       Layer3d layer{low, nullptr, low_stride, stride_, moves, {0, 0, 0}};
-      if (k + 1 < band.to && k + 1 > 0)
-        layer.high = plane(k + 1);
-      else if (k + 1 == 0 || k + 1 == planes_)
+      if (k + 1 == 0 || k + 1 == planes_)
         layer.high = round() ? seam_.data() : nullptr, layer.high_stride = packs_;
       else if (k + 1 == band.to)
         layer.high = band.above.data(), layer.high_stride = packs_;
@@ -195,7 +193,6 @@ class FusedPlanes3d {
     Register* const rows = band.room.data() + packs_ * static_cast<std::size_t>(rows_);
     Sweep3d<Cell> sweep{cell_,
                         strips_,
-                        box_.measure(),
                         dt_,
                         band.layers.data(),
                         static_cast<int>(band.layers.size()),

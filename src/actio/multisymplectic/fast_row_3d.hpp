@@ -19,12 +19,12 @@ struct FourRows {
 [[gnu::always_inline]] inline Space<Quad> turned_up(Space<Quad> const& a) {
   return {turned_up(a.x), turned_up(a.y), turned_up(a.z)};
 }
-/// The nodes at register s of four rows; those beyond the last one are those of the first, in the next strip.
+/// The nodes at register s of four rows.
 [[gnu::always_inline]] inline void put_nodes(FourRows const& x, int s, FourNodes& out) {
   out[0] = x.row[0][s], out[1] = x.row[1][s], out[2] = x.row[2][s], out[3] = x.row[3][s];
 }
-[[gnu::always_inline]] inline void put_nodes(FourRows const& x, int s, int packs, FourNodes& out) {
-  if (s < packs) return put_nodes(x, s, out);
+/// Those beyond the last register: the first ones, in the next strip.
+[[gnu::always_inline]] inline void put_turned(FourRows const& x, FourNodes& out) {
   out[0] = turned_down(x.row[0][0]), out[1] = turned_down(x.row[1][0]);
   out[2] = turned_down(x.row[2][0]), out[3] = turned_down(x.row[3][0]);
 }
@@ -61,14 +61,14 @@ struct CellRow3d {
     Along::begin(carry);
     FourNodes before;  // slopes in the edges along the row that end at the present nodes
     clear(before);
-    for (int s = 0; s < full; ++s) {
-      put_nodes(x, s + 1, nodes);
-      cell(x, s, nodes, columns[s & 1], columns[~s & 1], AllThere{}, carry, before, force, seen);
-    }
-    for (int s = full; s < packs; ++s) {
-      put_nodes(x, s + 1, packs, nodes);
-      cell(x, s, nodes, columns[s & 1], columns[~s & 1], SomeThere{strips.there[s - full]}, carry, before,
-           force, seen);
+    Quad::Bits const all = ~Quad::Bits{};
+    for (int s = 0; s < packs; ++s) {
+      if (s + 1 < packs)
+        put_nodes(x, s + 1, nodes);
+      else
+        put_turned(x, nodes);
+      Quad::Bits const& there = s < full ? all : strips.there[s - full];
+      cell(x, s, nodes, columns[s & 1], columns[~s & 1], there, carry, before, force, seen);
     }
     // The last strip ends in a cell that is not there, so that lane 0 gets nothing.
     Slopes3d end;
@@ -84,9 +84,8 @@ struct CellRow3d {
 
  private:
   /// Passes the cells between two columns, the right one at these nodes.
-  template <class There>
   [[gnu::always_inline]] void cell(FourRows const& x, int s, FourNodes const& nodes, Column const& left,
-                                   Column& right, There const& there, Carry& carry, FourNodes& before,
+                                   Column& right, Quad::Bits const& there, Carry& carry, FourNodes& before,
                                    RowForces3d const& force, Quad::Bits& seen) const {
     put_column(nodes, right), along.prepare(right);
     FourNodes const first{nodes[0] - x.row[0][s], nodes[1] - x.row[1][s], nodes[2] - x.row[2][s],

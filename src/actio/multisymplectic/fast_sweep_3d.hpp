@@ -35,7 +35,6 @@ template <class Cell>
 struct Sweep3d {
   Cell cell;                        ///< the law of the cells
   Strips const& strips;             ///< of each row
-  double volume;                    ///< of a cell as good as any
   double dt;                        ///< time step
   Layer3d const* layers;            ///< from below
   int count;                        ///< how many
@@ -51,7 +50,7 @@ struct Sweep3d {
   [[gnu::always_inline]] void operator()() {
     Quad::Bits seen{};
     Cell const law = cell;
-    CellRow3d<Cell> const cells{{law, volume}, strips};
+    CellRow3d<Cell> const cells{{law}, strips};
     clear(room.plane, rows * strips.packs);
     for (int k = 0; k < count; ++k) {
       if (layers[k].high)
@@ -163,7 +162,11 @@ struct Examination3d {
     Column3d left, right;
     put_nodes(x, 0, nodes), put_column(nodes, left);
     for (int s = 0; s < strips.packs; ++s) {
-      put_nodes(x, s + 1, strips.packs, next), put_column(next, right);
+      if (s + 1 < strips.packs)
+        put_nodes(x, s + 1, next);
+      else
+        put_turned(x, next);
+      put_column(next, right);
       FourNodes const first{next[0] - nodes[0], next[1] - nodes[1], next[2] - nodes[2], next[3] - nodes[3]};
       Quad::Bits wrong{};
       note(first, left, wrong), note(first, right, wrong);
