@@ -1,4 +1,5 @@
 // The fast road of media in space: held to the general road, and what it refuses.
+#include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
 #include "actio/continuum/materials.hpp"
