@@ -70,8 +70,8 @@ struct HatQuadrature {
 template <int d>
 class BodyQuadrature {
  public:
-  using Place = std::array<double, d>;  ///< a point of the body, or of space
-  static constexpr int most_corners = 1 << d;
+  using Place = std::array<double, d>;         ///< a point of the body, or of space
+  static constexpr int most_corners = 1 << d;  ///< of a cell of any shape
 
   /// @param mesh     with cells of dimension d
   /// @param density  mass per reference volume at X; positive inside of the body

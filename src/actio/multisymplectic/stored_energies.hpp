@@ -175,6 +175,7 @@ struct QuadraticLaw {
 template <int d>
 struct StoredEnergy {
   using Gradient = Matrix<double, d, d>;  ///< a deformation gradient, or a stress
+  /// Held by \ref stored_energy.
   virtual ~StoredEnergy() = default;
   /// What W is multiplied by to be energy per reference volume, given the mass density.
   virtual double weight(double density) const = 0;
