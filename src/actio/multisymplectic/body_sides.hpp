@@ -165,9 +165,11 @@ class HeldNodes {
   static Place plane_normal(BodyMesh const& mesh, std::string const& name) {
     Place normal{}, first{};
     bool begun = false;
-    for (auto const& facet : mesh.sides.at(name)) {
+    // Across a seam a facet has its places from its cell.
+    for (auto const& facet : facets_of_side(mesh, name)) {
       std::array<double, 3> p[3]{};
-      for (int k = 0; k < d; ++k) p[k] = mesh.nodes[facet[k]];
+      for (int k = 0; k < d; ++k)
+        p[k] = corner_place(mesh, facet.cell, facet_corners(mesh.shape, facet.facet)[k]);
       Place here{};
       if constexpr (d == 1)
         here[0] = 1;

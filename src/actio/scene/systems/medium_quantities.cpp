@@ -245,18 +245,18 @@ void define_medium(QuantityGraph& graph, MediumView<d> const& medium, MaterialLo
   graph.define(
       "circulation", {""}, [seen, loop](auto, double* out) { *out = circulation_along(*seen, loop); },
       [seen, loop](auto, double const*, std::size_t) {
-    auto const& v = seen->velocities();
     auto const& x = seen->places();
     double fastest = 0, length = 0;
     for (std::size_t k = 1; k < loop.stops.size(); ++k) {
       auto const &a = loop.stops[k - 1], &b = loop.stops[k];
-      double speed = 0, edge = 0;
+      double edge = 0;
       for (int i = 0; i < d; ++i) {
         double const along = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
-        speed += v[b.node][i] * v[b.node][i], edge += along * along;
+        edge += along * along;
       }
-      fastest = std::max(fastest, std::sqrt(speed)), length += std::sqrt(edge);
+      length += std::sqrt(edge);
     }
+    seen->for_nodes([&](double, auto const&, auto const& u) { fastest = std::max(fastest, length_of(u)); });
     return fastest * length;
       });
   graph.define("noether_balance", {""}, [seen, step](auto, double* out) {

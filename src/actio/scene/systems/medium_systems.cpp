@@ -177,8 +177,9 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
 }
 
 /// What the motion conserves under these sides and loads.
+template <int d>
 std::vector<Quantity> conserved_here(bool fluid, SceneFile const& file, MediumMesh const& mesh) {
-  MediumLoads<2> const loads = mesh.dimension == 2 ? read_medium_loads<2>(file, mesh) : MediumLoads<2>{};
+  MediumLoads<d> const loads = read_medium_loads<d>(file, mesh);
   auto all = medium_quantities(fluid);
   for (auto& quantity : all) {
     if (quantity.name == "energy") quantity.conserved = loads.energy;
@@ -206,13 +207,16 @@ Simulation prepare(Request const& request) {
     road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
   }
   double const bytes = require_memory(request.file, mesh, road != nullptr, request);
-  Simulation simulation(conserved_here(fluid, request.file, mesh));
+  int const d = mesh.dimension;
+  Simulation simulation(d == 1   ? conserved_here<1>(fluid, request.file, mesh)
+                        : d == 2 ? conserved_here<2>(fluid, request.file, mesh)
+                                 : conserved_here<3>(fluid, request.file, mesh));
   simulation.bytes = bytes;
   if (road)
     prepare_fast(simulation, request, mesh, material, *road, *box, start);
-  else if (mesh.dimension == 1)
+  else if (d == 1)
     prepare_on_mesh<1>(simulation, request, mesh, material, choice, energy, start);
-  else if (mesh.dimension == 2)
+  else if (d == 2)
     prepare_on_mesh<2>(simulation, request, mesh, material, choice, energy, start);
   else
     prepare_on_mesh<3>(simulation, request, mesh, material, choice, energy, start);
@@ -263,11 +267,11 @@ kind = "barotropic_fluid"
 mesh = { shape = "box", lower = [0, 0], upper = [1, 1], cells = [16, 16], periodic = [true, true] }
 material = { name = "polytropic_gas", K = 1, gamma = 2 }
 [initial]
-placement = ["X + 0.1*sin(2*pi*X)/(2*pi)", "Y"]
+placement = ["X + 0.02*sin(2*pi*X)/(2*pi)", "Y"]
 velocity = ["0", "0"]
 [run]
-until = 1
-every = 0.005
+until = 2
+every = 0.01
 [output]
 quantities = ["energy", "momentum", "min_jacobian"]
 )scene");
