@@ -25,10 +25,19 @@ struct NotABodyMesh : OutsideDomain {
       : OutsideDomain(where, required, measured_value, bound_value), cell(which_cell) {}
 };
 
+/// What a cell of a body is.
+enum class CellShape {
+  segment,        ///< of a body of one dimension
+  triangle,       ///< of two dimensions, with one deformation gradient
+  quadrilateral,  ///< of two dimensions, with a deformation gradient at each corner
+  tetrahedron,    ///< of three dimensions, with one deformation gradient
+  hexahedron      ///< of three dimensions, with a deformation gradient at each corner
+};
+
 /// Cells of a body in its reference space.
 struct BodyMesh {
   /// What all cells are.
-  enum class Shape { segment, triangle, quadrilateral, tetrahedron, hexahedron };
+  using Shape = CellShape;
 
   int dimension = 2;                         ///< of the body: 1, 2 or 3
   Shape shape = Shape::quadrilateral;        ///< of every cell

@@ -22,7 +22,7 @@ template <int d>
 struct CellPoint {
   Matrix<double, d, d> inverse_edges;  ///< \f$A^{-1}\f$, per length
   double volume;                       ///< its part of the reference volume
-  double weight;                       ///< of W(F): the integral of \ref StoredEnergy::weight over this part
+  double weight;                       ///< of W(F): the integral of the stored energy's weight over this part
 };
 
 namespace detail {

@@ -11,6 +11,7 @@ namespace actio::scene {
 /// The cells of a box of the fast road.
 class BoxCells final : public MediumCells<2> {
  public:
+  /// @param box  the cells
   explicit BoxCells(FastBox2d const& box) : box_(box) {}
   BodyMesh::Shape shape() const override { return BodyMesh::Shape::quadrilateral; }
   std::size_t nodes() const override { return static_cast<std::size_t>(box_.count()); }

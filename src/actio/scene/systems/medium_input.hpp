@@ -18,10 +18,12 @@ namespace actio::scene {
 struct MediumMesh {
   std::string shape;                     ///< box, disc, annulus, ball, shell or file
   int dimension = 2;                     ///< of the body
-  std::vector<double> lower, upper;      ///< of a box, length
+  std::vector<double> lower;             ///< corner of a box, length
+  std::vector<double> upper;             ///< the corner across, length
   std::vector<int> cells;                ///< of a box along each direction; of the others across and along
   std::vector<bool> periodic;            ///< of a box, along each direction
-  double inner = 0, outer = 0;           ///< radii, length; of a disc and a ball the outer one
+  double inner = 0;                      ///< radius of an annulus or a shell inside, length
+  double outer = 0;                      ///< radius of a round body outside, length
   std::shared_ptr<BodyMesh const> read;  ///< from a file; null of the others
   std::map<std::string, std::string> sides;  ///< what each side does: "free", "fixed", "sliding"
 
@@ -37,7 +39,7 @@ struct MediumMesh {
 MediumMesh read_medium_mesh(SceneFile const& file);
 
 /// The records of the keys of [system], [initial] and [method] of a medium.
-/// @param material  an example of a material
+/// @param fluid  whether they are those of a fluid
 std::vector<Parameter> medium_parameters(bool fluid);
 
 /// Formulas of a place or a velocity in X, Y, Z.

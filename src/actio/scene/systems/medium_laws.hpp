@@ -47,7 +47,9 @@ struct GasLaw {
 /// of the volume it is the part of a neo-Hookean solid that knows the volume, free of stress at rest.
 struct ReciprocalLaw {
   static constexpr bool in_lanes = true;  ///< slopes come four at a time
-  double a, b, c;                         ///< moduli over the mass density
+  double a;                               ///< of the logarithm, modulus over the mass density
+  double b;                               ///< of the square, the same
+  double c;                               ///< of J, the same
 
   /// U, speed squared.
   template <class T>

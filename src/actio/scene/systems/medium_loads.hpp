@@ -13,10 +13,11 @@ bool has_loads(SceneFile const& file);
 /// What the sides of a body do, those that are moved among them, and its loads.
 template <int d>
 struct MediumLoads {
-  BodySides<d> sides;  ///< by their names
-  BodyLoads<d> loads;  ///< what acts on it
-  /// Whether energy, linear and angular momentum are conserved.
-  bool energy = true, momentum = true, angular_momentum = true;
+  BodySides<d> sides;            ///< by their names
+  BodyLoads<d> loads;            ///< what acts on it
+  bool energy = true;            ///< whether energy is conserved
+  bool momentum = true;          ///< whether linear momentum is
+  bool angular_momentum = true;  ///< whether angular momentum is
 };
 
 /// `[system.load]`, `[system.obstacle]` and what the mesh says of sides.
