@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "actio/fast_body/any_dimension/matrix_algebra.hpp"
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 #include "actio/numbers/eigenvalues.hpp"
 
@@ -77,6 +78,20 @@ BOOST_AUTO_TEST_CASE(what_is_no_skew_matrix_of_numbers_is_refused) {
   BOOST_CHECK_THROW(skew_spectrum(a), NotFinite);
   BOOST_CHECK_THROW(skew_spectrum(MatrixXd::Zero(3, 2)), OutsideDomain);
   BOOST_CHECK_THROW(skew_spectrum(MatrixXd()), OutsideDomain);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(matrix_algebra)
+
+BOOST_AUTO_TEST_CASE(a_norm_counts_the_entries_of_its_matrix_and_nothing_behind_it) {
+  for (int n : {2, 4, 5, 9}) {
+    detail::MatrixAlgebra const algebra(n);
+    std::vector<double> room(algebra.size() + 8, 0.0);
+    room[detail::full_entry(algebra.shape(), 0, 1)] = 3, room[detail::full_entry(algebra.shape(), 1, 0)] = -4;
+    for (std::size_t k = algebra.size(); k < room.size(); ++k) room[k] = 7;
+    BOOST_TEST(algebra.norm(room.data()) == 5.0);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
