@@ -271,8 +271,8 @@ class Run {
     // A run with snapshots may be beyond its last row, and has it from its checkpoint.
     if (!wrote_ && report.ending == Ending::done && !has_snapshots()) evaluate_last_row();
     if (wrote_ || report.ending == Ending::done) report.last_row = row_;
-    // The tables are closed before the summary says that the run is finished: after a kill in between, `resume`
-    // closes them.
+    // The tables are closed before the summary says that the run is finished: after a kill in between,
+    // `resume` closes them.
     series_.clear(), times_.reset();
     if (!in_memory())
       attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
