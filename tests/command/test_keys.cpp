@@ -211,8 +211,13 @@ BOOST_AUTO_TEST_CASE(keys_are_shown_with_type_default_unit_and_example) {
   std::string const formats = actio({"show", "output.formats"}).out;
   for (auto const& part : {"series.h5", "csv, hdf5", "[\"csv\"]"}) BOOST_TEST(has(formats, part), formats);
   std::string const order = actio({"show", "method.order"}).out;
+  // Systems that say the same of a key are told of together.
+  std::string of_systems;
+  std::istringstream lines(order);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("method.order, a key of scenes of ")) of_systems += line + ',';
   for (auto const& system : systems())
-    BOOST_TEST(has(order, "method.order, a key of scenes of " + system["name"].get<std::string>()), order);
+    BOOST_TEST(has(of_systems, ' ' + system["name"].get<std::string>() + ','), order);
   BOOST_TEST(has(actio({"show", "seed"}).out, "with another one a random start is another one"));
   BOOST_TEST(has(actio({"show", "run"}).out, "run.every"));
   BOOST_TEST(has(actio({"show", "run.evry"}).err, "did you mean 'run.every'?"));

@@ -1,5 +1,5 @@
-// Media that move (thesis, chapters 6 to 10): barotropic fluids and elastic bodies by the multisymplectic
-// scheme.
+#include "actio/scene/systems/medium_system.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,16 +15,6 @@
 
 namespace actio::scene {
 namespace {
-
-std::vector<Method> methods() {
-  return {
-      {"multisymplectic",
-       {"2", "4"},
-       "The discrete Hamilton principle on space-time, with lumped masses and a deformation gradient at "
-       "each corner of a cell: explicit. It conserves the multisymplectic form, linear and angular "
-       "momentum; the energy oscillates with the square of the step. Composed of substeps order 4 in time.",
-       "claim_10_0_variational_discretisation"}};
-}
 
 /// Before anything of that size is touched.
 double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
@@ -189,10 +179,21 @@ std::vector<Quantity> conserved_here(bool fluid, SceneFile const& file, MediumMe
   return all;
 }
 
-template <bool fluid>
-Simulation prepare(Request const& request) {
+}  // namespace
+
+std::vector<Method> medium_methods() {
+  return {
+      {"multisymplectic",
+       {"2", "4"},
+       "The discrete Hamilton principle on space-time, with lumped masses and a deformation gradient at "
+       "each corner of a cell: explicit. It conserves the multisymplectic form, linear and angular "
+       "momentum; the energy oscillates with the square of the step. Composed of substeps order 4 in time.",
+       "claim_10_0_variational_discretisation"}};
+}
+
+Simulation prepare_medium(bool fluid, Request const& request) {
   SceneTable system = request.file.section("system"), method = request.file.section("method");
-  MethodChoice const choice = read_method(method, methods());
+  MethodChoice const choice = read_method(method, medium_methods());
   if (!method.has("conserve")) method.set("conserve", "form");
   bool const energy = method.choice("conserve", "conserved form", {"form", "energy"}) == "energy";
   Material const material = read_material(system, fluid);
@@ -223,7 +224,7 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
-std::vector<Parameter> parameters(bool fluid) {
+std::vector<Parameter> medium_scene_parameters(bool fluid) {
   auto all = medium_parameters(fluid);
   for (auto& key : load_parameters()) all.push_back(std::move(key));
   all.push_back(
@@ -237,60 +238,6 @@ std::vector<Parameter> parameters(bool fluid) {
        "\"energy\"",
        {"form", "energy"}});
   return all;
-}
-
-System medium(bool fluid, Simulation (*prepare)(Request const&), std::string const& example) {
-  return {fluid ? "barotropic_fluid" : "elastic_body",
-          fluid ? "Barotropic fluid" : "Elastic body",
-          fluid
-              ? "A compressible fluid without friction whose pressure is a function of its density, followed "
-                "particle by particle: a gas in a box, or against vacuum, on cells that move with it."
-              : "A hyperelastic solid at any strain and rotation, on cells that move with it.",
-          "chapter 10",
-          parameters(fluid),
-          methods(),
-          medium_quantities(fluid),
-          prepare,
-          example,
-          nullptr,
-          {},
-          nullptr,
-          medium_snapshots(fluid)};
-}
-
-}  // namespace
-
-/// The compressible fluid.
-System barotropic_fluid_system() {
-  return medium(true, prepare<true>, R"scene([system]
-kind = "barotropic_fluid"
-mesh = { shape = "box", lower = [0, 0], upper = [1, 1], cells = [16, 16], periodic = [true, true] }
-material = { name = "polytropic_gas", K = 1, gamma = 2 }
-[initial]
-placement = ["X + 0.02*sin(2*pi*X)/(2*pi)", "Y"]
-velocity = ["0", "0"]
-[run]
-until = 2
-every = 0.01
-[output]
-quantities = ["energy", "momentum", "min_jacobian"]
-)scene");
-}
-/// The hyperelastic solid.
-System elastic_body_system() {
-  return medium(false, prepare<false>, R"scene([system]
-kind = "elastic_body"
-mesh = { shape = "box", lower = [-1, -0.5], upper = [1, 0.5], cells = [16, 8] }
-material = { name = "neo_hookean", mu = 1, kappa = 2 }
-[initial]
-placement = ["X", "Y"]
-velocity = ["1 - 0.5*Y", "1 + 0.5*X + 0.2*Y"]
-[run]
-until = 4
-every = 0.02
-[output]
-quantities = ["energy", "momentum", "angular_momentum", "min_jacobian"]
-)scene");
 }
 
 }  // namespace actio::scene
