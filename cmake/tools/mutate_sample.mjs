@@ -16,7 +16,8 @@
 // versions are expressions of types that have nothing in common; of these the sample has fewer than its
 // share. Then each error is awakened alone, and the theorem checks (prime field and double, a tenth of the
 // points) and the library's tests that come by its place run until one of them fails. Result:
-// BUILD/report/mutation_sample.tsv; a survivor either changes nothing, which a line of
+// BUILD/report/mutation_sample.tsv; a run that was stopped goes on after its last trial unless a file has
+// changed since. A survivor either changes nothing, which a line of
 // proofs_checks/mutate/equivalent.tsv may explain, or is a gap. Status 1 where fewer than 95 of 100 of the
 // others are caught.
 import { execFile, execFileSync, spawnSync } from 'node:child_process';
@@ -294,6 +295,9 @@ constexpr bool on(int k) {
 }  // namespace actio::mutants
 `;
 
+// Whether a file of the copy was written: then trials of an earlier run say nothing.
+let changed = false;
+
 /// Writes a file of the copy with all errors that are planted in it.
 function writeFile(file, planted) {
   let text = fs.readFileSync(path.join(root, file), 'utf8');
@@ -304,7 +308,7 @@ function writeFile(file, planted) {
     text = `${text.slice(0, first.index)}#include "actio/mutants.hpp"\n${text.slice(first.index)}`;
   }
   const target = path.join(copy, file);
-  if (!fs.existsSync(target) || fs.readFileSync(target, 'utf8') !== text) fs.writeFileSync(target, text);
+  if (!fs.existsSync(target) || fs.readFileSync(target, 'utf8') !== text) fs.writeFileSync(target, text), changed = true;
 }
 
 function makeCopy() {
@@ -318,7 +322,7 @@ function makeCopy() {
       const here = new Set(fs.readdirSync(from));
       for (const old of fs.readdirSync(to)) if (!here.has(old) && old !== 'mutants.hpp') fs.rmSync(path.join(to, old), { recursive: true });
       for (const entry of here) sync(`${name}/${entry}`);
-    } else if (!own.has(name) && !(fs.existsSync(to) && fs.readFileSync(to).equals(fs.readFileSync(from)))) fs.copyFileSync(from, to);
+    } else if (!own.has(name) && !(fs.existsSync(to) && fs.readFileSync(to).equals(fs.readFileSync(from)))) fs.copyFileSync(from, to), changed = true;
   };
   for (const part of ['CMakeLists.txt', 'CMakePresets.json', 'LICENSE', 'cmake', 'src', 'proofs_checks', 'tests', 'benchmarks/peers', 'data']) if (fs.existsSync(path.join(root, part))) sync(part);
   const header = path.join(copy, 'src/actio/mutants.hpp');
@@ -459,19 +463,30 @@ async function main() {
       explained.set([file, original, mutated].join('\t'), why);
     }
   const flat = s => s.replace(/\s+/g, ' ').trim();
-  const results = [], queue = [...planted];
+  const trials = path.join(copy, 'trials.jsonl'), done = new Map();
+  if (changed || !fs.existsSync(trials)) fs.writeFileSync(trials, '');
+  for (const line of fs.readFileSync(trials, 'utf8').split('\n').filter(Boolean)) {
+    const { k, result, who } = JSON.parse(line);
+    done.set(k, { result, who });
+  }
+  // What is explained changes nothing.
+  const why = m => explained.get([m.file, flat(m.original), flat(m.mutated)].join('\t'));
+  const settled = (m, { result, who }) => ({ ...m, ...(result !== 'caught' && why(m) ? { result: 'equivalent', who: why(m) } : { result, who }) });
+  const results = planted.filter(m => done.has(m.k)).map(m => settled(m, done.get(m.k)));
+  if (results.length) console.log(`${results.length} of them were tried before`);
+  const queue = planted.filter(m => !done.has(m.k));
   const worker = async () => {
     for (let m; (m = queue.shift());) {
       const by = (passedBy.get(m.k) ?? []).sort((a, b) => times.get(a) - times.get(b));
       let result = by.length ? 'survived' : 'never reached', who = '';
-      const why = explained.get([m.file, flat(m.original), flat(m.mutated)].join('\t'));
       for (const unit of by) {
         const r = await trial(unit, m.k, 20 + 10 * times.get(unit));
         if (r.failed) { result = 'caught', who = `${unit.name}: ${r.said}`; break; }
       }
       if (result === 'never reached' && ofNumbers.has(m.k)) result = 'equivalent', who = 'a product of numbers';
-      if (result !== 'caught' && why) result = 'equivalent', who = why;
-      results.push({ ...m, result, who });
+      fs.appendFileSync(trials, `${JSON.stringify({ k: m.k, result, who })}\n`);
+      results.push(settled(m, { result, who }));
+      ({ result, who } = results.at(-1));
       console.log(`${String(results.length).padStart(4)} ${result.padEnd(13)} ${m.file}:${m.line} [${m.rule}] ${flat(m.shown[0])} -> ${flat(m.shown[1])}${who ? `  by ${who}` : ''}`);
     }
   };
