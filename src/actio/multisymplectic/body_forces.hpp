@@ -47,27 +47,37 @@ class BodyForces {
     loads.add_forces(body, x, t, f);
     return least;
   }
-  /// The forces between places x0 and x1 that do the work which the energy loses, and keep momenta.
-  /// @return the least Jacobian at x1; where it is not positive the forces are not complete
-  LeastJacobian discrete_forces(std::vector<double> const& x0, std::vector<double> const& x1, double t,
-                                std::vector<double>& f) const {
-    f.assign(x0.size(), 0);
+  /// The forces along a way from places x that do the work which the energy loses, and keep momenta.
+  ///
+  /// Where a body is does not matter for their rounding: they are made of differences of neighbours' places
+  /// and of their ways.
+  /// @param x, rest  places, rounded, and what is to be added to them
+  /// @param way      how far the nodes go
+  /// @return the least Jacobian at the end; where it is not positive the forces are not complete
+  LeastJacobian discrete_forces(std::vector<double> const& x, std::vector<double> const& rest,
+                                std::vector<double> const& way, double t, std::vector<double>& f) const {
+    f.assign(x.size(), 0);
     LeastJacobian least;
-    double from[8][d], to[8][d], on[8][d];
+    double from[8][d], beyond[8][d], along[8][d], on[8][d];
     for (int cell = 0; cell < body.cells(); ++cell) {
-      body.gather(x0, cell, from), body.gather(x1, cell, to);
+      body.gather(x, cell, from), body.gather(rest, cell, beyond, false),
+          body.gather(way, cell, along, false);
       clear(on);
       for (int p = 0; p < body.points_per_cell; ++p) {
         auto const& point = body.at(cell, p);
-        Gradient const F0 = body.gradient(from, p, point), F1 = body.gradient(to, p, point);
+        Gradient const change = body.gradient(along, p, point),
+                       F0 = (body.edges(from, p) + body.edges(beyond, p)) * point.inverse_edges,
+                       F1 = F0 + change;
         if (!note(F1, cell, least)) return least;
         auto const energy = [&](Gradient const& F) { return weighed_energy(F, point); };
         auto const stress = [&](Gradient const& F) { return weighed_stress(F, point); };
-        body.add_forces(discrete_stress<d>(energy, stress, F0, F1), p, point, on);
+        body.add_forces(discrete_stress<d>(energy, stress, F0, change), p, point, on);
       }
       body.scatter(on, cell, f);
     }
-    loads.add_discrete_forces(body, x0, x1, t, f);
+    std::vector<double> end = x;
+    for (std::size_t k = 0; k < end.size(); ++k) end[k] += way[k];
+    loads.add_discrete_forces(body, x, end, t, f);
     return least;
   }
   /// The rate at which forces fall along a change u of places x: the second derivative of the energy.

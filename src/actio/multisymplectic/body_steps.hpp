@@ -65,22 +65,25 @@ class BodySteps {
   /// @throws NotConverged  where the iteration does not reach rounding
   LeastJacobian implicit_step(BodyState& s, double h, double t0, double t1) const {
     std::size_t const n = s.x.size();
-    std::vector<double> y(n), f(n), r(n), good = s.x, delta;
-    for (std::size_t k = 0; k < n; ++k) y[k] = s.x[k] + h * s.v[k];
-    held.put_places(y, t1);
+    std::vector<double> way(n), f(n), r(n), good, delta;
+    for (std::size_t k = 0; k < n; ++k) way[k] = h * s.v[k];
+    put_moved_ways(s, way, t1);
+    good = way;
     std::vector<double> history;
-    double const eps = std::numeric_limits<double>::epsilon();
+    double const eps = std::numeric_limits<double>::epsilon(), size_of_body = extent(s.x);
     bool newton = false;
     double last = HUGE_VAL;
     for (int round = 0; round < 200; ++round) {
-      LeastJacobian const least = discrete_forces_from(s.x, y, good, 0.5 * (t0 + t1), f);
+      LeastJacobian const least = discrete_forces_along(s, way, good, 0.5 * (t0 + t1), f);
       if (!(least.jacobian > 0)) return least;
       accelerate(f);
-      auto const [size, scale] = residual(s, y, f, h, t1, r);
+      double const size = residual(s, way, f, h, t1, r);
       if (!is_finite(size)) throw NotFinite("medium on a mesh: step that keeps energy");
-      // To where rounding lets it fall no further: what is left then has no direction of its own.
-      if (size <= eps / 4 * scale || (size > 0.3 * last && size < 1e3 * eps * scale)) {
-        finish(s, y, f, h, t1);
+      // To where rounding lets it fall no further: what is left before has a direction, and its work adds up.
+      double const rounding = eps * size_of_body;
+      if (size == 0 || (size > 0.3 * last && size <= 4 * rounding) ||
+          (size >= last && size < 1e3 * rounding)) {
+        finish(s, f, h, t1);
         return least;
       }
       history.push_back(size);
@@ -89,10 +92,10 @@ class BodySteps {
       } else {
         bool const worse = size > last;
         newton = newton || size > 0.3 * last;
-        if (!worse) good = y, delta = r, last = size;
+        if (!worse) good = way, delta = r, last = size;
         if (newton) correct(s.x, good, h, delta);
       }
-      for (std::size_t k = 0; k < n; ++k) y[k] = good[k] + delta[k];
+      for (std::size_t k = 0; k < n; ++k) way[k] = good[k] + delta[k];
     }
     throw NotConverged("medium on a mesh: step that keeps energy", history, 1e3 * eps);
   }
@@ -144,57 +147,66 @@ class BodySteps {
       for (int a = 0; a < d; ++a) s.x_rest[std::size_t(d) * node + a] = 0;
     });
   }
-  /// Discrete forces to y, or where that is inside out to places nearer to the good ones.
-  LeastJacobian discrete_forces_from(std::vector<double> const& x, std::vector<double>& y,
-                                     std::vector<double> const& good, double t,
-                                     std::vector<double>& f) const {
+  /// The way of moved sides, from where they are.
+  void put_moved_ways(BodyState const& s, std::vector<double>& way, double t) const {
+    if (!held.any_moved()) return;
+    std::vector<double> there = s.x;
+    held.put_places(there, t);
+    held.for_moved([&](int node) {
+      for (int a = 0; a < d; ++a) {
+        std::size_t const k = std::size_t(d) * node + a;
+        way[k] = there[k] - s.x[k];
+      }
+    });
+  }
+  /// The size of a body, along the longest of its directions.
+  static double extent(std::vector<double> const& x) {
+    double most = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) most = std::max(most, std::abs(x[k] - x[k % d]));
+    return most;
+  }
+  /// Discrete forces along a way, or where its end is inside out along one nearer to the good one.
+  LeastJacobian discrete_forces_along(BodyState const& s, std::vector<double>& way,
+                                      std::vector<double> const& good, double t,
+                                      std::vector<double>& f) const {
     LeastJacobian least;
     for (int halving = 0; halving < 20; ++halving) {
-      least = forces.discrete_forces(x, y, t, f);
+      least = forces.discrete_forces(s.x, s.x_rest, way, t, f);
       if (least.jacobian > 0) break;
-      for (std::size_t k = 0; k < y.size(); ++k) y[k] = 0.5 * (y[k] + good[k]);
+      for (std::size_t k = 0; k < way.size(); ++k) way[k] = 0.5 * (way[k] + good[k]);
     }
     return least;
   }
-  /// What the equation of the step has at y and what y is, both with the largest modulus.
-  std::pair<double, double> residual(BodyState const& s, std::vector<double> const& y,
-                                     std::vector<double> const& a, double h, double t,
-                                     std::vector<double>& r) const {
-    for (std::size_t k = 0; k < y.size(); ++k) {
-      double const v = s.v[k] + (s.v_rest[k] + h * a[k]);
-      r[k] = s.x[k] + (s.x_rest[k] + h / 2 * (s.v[k] + v));
+  /// What the way of a step with these accelerations, \f$hv_0+\tfrac{h^2}2a\f$, has beyond the one at which
+  /// they were taken: r, and its largest modulus.
+  double residual(BodyState const& s, std::vector<double> const& way, std::vector<double> const& a, double h,
+                  double t, std::vector<double>& r) const {
+    for (std::size_t k = 0; k < way.size(); ++k) r[k] = h * (s.v[k] + (s.v_rest[k] + h / 2 * a[k]));
+    put_moved_ways(s, r, t);
+    double size = 0;
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      r[k] -= way[k];
+      if (!is_finite(r[k])) return r[k];
+      size = std::max(size, std::abs(r[k]));
     }
-    held.put_places(r, t);
-    double size = 0, scale = 0;
-    for (std::size_t k = 0; k < y.size(); ++k) {
-      r[k] -= y[k];
-      size = std::max(size, std::abs(r[k])), scale = std::max(scale, std::abs(y[k]));
-      if (!is_finite(r[k])) size = r[k];
-      if (!is_finite(size)) break;
-    }
-    return {size, scale};
+    return size;
   }
-  /// The state at the end, given the accelerations. Its places are those at which the stresses were taken, to
-  /// the last bit, and what the equation has beyond them is their rest: so what a solution is off by does
-  /// work once and not in every step.
-  void finish(BodyState& s, std::vector<double> const& y, std::vector<double> const& a, double h,
-              double t) const {
+  /// The state at the end, given the accelerations.
+  void finish(BodyState& s, std::vector<double> const& a, double h, double t) const {
     for (std::size_t k = 0; k < a.size(); ++k) {
-      double const before = s.v[k];
+      detail::add_with_rest(s.x[k], s.x_rest[k], h * (s.v[k] + (s.v_rest[k] + h / 2 * a[k])));
       detail::add_with_rest(s.v[k], s.v_rest[k], h * a[k]);
-      s.x_rest[k] += h / 2 * (before + s.v[k]) - (y[k] - s.x[k]);
-      s.x[k] = y[k];
     }
     put_moved(s, t);
     if (held.any_moved()) held.put_velocities(s.v, t);
   }
   /// r becomes the solution of \f$(M+\tfrac{h^2}4K)\,\delta = Mr\f$, with K in the middle of the step, by
   /// conjugate gradients to a thousandth; where the matrix is not positive, what they have by then.
-  void correct(std::vector<double> const& x, std::vector<double> const& y, double h,
+  void correct(std::vector<double> const& x, std::vector<double> const& way, double h,
                std::vector<double>& r) const {
     std::size_t const n = r.size();
     std::vector<double> middle(n), delta(n, 0), rest = r, p = r, q;
-    for (std::size_t k = 0; k < n; ++k) middle[k] = 0.5 * (x[k] + y[k]);
+    for (std::size_t k = 0; k < n; ++k) middle[k] = x[k] + 0.5 * way[k];
     auto const product = [&](std::vector<double> const& a, std::vector<double> const& b) {
       double sum = 0;
       for (std::size_t k = 0; k < n; ++k) sum += masses()[k / d] * a[k] * b[k];
