@@ -45,6 +45,12 @@ namespace detail {
 /// The nodes of a box as the fused steps hold them; one for each kind of box.
 template <class Box, class Cell>
 struct FusedNodes;
+/// What steps a cell of a medium in a box.
+template <class Medium, class Box>
+using CellOf = decltype(cell_on(std::declval<Medium const&>(), std::declval<Box const&>().spacing));
+/// The nodes of a medium in a box.
+template <class Medium, class Box>
+using NodesOf = typename FusedNodes<Box, CellOf<Medium, Box>>::type;
 
 /// Vectors as arrays.
 inline std::array<double, 2> as_point(Plane<double> const& a) { return {a.x, a.y}; }
@@ -202,8 +208,8 @@ class FastMedium {
   double largest_step() const { return 2 / detail::largest_frequency(box_, cell_, nodes_.read(false)); }
 
  private:
-  using Cell = decltype(detail::cell_on(std::declval<Medium const&>(), std::declval<Box const&>().spacing));
-  using Nodes = typename detail::FusedNodes<Box, Cell>::type;
+  using Cell = detail::CellOf<Medium, Box>;
+  using Nodes = detail::NodesOf<Medium, Box>;
   using Register = typename Nodes::Register;
   using Vector = detail::VectorOf<Box, double>;
   static constexpr long between_copies = 512;  // a copy costs about a step

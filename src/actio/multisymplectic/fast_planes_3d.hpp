@@ -189,22 +189,7 @@ class FusedPlanes3d {
       for (Register& place : seam_) place = place + by;
     }
   }
-  void sweep(Band& band) {
-    Register* const rows = band.room.data() + packs_ * static_cast<std::size_t>(rows_);
-    Sweep3d<Cell> sweep{cell_,
-                        strips_,
-                        dt_,
-                        band.layers.data(),
-                        static_cast<int>(band.layers.size()),
-                        rows_,
-                        box_.periodic(1),
-                        row_shares_.data(),
-                        {box_.shift(0), box_.shift(1)},
-                        {band.room.data(), rows, rows + packs_, rows + 2 * packs_, rows + 3 * packs_,
-                         rows + 4 * packs_, rows + 5 * packs_}};
-    run_with(registers_, sweep);
-    band.signs |= sweep.signs;
-  }
+  void sweep(Band& band);
 
   FastBox3d box_;
   Cell cell_;
@@ -219,5 +204,23 @@ class FusedPlanes3d {
   std::vector<Space<double>> row_shares_;
   std::vector<Band> bands_;
 };
+
+template <class Cell>
+void FusedPlanes3d<Cell>::sweep(Band& band) {
+  Register* const rows = band.room.data() + packs_ * static_cast<std::size_t>(rows_);
+  Sweep3d<Cell> sweep{cell_,
+                      strips_,
+                      dt_,
+                      band.layers.data(),
+                      static_cast<int>(band.layers.size()),
+                      rows_,
+                      box_.periodic(1),
+                      row_shares_.data(),
+                      {box_.shift(0), box_.shift(1)},
+                      {band.room.data(), rows, rows + packs_, rows + 2 * packs_, rows + 3 * packs_,
+                       rows + 4 * packs_, rows + 5 * packs_}};
+  run_with(registers_, sweep);
+  band.signs |= sweep.signs;
+}
 
 }  // namespace actio::detail

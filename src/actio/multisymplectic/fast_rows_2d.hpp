@@ -73,38 +73,7 @@ class FusedRows2d {
     return out;
   }
   /// So many steps on. @return whether no Jacobian was seen that is negative
-  bool advance(long count) {
-    for (auto& band : bands_) band.signs = Quad::Bits{};
-    as_team(static_cast<int>(bands_.size()), [&](int b, Meeting& meeting) {
-      Band& band = bands_[static_cast<std::size_t>(b)];
-      for (long done = 0; done < count;) {
-        int const levels = static_cast<int>(std::min<long>(levels_, count - done));
-        take_rows(band, levels);
-        meeting.wait();
-        bool const round = box_.periodic(1);
-        Sweep2d<Cell> sweep{cell_,
-                            strips_,
-                            rest(),
-                            box_.shift(0),
-                            dt_,
-                            band.rows.data(),
-                            static_cast<int>(band.rows.size()),
-                            levels,
-                            !round && band.low == 0 && band.from - levels <= 0,
-                            !round && band.high == box_.nodes(1),
-                            band.forces.data(),
-                            box_.shift(1),
-                            band.lifted.data()};
-        run_with(registers_, sweep);
-        band.signs |= sweep.signs;
-        done += levels;
-        meeting.wait();
-      }
-    });
-    bool sound = true;
-    for (auto const& band : bands_) sound = sound && !any_sign(band.signs);
-    return sound;
-  }
+  bool advance(long count);
   /// Whether all cells of the state have positive Jacobians.
   bool examine() const {
     std::vector<Register const*> rows;
@@ -191,6 +160,40 @@ class FusedRows2d {
   std::vector<Register> state_;
   std::vector<Band> bands_;
 };
+
+template <class Cell>
+bool FusedRows2d<Cell>::advance(long count) {
+  for (auto& band : bands_) band.signs = Quad::Bits{};
+  as_team(static_cast<int>(bands_.size()), [&](int b, Meeting& meeting) {
+    Band& band = bands_[static_cast<std::size_t>(b)];
+    for (long done = 0; done < count;) {
+      int const levels = static_cast<int>(std::min<long>(levels_, count - done));
+      take_rows(band, levels);
+      meeting.wait();
+      bool const round = box_.periodic(1);
+      Sweep2d<Cell> sweep{cell_,
+                          strips_,
+                          rest(),
+                          box_.shift(0),
+                          dt_,
+                          band.rows.data(),
+                          static_cast<int>(band.rows.size()),
+                          levels,
+                          !round && band.low == 0 && band.from - levels <= 0,
+                          !round && band.high == box_.nodes(1),
+                          band.forces.data(),
+                          box_.shift(1),
+                          band.lifted.data()};
+      run_with(registers_, sweep);
+      band.signs |= sweep.signs;
+      done += levels;
+      meeting.wait();
+    }
+  });
+  bool sound = true;
+  for (auto const& band : bands_) sound = sound && !any_sign(band.signs);
+  return sound;
+}
 
 }  // namespace detail
 }  // namespace actio
