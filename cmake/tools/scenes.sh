@@ -13,19 +13,29 @@ mv "$reports/systems.json.part" "$reports/systems.json"
 "$build/bin/actio" list keys --json >"$reports/keys.json.part"
 mv "$reports/keys.json.part" "$reports/keys.json"
 
-ran=0 current=0 failed=()
 cd "$root"
+# From the folder of the reports, so that what a run says of its own folder is a name and no path of this
+# machine.
+run_scene() { # SCENE
+  local name
+  name=$(basename "$1" .toml)
+  # shellcheck disable=SC2016
+  bash cmake/tools/once.sh "$reports/$name.stamp" --keep "$reports/$name.txt" "$1" "$build/bin/actio" -- \
+    bash -c 'cd "$1" && exec "$2" run "$3" --out "$4" --force --plots' scene "$reports" "$build/bin/actio" "$root/$1" "$name" \
+    >"$reports/$name.log" 2>&1 || touch "$reports/$name.failed"
+}
+export -f run_scene
+export build root reports
+# shellcheck disable=SC2016
+printf '%s\n' data/scenes/*.toml | xargs -P "$(nproc)" -n 1 bash -c 'run_scene "$1"' scene
+ran=0 current=0 failed=()
 for scene in data/scenes/*.toml; do
   name=$(basename "$scene" .toml)
-  # From the folder of the reports, so that what a run says of its own folder is a name and no path of this
-  # machine. shellcheck disable=SC2016
-  if bash cmake/tools/once.sh "$reports/$name.stamp" --keep "$reports/$name.txt" "$scene" "$build/bin/actio" -- \
-    bash -c 'cd "$1" && exec "$2" run "$3" --out "$4" --force --plots' scene "$reports" "$build/bin/actio" "$root/$scene" "$name" >"$reports/$name.log" 2>&1; then
-    if grep -q '^current:' "$reports/$name.log"; then current=$((current + 1)); else ran=$((ran + 1)); fi
-  else
+  if [[ -f $reports/$name.failed ]]; then
+    rm "$reports/$name.failed"
     failed+=("$name")
     tail -n 20 "$reports/$name.log" >&2
-  fi
+  elif grep -q '^current:' "$reports/$name.log"; then current=$((current + 1)); else ran=$((ran + 1)); fi
 done
 
 python=$(sed -n 's/^Python_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt" 2>/dev/null || true)

@@ -28,8 +28,8 @@ struct FusedNodes<FastBox2d, Cell> {
 template <class Medium>
 using FastMedium2d = FastMedium<Medium, FastBox2d>;
 
-// Our own programs have the steps of these media compiled once (compiled_media_in_plane.cpp): that takes longer
-// than most of them.
+// Our own programs have the steps of these media compiled once (compiled_media_in_plane.cpp): that takes
+// longer than most of them.
 #ifdef ACTIO_COMPILED_STEPS
 namespace detail {
 extern template class FusedRows2d<CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox2d>>;

@@ -24,8 +24,8 @@ struct FusedNodes<FastBox3d, Cell> {
 template <class Medium>
 using FastMedium3d = FastMedium<Medium, FastBox3d>;
 
-// Our own programs have the steps of these media compiled once (compiled_media_in_space.cpp): that takes longer
-// than most of them.
+// Our own programs have the steps of these media compiled once (compiled_media_in_space.cpp): that takes
+// longer than most of them.
 #ifdef ACTIO_COMPILED_STEPS
 namespace detail {
 extern template class FusedPlanes3d<CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox3d>>;
