@@ -1,133 +1,20 @@
 // A free rigid body in n dimensions (thesis, chapter 5).
 #include <fmt/format.h>
 
-#include <functional>
+#include <algorithm>
 #include <optional>
-#include <type_traits>
 
-#include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
-#include "actio/fast_body/any_dimension/natural_chart_n.hpp"
-#include "actio/reduction/composition.hpp"
+#include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 #include "actio/scene/systems/angle_input.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
+#include "actio/scene/systems/free_motion_n.hpp"
 #include "actio/scene/systems/method_input.hpp"
-#include "actio/scene/systems/turning_body_n.hpp"
 
 namespace actio::scene {
 namespace {
 
-using Group = SO<Eigen::Dynamic>;
-using Eigen::MatrixXd;
-
-/// A body at the start.
-struct Start {
-  Inertia<Eigen::Dynamic> inertia;
-  MatrixXd attitude, velocity, momentum;
-};
-
-/// One scheme for each length that the substeps of a composition have, in the order of the substeps.
-template <class Scheme>
-class Substeps {
- public:
-  /// @param make  a scheme with steps of a given length
-  template <class Make>
-  Substeps(std::vector<double> const& fractions, double step, Make const& make) {
-    std::vector<double> lengths;
-    for (double const fraction : fractions) {
-      auto const known = std::ranges::find(lengths, fraction);
-      which_.push_back(static_cast<std::size_t>(known - lengths.begin()));
-      if (known != lengths.end()) continue;
-      lengths.push_back(fraction);
-      schemes_.push_back(make(fraction * step));
-    }
-  }
-  Scheme& front() { return schemes_.front(); }
-  /// A whole step. Where one of its substeps fails, the body is as it was.
-  template <class Body>
-  void step(Body& body, bool with_attitude) {
-    if (which_.size() == 1) return substep(schemes_.front(), body, with_attitude);
-    Body const before = body;
-    try {
-      for (std::size_t const k : which_) substep(schemes_[k], body, with_attitude);
-    } catch (...) {
-      body = before;
-      throw;
-    }
-  }
-
- private:
-  template <class Body>
-  static void substep(Scheme& scheme, Body& body, bool with_attitude) {
-    with_attitude ? scheme.step_with_attitude(body) : scheme.step(body);
-  }
-  std::vector<Scheme> schemes_;
-  std::vector<std::size_t> which_;
-};
-
-/// In steps of a scheme for n at run time, or of a symmetric composition of it.
-template <class Scheme>
-class SteppedMotion : public TurningBodyN {
- public:
-  using Make = std::function<Substeps<Scheme>(double step)>;
-
-  SteppedMotion(Make make, double step, Start const& start, bool with_attitude)
-      : make_(std::move(make)),
-        steps_(make_(step)),
-        body_(released(steps_.front(), start.attitude, start.momentum)),
-        with_attitude_(with_attitude) {
-    // Only the first step shows whether it is too long.
-    auto body = body_;
-    steps_.step(body, false);
-  }
-  void advance(long count) override {
-    ahead_.reset();
-    for (long k = 0; k < count; ++k) steps_.step(body_, with_attitude_);
-  }
-  void look_ahead(double time) override {
-    ahead_.reset();
-    if (time == 0) return;
-    auto shorter = make_(time);
-    auto body = released(shorter.front(), body_.attitude().value, momentum_of(body_));
-    shorter.step(body, with_attitude_);
-    ahead_.emplace(std::move(body));
-  }
-  void remember(CheckpointStream& stream) override { body_.remember(stream); }
-  MatrixXd body_momentum() const override { return momentum_of(ahead_ ? *ahead_ : body_); }
-  MatrixXd attitude() const override { return (ahead_ ? *ahead_ : body_).attitude().value; }
-
- private:
-  static auto released(Scheme const& scheme, MatrixXd const& attitude, MatrixXd const& momentum) {
-    Group const group = scheme.inertia().group;
-    return scheme.release({group, attitude}, {group, group.vee(momentum)});
-  }
-  using Body = decltype(released(std::declval<Scheme const&>(), {}, {}));
-  static MatrixXd momentum_of(Body const& body) {
-    auto const pi = body.momentum();
-    return pi.group.hat(pi.components);
-  }
-
-  Make make_;
-  Substeps<Scheme> steps_;
-  Body body_;
-  std::optional<Body> ahead_;
-  bool with_attitude_;
-};
-
-/// What does not move: the momentum, without an attitude, of a body all whose moments are equal; and the
-/// start of a motion that can take no step.
-class ConstantMomentum : public TurningBodyN {
- public:
-  explicit ConstantMomentum(MatrixXd momentum, MatrixXd attitude = {})
-      : momentum_(std::move(momentum)), attitude_(std::move(attitude)) {}
-  MatrixXd body_momentum() const override { return momentum_; }
-  MatrixXd attitude() const override { return attitude_; }
-
- private:
-  MatrixXd momentum_, attitude_;
-};
-
 /// @throws SceneError  where energy, |M|^2 or a Casimir that was asked for is beyond the numbers
-void require_finite_start(SceneTable const& initial, Start const& start, bool casimirs) {
+void require_finite_start(SceneTable const& initial, StartOfBodyN const& start, bool casimirs) {
   bool const finite = is_finite(start.momentum.squaredNorm()) &&
                       is_finite(start.momentum.cwiseAbs().cwiseProduct(start.velocity.cwiseAbs()).sum()) &&
                       is_finite(start.velocity.squaredNorm());
@@ -144,9 +31,9 @@ void require_finite_start(SceneTable const& initial, Start const& start, bool ca
                              largest, most, n / 2 * 2));
 }
 
-Start read_start(SceneTable const& system, SceneTable const& initial, bool casimirs,
-                 std::vector<std::string>& remarks) {
-  Start start{read_lambda(system), {}, {}, {}};
+StartOfBodyN read_start(SceneTable const& system, SceneTable const& initial, bool casimirs,
+                        std::vector<std::string>& remarks) {
+  StartOfBodyN start{read_lambda(system), {}, {}, {}};
   int const n = start.inertia.group.n;
   start.attitude = read_attitude_n(initial, n, remarks);
   start.velocity = read_velocity_n(initial, n);
@@ -178,42 +65,16 @@ long steps_in_5_ms(bool chart, int n) {
   return std::max(1L, static_cast<long>(5e-3 / seconds));
 }
 
-std::vector<double> fractions_of(int order) {
-  return order == 2 ? std::vector<double>{1} : order == 4 ? suzuki<double>() : kahan_li<double>();
-}
-
-/// What is stepped, and how.
-struct Choice {
-  bool chart;  ///< the natural chart, otherwise Moser and Veselov
-  int order;
-  bool attitude;
-};
-
-std::unique_ptr<TurningBodyN> motion_of(Choice const& choice, Start const& start, double step,
-                                        Sweeps sweeps = Sweeps::beyond_rounding) {
-  auto const fractions = fractions_of(choice.order);
-  auto const inertia = start.inertia;
-  auto const stepped = [&]<class Scheme>(std::type_identity<Scheme>, auto make) {
-    return std::make_unique<SteppedMotion<Scheme>>(
-        [=](double h) { return Substeps<Scheme>(fractions, h, make); }, step, start, choice.attitude);
-  };
-  if (choice.chart)
-    return stepped(std::type_identity<FastNaturalChart>{},
-                   [=](double h) { return FastNaturalChart(inertia, h); });
-  return stepped(std::type_identity<FastMoserVeselov>{},
-                 [=](double h) { return FastMoserVeselov(inertia, h, sweeps); });
-}
-
 /// The longest step of a composition is that of its longest substep; a little less is tried where a later
 /// substep is still too long.
-[[noreturn]] void fail_for_long_composition(Choice const& choice, Start const& start,
+[[noreturn]] void fail_for_long_composition(StepsOfBodyN const& choice, StartOfBodyN const& start,
                                             SceneTable const& method, Schedule const& schedule, double step,
                                             StepTooLong const& error) {
   double longest = 0;
   for (double const fraction : fractions_of(choice.order)) longest = std::max(longest, std::abs(fraction));
   double largest = std::min(step, error.largest_step / longest);
   for (int k = 0; k < 40; ++k) try {
-      motion_of(choice, start, largest);
+      stepped_motion_n(choice, start, largest);
       break;
     } catch (Error const&) {
       largest *= 0.9;
@@ -227,7 +88,7 @@ std::unique_ptr<TurningBodyN> motion_of(Choice const& choice, Start const& start
 /// dimensions had errors of c theta^6 Theta: of the momentum c = 5e-4 in the median and 1e-3 at most, of the
 /// attitude 1.4e-3 and 1.9e-3. A tenth of the bound is aimed at. A tenth of a radian is not exceeded; other
 /// orders take a twentieth.
-double default_turn(Choice const& choice, double fastest, double until) {
+double default_turn(StepsOfBodyN const& choice, double fastest, double until) {
   if (choice.chart || choice.order != 6) return 0.05;
   return std::clamp(std::pow(1e-7 / (2e-3 * std::max(1.0, fastest * until)), 1.0 / 6), 1e-3, 0.1);
 }
@@ -235,14 +96,15 @@ double default_turn(Choice const& choice, double fastest, double until) {
 /// Steps four times as long. Of Moser and Veselov's scheme they cost less than a third of the run up to a
 /// tenth of a radian a step, as the companion need not solve each step to rounding, and up to two fifths
 /// beyond; of the natural chart, which takes more sweeps for longer steps, a third to two thirds.
-Companion companion_of(Choice const& choice, Start const& start, double step, std::optional<bool> wanted) {
+Companion companion_of(StepsOfBodyN const& choice, StartOfBodyN const& start, double step,
+                       std::optional<bool> wanted) {
   if (!wanted.value_or(true)) return {nullptr, 0, 0, choice.attitude, "left out by output.error_estimate"};
   if (choice.chart && !wanted)
     return {nullptr, 0, 0, choice.attitude,
             "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
   Sweeps const sweeps = choice.order == 2 ? Sweeps::to_half_the_digits : Sweeps::to_rounding;
   for (auto const& [steps, in_words] : {std::pair(4, "four"), {3, "three"}, {2, "two"}}) try {
-      return {motion_of(choice, start, steps * step, sweeps), steps, choice.order, choice.attitude,
+      return {stepped_motion_n(choice, start, steps * step, sweeps), steps, choice.order, choice.attitude,
               fmt::format("estimated from a companion run with steps {} times as long", in_words)};
     } catch (Error const&) {
       // So long a step is beyond the scheme.
@@ -261,32 +123,32 @@ Simulation prepare(Request const& request) {
   bool const with_attitude = asked("attitude");
 
   Simulation simulation(turning_body_n_quantities());
-  Start const start = read_start(system, initial, asked("casimir"), simulation.remarks);
+  StartOfBodyN const start = read_start(system, initial, asked("casimir"), simulation.remarks);
   MethodChoice const asked_method = read_method(method, methods());
-  Choice const choice{asked_method.name == "natural_chart", asked_method.number(), with_attitude};
+  StepsOfBodyN const choice{asked_method.name == "natural_chart", asked_method.number(), with_attitude};
   double const fastest = skew_spectrum(start.velocity).maxCoeff();
   simulation.step =
       read_step(method, request.schedule, fastest, default_turn(choice, fastest, request.schedule.until()));
   simulation.steps_at_once =
       std::max(1L, steps_in_5_ms(choice.chart, start.inertia.group.n) / (choice.order == 2 ? 1 : 40));
   std::unique_ptr<TurningBodyN> motion;
+  bool constant = false;
   try {
-    motion = motion_of(choice, start, simulation.step);
+    motion = stepped_motion_n(choice, start, simulation.step);
   } catch (StepTooLong const& error) {
     if (choice.order != 2)
       fail_for_long_composition(choice, start, method, request.schedule, simulation.step, error);
     fail_for_long_step(method, request.schedule, error);
   } catch (Error const& error) {
     simulation.failure = method.place("step").text() + ": " + error.what();
-    motion = std::make_unique<ConstantMomentum>(start.momentum, start.attitude);
+    motion = constant_motion_n(start.momentum, start.attitude), constant = true;
   }
 
   if (!with_attitude) simulation.shortcuts.push_back("momentum only: no attitude is reconstructed");
   if (!with_attitude && start.inertia.moments.maxCoeff() == start.inertia.moments.minCoeff()) {
     simulation.shortcuts.push_back("all moments are equal: the momentum is constant");
-    motion = std::make_unique<ConstantMomentum>(start.momentum);
+    motion = constant_motion_n(start.momentum), constant = true;
   }
-  bool const constant = dynamic_cast<ConstantMomentum const*>(motion.get()) != nullptr;
   simulation.companion = constant ? Companion{nullptr, 0, 0, false, "exact: the momentum is constant"}
                                   : companion_of(choice, start, simulation.step, request.error_estimate);
   define_turning_body_n(simulation.quantities, *motion, start.inertia);
