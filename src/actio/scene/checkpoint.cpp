@@ -1,18 +1,21 @@
 #include "actio/scene/checkpoint.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
+#include "actio/scene/run.hpp"
 #include "actio/scene/scene_error.hpp"
 
 namespace actio::scene {
@@ -121,6 +124,17 @@ std::string read_checkpoint(std::string const& path, std::string const& scene) {
   if (bytes.substr(heading.size() + 8, 8) != as_bytes(hash(state)))
     throw FileError(path + ": is damaged" + way_out);
   return state;
+}
+
+double checkpoint_interval() {
+  char const* const text = std::getenv("ACTIO_CHECKPOINT_SECONDS");
+  if (!text) return RunOptions{}.checkpoint_interval;
+  char* end = nullptr;
+  double const seconds = std::strtod(text, &end);
+  if (end == text || *end || !(seconds >= 0))
+    throw SceneError({"ACTIO_CHECKPOINT_SECONDS"},
+                     fmt::format("a number of seconds is expected, found '{}'", text));
+  return seconds;
 }
 
 }  // namespace actio::scene

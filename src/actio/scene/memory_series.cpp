@@ -1,5 +1,11 @@
 #include "actio/scene/memory_series.hpp"
 
+#include <fmt/format.h>
+
+#include <new>
+
+#include "actio/scene/progress.hpp"
+
 namespace actio::scene {
 namespace {
 
@@ -17,7 +23,19 @@ class MemorySeries : public Series {
 
 }  // namespace
 
-std::unique_ptr<Series> memory_series(std::vector<double>& table) {
+TooLarge::TooLarge(std::size_t rows, std::size_t columns)
+    : Error(fmt::format("the memory does not suffice: {} rows x {} columns x 8 bytes are {}; fewer rows "
+                        "(run.every) or quantities take less, and the command writes them to a file",
+                        rows, columns,
+                        size_text(8.0 * static_cast<double>(rows) * static_cast<double>(columns)))) {}
+
+std::unique_ptr<Series> memory_series(std::vector<double>& table, std::size_t rows, std::size_t columns) {
+  try {
+    if (rows > table.max_size() / columns) throw TooLarge(rows, columns);
+    table.reserve(rows * columns);
+  } catch (std::bad_alloc const&) {
+    throw TooLarge(rows, columns);
+  }
   return std::make_unique<MemorySeries>(table);
 }
 

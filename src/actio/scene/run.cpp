@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -16,8 +15,8 @@
 #include "actio/scene/own_files.hpp"
 #include "actio/scene/poll_interval.hpp"
 #include "actio/scene/progress.hpp"
-#include "actio/scene/progression.hpp"
 #include "actio/scene/run_files.hpp"
+#include "actio/scene/run_position.hpp"
 
 namespace actio::scene {
 namespace {
@@ -37,38 +36,29 @@ class Run {
         error_(simulation_),
         progress_(options.quiet, simulation_.exact ? "rows" : "steps"),
         written_(scene.file.written()),
-        determined_(folder.empty() ? "" : what_determines(scene.file)) {
-    if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
+        determined_(folder.empty() ? "" : what_determines(scene.file)),
+        position_(scene, !folder.empty() && scene.snapshots && simulation_.snapshots) {
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
-    if (has_snapshots() && !simulation_.exact)
-      steps_to_snapshots_.emplace(*scene.snapshots, simulation_.step, scene.file.section("method"));
     if (!resume) write_whole_file(folder + "/scene.toml", written_, options_.durable);
     SeriesHead const head = series_head(scene, written_, scene.schedule.rows());
     for (auto const& format : scene.formats)
       if (format == "csv" || format == "hdf5") series_.push_back(open_series(folder, format, head, resume));
-    if (has_snapshots()) {
+    if (position_.with_snapshots()) {
       OwnFiles(folder).claim(files_of_snapshots(scene));
       times_ = csv_series(folder + "/" + times_of_snapshots, {"snapshot", "t"}, resume);
     }
     if (resume) restore();
-    if (has_snapshots()) {
+    if (position_.with_snapshots()) {
       std::vector<double> taken;
-      for (long k = 0; k < taken_.snapshots; ++k) taken.push_back(scene.snapshots->time(k));
+      for (long k = 0; k < position_.snapshots(); ++k) taken.push_back(scene.snapshots->time(k));
       simulation_.snapshots->begin(folder, taken);
     }
   }
 
   /// Into a table in memory, without a folder.
   Run(Scene& scene, std::vector<double>& table, RunOptions const& options) : Run(scene, "", false, options) {
-    auto const rows = static_cast<std::size_t>(scene.schedule.rows());
-    try {
-      if (rows > table.max_size() / row_.size()) throw TooLarge(rows, row_.size());
-      table.reserve(rows * row_.size());
-    } catch (std::bad_alloc const&) {
-      throw TooLarge(rows, row_.size());
-    }
-    series_.push_back(memory_series(table));
+    series_.push_back(memory_series(table, static_cast<std::size_t>(scene.schedule.rows()), row_.size()));
   }
 
   RunReport go() {
@@ -77,7 +67,8 @@ class Run {
       start();
       if (!go_on())
         report.ending = Ending::interrupted,
-        report.message = fmt::format("interrupted, with {} of {} rows", at_.rows, scene_.schedule.rows());
+        report.message =
+            fmt::format("interrupted, with {} of {} rows", position_.rows(), scene_.schedule.rows());
     } catch (FileError const& error) {
       report.ending = Ending::file_failed, report.message = error.what();
     } catch (NumericsError const& error) {
@@ -85,7 +76,7 @@ class Run {
     } catch (std::exception const& error) {
       report.ending = Ending::numerics_failed;
       report.message = fmt::format("{}: after t = {}: {}", scene_.file.section("method").place("step").text(),
-                                   time_now(), error.what());
+                                   position_.time(), error.what());
     }
     finish(report);
     return report;
@@ -93,8 +84,6 @@ class Run {
 
  private:
   bool in_memory() const { return folder_.empty(); }
-  bool has_snapshots() const { return !in_memory() && scene_.snapshots && simulation_.snapshots; }
-  long snapshots() const { return has_snapshots() ? scene_.snapshots->rows() : 0; }
 
   /// The first checkpoint, before the first step; and what the drift is measured from, where there is no row
   /// at t = 0.
@@ -109,24 +98,23 @@ class Run {
       }
       if (options_.durable) checkpoint();
     }
-    progress_.start(fraction(), count());
+    progress_.start(position_.fraction(), position_.count());
   }
 
   /// @return false where it was asked to stop before its last row
   bool go_on() {
-    while (at_.rows < scene_.schedule.rows() || taken_.snapshots < snapshots()) {
+    while (!position_.at_end()) {
       if (options_.stop()) return false;
-      bool const row = row_is_next();
-      long const number = row ? at_.rows : taken_.snapshots;
-      double const t = (row ? scene_.schedule : *scene_.snapshots).time(number);
+      Next const next = position_.next();
+      double const t = position_.time_of(next);
       if (t > 0 && !simulation_.failure.empty()) throw NumericsError(simulation_.failure);
       if (simulation_.exact)
         simulation_.motion->go_to(t);
-      else if (auto const& steps = row ? steps_to_ : steps_to_snapshots_; !advance_to((*steps)(number)))
+      else if (!advance_to(position_.steps_to(next)))
         return false;
       else
-        simulation_.motion->look_ahead(steps->beyond(number));
-      if (row)
+        simulation_.motion->look_ahead(position_.beyond_steps(next));
+      if (next == Next::row)
         write_row(t);
       else
         take_snapshot(t);
@@ -134,35 +122,25 @@ class Run {
     }
     return true;
   }
-  /// Whether there is a row before the next snapshot, or at the same time.
-  bool row_is_next() const {
-    if (taken_.snapshots >= snapshots()) return true;
-    if (at_.rows >= scene_.schedule.rows()) return false;
-    if (simulation_.exact) return scene_.schedule.time(at_.rows) <= scene_.snapshots->time(taken_.snapshots);
-    long const to_row = (*steps_to_)(at_.rows), to_snapshot = (*steps_to_snapshots_)(taken_.snapshots);
-    return to_row < to_snapshot ||
-           (to_row == to_snapshot &&
-            steps_to_->beyond(at_.rows) <= steps_to_snapshots_->beyond(taken_.snapshots));
-  }
   /// A file that was not written whole is not told of.
   void take_snapshot(double t) {
-    simulation_.snapshots->write(folder_, taken_.snapshots, t, options_.durable);
-    times_->add(std::array{static_cast<double>(taken_.snapshots), t});
+    simulation_.snapshots->write(folder_, position_.snapshots(), t, options_.durable);
+    times_->add(std::array{static_cast<double>(position_.snapshots()), t});
     times_->flush();
-    ++taken_.snapshots, taken_.time = t;
+    position_.wrote_snapshot(t);
   }
 
   /// @return false where it was asked to stop on the way
   bool advance_to(long target) {
     long const at_once = simulation_.steps_at_once;
-    while (at_.steps < target) {
+    while (position_.steps() < target) {
       // Pieces end at multiples of their length, whatever the load of the machine: the digits are those of an
       // unbroken run.
-      long const piece = std::min(target - at_.steps, at_once - at_.steps % at_once);
+      long const piece = std::min(target - position_.steps(), at_once - position_.steps() % at_once);
       simulation_.motion->advance(piece);
-      at_.steps += piece;
-      error_.follow(at_.steps);
-      if (at_.steps == target) break;
+      position_.made(piece);
+      error_.follow(position_.steps());
+      if (position_.steps() == target) break;
       if (options_.stop()) return false;
       if (piece == at_once || poll_.due()) look_up();
     }
@@ -177,9 +155,10 @@ class Run {
     for (double const x : values) nothing += 0 * x;
     if (nothing != 0) refuse_row(t);
     drift_.see(values, simulation_.quantities.natural_units());
-    error_.see(at_.rows, t, at_.steps, at_.rows + 1 == scene_.schedule.rows());
+    long const row = position_.rows();
+    error_.see(row, t, position_.steps(), row + 1 == scene_.schedule.rows());
     for (auto& series : series_) series->add(row_);
-    ++at_.rows, at_.time = t, wrote_ = true;
+    position_.wrote_row(t), wrote_ = true;
   }
   /// A NaN or an infinity in a row.
   [[noreturn]] void refuse_row(double t) const {
@@ -198,8 +177,9 @@ class Run {
       for (auto& series : series_) series->flush();
       last_flush_ = now;
     }
-    progress_.show(now, fraction(), count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
-    if (options_.watch) options_.watch(fraction(), time_now());
+    progress_.show(now, position_.fraction(), position_.count(),
+                   drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
+    if (options_.watch) options_.watch(position_.fraction(), position_.time());
     if (now - last_checkpoint_ >= std::chrono::duration<double>(options_.checkpoint_interval)) checkpoint();
   }
 
@@ -213,10 +193,8 @@ class Run {
     last_checkpoint_ = Clock::now();
   }
   void remember(CheckpointStream& stream) {
-    Progression place{at_.steps, at_.rows, at_.time, seconds()};
-    stream(place);
-    if (stream.reading()) at_ = place;
-    if (has_snapshots()) stream(taken_, row_);
+    position_.remember(stream);
+    if (position_.with_snapshots()) stream(row_);
     simulation_.motion->remember(stream);
     simulation_.quantities.remember(stream);
     drift_.remember(stream);
@@ -235,13 +213,7 @@ class Run {
     } catch (Error const& error) {
       throw FileError(path + ": is damaged: " + error.what());
     }
-    check_rows(at_, scene_, scene_.file.section("run").place("until"));
-    if (has_snapshots()) check_snapshots(taken_, scene_, scene_.file.section("run").place("until"));
-    bool const in_range = at_.rows >= 0 && at_.rows <= scene_.schedule.rows() && at_.steps >= 0 &&
-                          at_.steps <= all() && taken_.snapshots >= 0;
-    if (!in_range)
-      throw FileError(fmt::format("{}: is damaged: {} rows and {} steps, where the scene has {} and {}", path,
-                                  at_.rows, at_.steps, scene_.schedule.rows(), all()));
+    position_.check(path);
   }
 
   /// Writes what is left to write. The first thing that went wrong is told, but a file that fails last
@@ -263,13 +235,15 @@ class Run {
     if (times_) attempt([&] { times_->flush(); });
     if (whole && report.ending != Ending::file_failed) attempt([&] { checkpoint(); });
     if (report.ending == Ending::done)
-      progress_.show(Clock::now(), 1, count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
-    report.steps = at_.steps, report.rows = at_.rows, report.snapshots = taken_.snapshots,
-    report.seconds = seconds(), report.drift = drift_.entries();
+      progress_.show(Clock::now(), 1, position_.count(),
+                     drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
+    report.steps = position_.steps(), report.rows = position_.rows();
+    report.snapshots = position_.snapshots(), report.seconds = position_.seconds();
+    report.drift = drift_.entries();
     report.error = error_.entries(), report.error_how = error_.how();
     report.summary = summary_json(scene_, report);
     // A run with snapshots may be beyond its last row, and has it from its checkpoint.
-    if (!wrote_ && report.ending == Ending::done && !has_snapshots()) evaluate_last_row();
+    if (!wrote_ && report.ending == Ending::done && !position_.with_snapshots()) evaluate_last_row();
     if (wrote_ || report.ending == Ending::done) report.last_row = row_;
     // The tables are closed before the summary says that the run is finished: after a kill in between,
     // `resume` closes them.
@@ -285,26 +259,8 @@ class Run {
     if (simulation_.exact)
       simulation_.motion->go_to(row_[0]);
     else
-      simulation_.motion->look_ahead(steps_to_->beyond(last));
+      simulation_.motion->look_ahead(position_.beyond_steps_to_last_row());
     simulation_.quantities.evaluate(std::span(row_).subspan(1));
-  }
-
-  /// Steps, or rows where there are no steps: so far, and of the whole run.
-  long count() const { return simulation_.exact ? at_.rows : at_.steps; }
-  long all() const {
-    if (simulation_.exact) return scene_.schedule.rows();
-    long const to_row = (*steps_to_)(scene_.schedule.rows() - 1);
-    return has_snapshots() ? std::max(to_row, (*steps_to_snapshots_)(snapshots() - 1)) : to_row;
-  }
-  double fraction() const {
-    return all() > 0 ? static_cast<double>(count()) / static_cast<double>(all()) : 1;
-  }
-  double time_now() const {
-    return simulation_.exact ? (at_.rows > 0 ? scene_.schedule.time(at_.rows - 1) : 0)
-                             : static_cast<double>(at_.steps) * simulation_.step;
-  }
-  double seconds() const {
-    return at_.seconds + std::chrono::duration<double>(Clock::now() - began_).count();
   }
 
   Scene& scene_;
@@ -317,14 +273,12 @@ class Run {
   Progress progress_;
   PollInterval poll_;
   std::string written_, determined_;
-  std::optional<StepsToRows> steps_to_, steps_to_snapshots_;
+  RunPosition position_;
   std::vector<std::unique_ptr<Series>> series_;
   std::vector<double> row_;
   std::unique_ptr<Series> times_;  // of the snapshots
-  Progression at_;                 // its seconds: those of the processes before
-  Taken taken_;
-  bool wrote_ = false;  // a row, in this process
-  Clock::time_point began_ = Clock::now(), last_flush_ = began_, last_checkpoint_ = began_;
+  bool wrote_ = false;             // a row, in this process
+  Clock::time_point last_flush_ = Clock::now(), last_checkpoint_ = last_flush_;
 };
 
 }  // namespace
@@ -340,23 +294,6 @@ RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOpt
 }
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) {
   return Run(scene, table, options).go();
-}
-
-TooLarge::TooLarge(std::size_t rows, std::size_t columns)
-    : Error(fmt::format("the memory does not suffice: {} rows x {} columns x 8 bytes are {}; fewer rows "
-                        "(run.every) or quantities take less, and the command writes them to a file",
-                        rows, columns,
-                        size_text(8.0 * static_cast<double>(rows) * static_cast<double>(columns)))) {}
-
-double checkpoint_interval() {
-  char const* const text = std::getenv("ACTIO_CHECKPOINT_SECONDS");
-  if (!text) return RunOptions{}.checkpoint_interval;
-  char* end = nullptr;
-  double const seconds = std::strtod(text, &end);
-  if (end == text || *end || !(seconds >= 0))
-    throw SceneError({"ACTIO_CHECKPOINT_SECONDS"},
-                     fmt::format("a number of seconds is expected, found '{}'", text));
-  return seconds;
 }
 
 }  // namespace actio::scene

@@ -63,12 +63,6 @@ std::vector<std::string> files_of_run(Scene const& scene);
 /// Refuses a scene that could take no step from its start, before anything is written.
 /// @throws NumericsError
 void refuse_without_step(Scene const& scene);
-/// A table is larger than the memory.
-struct TooLarge : Error {
-  /// @param rows     of the table
-  /// @param columns  of numbers of eight bytes
-  TooLarge(std::size_t rows, std::size_t columns);
-};
 
 /// Runs a scene into a folder that is there, or goes on from the checkpoint in it. Every row that was
 /// computed is in the files when it returns, whatever the ending. The caller has the folder for itself
@@ -77,7 +71,7 @@ struct TooLarge : Error {
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options = {});
 
 /// Runs a scene into a table in memory, row after row, the time first; leaves no file.
-/// @throws TooLarge  where the memory does not suffice for the table
+/// @throws TooLarge  where the memory does not suffice for the table (memory_series.hpp)
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options = {});
 
 /// Whether the run in this folder has come to its end: all rows are in its checkpoint, and how it ended is
