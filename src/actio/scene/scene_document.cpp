@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "actio/numbers/nearest_name.hpp"
+
 namespace actio::scene::detail {
 
 toml::table* SceneDocument::table(Path const& path) {
@@ -44,6 +46,13 @@ std::string described(toml::node const& node) {
   if (auto const* list = node.as_array()) return fmt::format("a list of {}", list->size());
   if (node.is_table()) return "a table";
   return "a date or a time";
+}
+
+void fail_unknown(Place const& place, std::string const& what, std::string const& word,
+                  std::vector<std::string> const& allowed, std::string const& see) {
+  throw SceneError(place,
+                   fmt::format("unknown {} '{}'{} ({})", what, shown(word), did_you_mean(word, allowed),
+                               see.empty() ? "known: " + listed(allowed) : see));
 }
 
 }  // namespace actio::scene::detail

@@ -41,6 +41,13 @@ Place place_of(toml::source_region const& region, std::string const& otherwise);
 /// What a value is, for a complaint: `'fast' (a text)`.
 std::string described(toml::node const& node);
 
+/// Refuses a word that is none of those that are allowed, with the nearest of them.
+/// @param what  it is called
+/// @param see   where the allowed ones are listed; empty: all of them are told
+/// @throws SceneError  at this place
+[[noreturn]] void fail_unknown(Place const& place, std::string const& what, std::string const& word,
+                               std::vector<std::string> const& allowed, std::string const& see);
+
 /// The largest text of a scene: 200 000 numbers with all their digits, read in less than a second.
 inline constexpr std::size_t largest_text = 4 << 20;
 
