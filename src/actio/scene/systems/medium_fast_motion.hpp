@@ -4,18 +4,21 @@
 #include <span>
 #include <thread>
 
-#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "actio/multisymplectic/fast_medium.hpp"
 #include "actio/scene/systems/medium_fast_road.hpp"
 #include "actio/scene/systems/medium_laws.hpp"
 
 namespace actio::scene {
 
-/// A medium on a box in the plane.
-template <class Medium>
-class FastMotion final : public MediumMotion<2> {
+/// A medium on a box in the plane or in space.
+template <class Medium, class Box>
+class FastMotion final : public MediumMotion<Box::dimension> {
  public:
+  static constexpr int d = Box::dimension;  ///< of the body, and of space
+  using typename MediumMotion<d>::Place;    ///< a point, or a vector
+
   /// From the start.
-  FastMotion(Medium const& medium, FastBox2d const& box, double density, double step, MediumStart& start)
+  FastMotion(Medium const& medium, Box const& box, double density, double step, MediumStart& start)
       : cells_(box),
         density_(density),
         medium_(medium, box, step, density, at(start.placement), at(start.velocity), options(box)) {}
@@ -28,14 +31,14 @@ class FastMotion final : public MediumMotion<2> {
     if (stream.reading()) medium_.go_on_from(state);
   }
   long steps() const override { return medium_.steps(); }
-  MediumCells<2> const& cells() const override { return cells_; }
+  MediumCells<d> const& cells() const override { return cells_; }
   std::vector<Place> places() const override { return medium_.places(); }
   std::vector<Place> velocities() const override { return medium_.velocities(); }
   double mass(std::size_t node) const override {
-    FastBox2d const& box = cells_.box();
-    auto const n = static_cast<std::size_t>(box.nodes(0));
-    return density_ * box.measure() * box.share(0, static_cast<int>(node % n)) *
-           box.share(1, static_cast<int>(node / n));
+    auto const index = cells_.node_at(node);
+    double mass = density_ * cells_.box().measure();
+    for (int a = 0; a < d; ++a) mass *= cells_.box().share(a, index[static_cast<std::size_t>(a)]);
+    return mass;
   }
   BodyEnergies energies() const override {
     auto const [kinetic, stored] = medium_.energies();
@@ -51,47 +54,50 @@ class FastMotion final : public MediumMotion<2> {
     };
   }
   /// Whatever the number of threads, bits are the same: a large body takes those that there are.
-  static FastOptions options(FastBox2d const& box) {
+  static FastOptions options(Box const& box) {
     FastOptions out;
-    if (box.count() > 100000)
+    if (box.count() > (d == 2 ? 100000 : 30000))
       out.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     return out;
   }
 
-  BoxCells cells_;
+  BoxCells<Box> cells_;
   double density_;
-  FastMedium2d<Medium> medium_;
+  FastMedium<Medium, Box> medium_;
 };
 
 /// A medium of the fast road with its box.
-template <class Medium>
-class FastRoadOf final : public FastRoad {
+template <class Medium, class Box>
+class FastRoadOf final : public FastRoad<Box::dimension> {
  public:
+  static constexpr int d = Box::dimension;  ///< of the body, and of space
+
   /// Of this density.
-  FastRoadOf(Medium const& medium, FastBox2d const& box, double density)
+  FastRoadOf(Medium const& medium, Box const& box, double density)
       : medium_(medium), box_(box), density_(density) {}
-  double longest_step(std::vector<std::array<double, 2>> const& x) const override {
-    std::vector<actio::detail::Plane<double>> places;
+  double longest_step(std::vector<std::array<double, d>> const& x) const override {
+    std::vector<actio::detail::VectorOf<Box, double>> places;
     places.reserve(x.size());
-    for (auto const& p : x) places.push_back({p[0], p[1]});
+    for (auto const& p : x) places.push_back(actio::detail::as_vector(p));
     auto const cell = actio::detail::cell_on(medium_, box_.spacing);
     // Of a large box the window around its stiffest part, which is three per cent above at most.
-    if (box_.count() > 20000) return 0.98 * actio::detail::bound_of_stable_steps(box_, cell, places);
+    if (box_.count() > (d == 2 ? 20000 : 5000))
+      return 0.98 * actio::detail::bound_of_stable_steps(box_, cell, places);
     return 2 / actio::detail::largest_frequency(box_, cell, places);
   }
-  std::unique_ptr<MediumMotion<2>> motion(double step, std::shared_ptr<MediumStart> start) const override {
-    return std::make_unique<FastMotion<Medium>>(medium_, box_, density_, step, *start);
+  std::unique_ptr<MediumMotion<d>> motion(double step, std::shared_ptr<MediumStart> start) const override {
+    return std::make_unique<FastMotion<Medium, Box>>(medium_, box_, density_, step, *start);
   }
 
  private:
   Medium medium_;
-  FastBox2d box_;
+  Box box_;
   double density_;
 };
 /// Deduces the medium.
-template <class Medium>
-std::unique_ptr<FastRoad> fast_road_of(Medium const& medium, FastBox2d const& box, double density) {
-  return std::make_unique<FastRoadOf<Medium>>(medium, box, density);
+template <class Medium, class Box>
+std::unique_ptr<FastRoad<Box::dimension>> fast_road_of(Medium const& medium, Box const& box, double density) {
+  return std::make_unique<FastRoadOf<Medium, Box>>(medium, box, density);
 }
 
 }  // namespace actio::scene

@@ -1,7 +1,7 @@
 // Media on boxes of cells of one size and density, by the fused steps of the fast road.
 #pragma once
 
-#include "actio/multisymplectic/fast_box_2d.hpp"
+#include "actio/multisymplectic/fast_box_3d.hpp"
 #include "actio/scene/systems/medium_input.hpp"
 #include "actio/scene/systems/medium_material.hpp"
 #include "actio/scene/systems/medium_motion.hpp"
@@ -9,63 +9,112 @@
 namespace actio::scene {
 
 /// The cells of a box of the fast road.
-class BoxCells final : public MediumCells<2> {
+/// @tparam Box  `FastBox2d` or `FastBox3d`
+template <class Box>
+class BoxCells final : public MediumCells<Box::dimension> {
  public:
+  static constexpr int d = Box::dimension;  ///< of the body, and of space
+  using typename MediumCells<d>::Place;     ///< a point, or a vector
+  using typename MediumCells<d>::Cell;      ///< the corners of one
+  using Index = std::array<int, d>;         ///< of a node or a cell along each direction
+
   /// @param box  the cells
-  explicit BoxCells(FastBox2d const& box) : box_(box) {}
-  BodyMesh::Shape shape() const override { return BodyMesh::Shape::quadrilateral; }
+  explicit BoxCells(Box const& box) : box_(box) {}
+  BodyMesh::Shape shape() const override {
+    return d == 2 ? BodyMesh::Shape::quadrilateral : BodyMesh::Shape::hexahedron;
+  }
   std::size_t nodes() const override { return static_cast<std::size_t>(box_.count()); }
   std::size_t cells() const override {
-    return static_cast<std::size_t>(box_.cells[0]) * static_cast<std::size_t>(box_.cells[1]);
+    std::size_t count = 1;
+    for (int const n : box_.cells) count *= static_cast<std::size_t>(n);
+    return count;
   }
-  Place reference(std::size_t node) const override {
-    auto const n = static_cast<std::size_t>(box_.nodes(0));
-    return box_.at(static_cast<int>(node % n), static_cast<int>(node / n));
-  }
+  Place reference(std::size_t node) const override { return box_.at(node_at(node)); }
   Cell cell(std::size_t number) const override {
-    auto const [i, j] = at(number);
+    Index const at = cell_at(number);
     Cell out;
-    for (int b = 0; b < 4; ++b) {
-      int k[2] = {i + (b & 1), j + (b >> 1)};
-      for (int a = 0; a < 2; ++a)
-        if (k[a] == box_.nodes(a))
-          k[a] = 0, out.wraps[static_cast<std::size_t>(b)] |= static_cast<unsigned char>(1 << a);
-      out.nodes[static_cast<std::size_t>(b)] = k[0] + box_.nodes(0) * k[1];
+    for (int b = 0; b < 1 << d; ++b) {
+      int node = 0;
+      for (int a = d - 1; a >= 0; --a) {
+        int k = at[static_cast<std::size_t>(a)] + (b >> a & 1);
+        if (k == box_.nodes(a)) k = 0, out.wraps[static_cast<std::size_t>(b)] |= 1 << a;
+        node = node * box_.nodes(a) + k;
+      }
+      out.nodes[static_cast<std::size_t>(b)] = node;
     }
     return out;
   }
-  double period(int k) const override { return box_.periodic(k) ? box_.cells[k] * box_.spacing[k] : 0; }
+  double period(int k) const override {
+    auto const a = static_cast<std::size_t>(k);
+    return box_.periodic(k) ? box_.cells[a] * box_.spacing[a] : 0;
+  }
   std::string name(std::size_t number) const override {
-    auto const [i, j] = at(number);
-    return "cell (" + std::to_string(i) + ", " + std::to_string(j) + ")";
+    std::string out;
+    for (int const k : cell_at(number)) out += (out.empty() ? "cell (" : ", ") + std::to_string(k);
+    return out + ")";
   }
   /// The box.
-  FastBox2d const& box() const { return box_; }
+  Box const& box() const { return box_; }
+  /// Where a node is among those of the box.
+  Index node_at(std::size_t number) const {
+    return split(number, [&](int a) { return box_.nodes(a); });
+  }
 
  private:
-  std::array<int, 2> at(std::size_t number) const {
-    auto const n = static_cast<std::size_t>(box_.cells[0]);
-    return {static_cast<int>(number % n), static_cast<int>(number / n)};
+  Index cell_at(std::size_t number) const {
+    return split(number, [&](int a) { return box_.cells[static_cast<std::size_t>(a)]; });
   }
-  FastBox2d box_;
+  /// The first direction is the fastest.
+  template <class Length>
+  static Index split(std::size_t number, Length const& length) {
+    Index out;
+    for (int a = 0; a < d; ++a) {
+      auto const n = static_cast<std::size_t>(length(a));
+      out[static_cast<std::size_t>(a)] = static_cast<int>(number % n), number /= n;
+    }
+    return out;
+  }
+  Box box_;
 };
 
 /// The box of a mesh of the scene, where the fast road takes it.
-/// @return none where it is no box in the plane
-std::optional<FastBox2d> fast_box(MediumMesh const& mesh);
+/// @return none where it is no box of that dimension
+template <class Box>
+std::optional<Box> fast_box(MediumMesh const& mesh) {
+  if (mesh.shape != "box" || mesh.dimension != Box::dimension) return {};
+  Box box{};
+  for (std::size_t a = 0; a < Box::dimension; ++a) {
+    box.cells[a] = mesh.cells[a], box.origin[a] = mesh.lower[a];
+    box.spacing[a] = (mesh.upper[a] - mesh.lower[a]) / mesh.cells[a];
+    for (int end = 0; end < 2; ++end) {
+      std::string const name = actio::detail::side_names[a][end];
+      std::string const does = mesh.periodic[a] ? "periodic" : mesh.sides.at(name);
+      box.ends(static_cast<int>(a))[static_cast<std::size_t>(end)] = does == "periodic"  ? FastSide::periodic
+                                                                     : does == "fixed"   ? FastSide::fixed
+                                                                     : does == "sliding" ? FastSide::sliding
+                                                                                         : FastSide::free;
+    }
+  }
+  return box;
+}
 
 /// A medium that the fast road steps.
+template <int d>
 class FastRoad {
  public:
   virtual ~FastRoad() = default;
   /// The longest step for which small motions about these places are stable, from above within a per cent.
-  virtual double longest_step(std::vector<std::array<double, 2>> const& x) const = 0;
+  virtual double longest_step(std::vector<std::array<double, d>> const& x) const = 0;
   /// The motion from the start.
-  virtual std::unique_ptr<MediumMotion<2>> motion(double step, std::shared_ptr<MediumStart> start) const = 0;
+  virtual std::unique_ptr<MediumMotion<d>> motion(double step, std::shared_ptr<MediumStart> start) const = 0;
 };
-/// Of a fluid of the library. Null where the fast road does not know it.
-std::unique_ptr<FastRoad> fast_fluid(Material const& material, FastBox2d const& box, double density);
-/// Of a solid of the library; likewise.
-std::unique_ptr<FastRoad> fast_solid(Material const& material, FastBox2d const& box, double density);
+/// Of a fluid of the library in the plane. Null where the fast road does not know it.
+std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, FastBox2d const& box, double density);
+/// Of a solid; likewise.
+std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, FastBox2d const& box, double density);
+/// Of a fluid in space; likewise.
+std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, FastBox3d const& box, double density);
+/// Of a solid in space; likewise.
+std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, FastBox3d const& box, double density);
 
 }  // namespace actio::scene

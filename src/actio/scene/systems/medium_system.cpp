@@ -141,16 +141,29 @@ std::function<double(std::array<double, d> const&)> density_of(std::shared_ptr<M
   };
 }
 
-void prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh,
-                  Material const& material, FastRoad const& road, FastBox2d const& box,
-                  std::shared_ptr<MediumStart> const& start) {
-  BoxCells const cells(box);
-  double const longest = road.longest_step(examined_start<2>(request.file, *start, cells, mesh));
+/// By fused steps, where the scene is one for them.
+/// @return whether it is
+template <class Box>
+bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh, bool fluid,
+                  Material const& material, std::shared_ptr<MediumStart> const& start) {
+  constexpr int d = Box::dimension;
+  auto const box = fast_box<Box>(mesh);
+  if (!box) return false;
+  double rho = 0;
+  start->density(std::array<double, d>{}, &rho);
+  auto const road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
+  if (!road) return false;
+  simulation.bytes = require_memory(request.file, mesh, true, request);
+  double const longest =
+      road->longest_step(examined_start<d>(request.file, *start, BoxCells<Box>(*box), mesh));
   simulation.step = step_of(request, longest);
   simulation.shortcuts.emplace_back(
-      "a box of equal cells of one density in the plane without loads: fused steps");
-  finish<2>(simulation, request, road.motion(simulation.step, start),
-            {nullptr, stored_energy_of<2>(material), density_of<2>(start)}, mesh, mesh.cell_count());
+      fmt::format("a box of equal cells of one density in {} without loads: fused steps",
+                  d == 2 ? "the plane" : "space"));
+  finish<d>(simulation, request, road->motion(simulation.step, start),
+            {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh,
+            (d == 2 ? 1 : 5) * mesh.cell_count());
+  return true;
 }
 
 template <int d>
@@ -200,22 +213,16 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   MediumMesh const mesh = read_medium_mesh(request.file);
   auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
 
-  std::unique_ptr<FastRoad> road;
-  auto const box = fast_box(mesh);
-  if (box && start->uniform && choice.number() == 2 && !energy && !has_loads(request.file)) {
-    double rho = 0;
-    start->density(std::array<double, 2>{}, &rho);
-    road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
-  }
-  double const bytes = require_memory(request.file, mesh, road != nullptr, request);
   int const d = mesh.dimension;
   Simulation simulation(d == 1   ? conserved_here<1>(fluid, request.file, mesh)
                         : d == 2 ? conserved_here<2>(fluid, request.file, mesh)
                                  : conserved_here<3>(fluid, request.file, mesh));
-  simulation.bytes = bytes;
-  if (road)
-    prepare_fast(simulation, request, mesh, material, *road, *box, start);
-  else if (d == 1)
+  bool const plain_steps = choice.number() == 2 && !energy && start->uniform && !has_loads(request.file);
+  if (plain_steps && (prepare_fast<FastBox2d>(simulation, request, mesh, fluid, material, start) ||
+                      prepare_fast<FastBox3d>(simulation, request, mesh, fluid, material, start)))
+    return simulation;
+  simulation.bytes = require_memory(request.file, mesh, false, request);
+  if (d == 1)
     prepare_on_mesh<1>(simulation, request, mesh, material, choice, energy, start);
   else if (d == 2)
     prepare_on_mesh<2>(simulation, request, mesh, material, choice, energy, start);
