@@ -122,8 +122,7 @@ STATEMENT(eq_2_8, "differential of the action on solutions") {
 STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
   claim.holds(
       "Over finite times where the flow is known in closed form, and to first order in time, which is the "
-      "whole statement for a flow, on "
-      "every group.");
+      "whole statement for a flow, on every group.");
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
     auto const v = draw_near_state<S>(draw, group);
@@ -277,10 +276,8 @@ NoetherMembers<S> noether_members(Top const& L, State<SpannedGroup, S> const& v,
 STATEMENT(eq_2_9, "infinitesimal invariance of the action on solutions") {
   claim.holds(
       "For an abelian group of symmetries, whose flow is known in closed form, and for a group that acts on "
-      "itself "
-      "from the right and from the left, with flows by power series. In the last member $F_t$ commutes with "
-      "the "
-      "symmetry (claim_2_1_symmetry_of_solutions).");
+      "itself from the right and from the left, with flows by power series. In the last member $F_t$ "
+      "commutes with the symmetry (claim_2_1_symmetry_of_solutions).");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const v = draw_near_state<S>(draw, group);

@@ -131,11 +131,10 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
 }  // namespace
 
 STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
-  claim.corrected(
-      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
-      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
-      "In condition iv the first expression is right, and the second one has the wrong sign. With it "
-      "the four conditions are equivalent: each step holds off shell.");
+  claim.corrected(R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
+                  R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
+                  "In condition iv the first expression is right, and the second one has the wrong sign. "
+                  "With it the four conditions are equivalent: each step holds off shell.");
   claim.same_slip_as("claim_2_2_reduced_variation_bracket");
   Quadrature<S> const rule(14);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -146,8 +145,8 @@ STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
 STATEMENT(claim_2_2_euler_poincare_equations,
           "the Euler-Poincare equations are the Euler-Lagrange equations of an invariant Lagrangian") {
   claim.holds(
-      "For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, "
-      "for which $\\ad^*$ has the other sign and $\\xi = g^{-1}\\dot g$ (also confirmed).");
+      "For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, for "
+      "which $\\ad^*$ has the other sign and $\\xi = g^{-1}\\dot g$ (also confirmed).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const v = draw_state<S>(draw, group);
@@ -264,8 +263,8 @@ auto draw_canonical(Draw& draw, SpannedGroup const& group) {
 
 STATEMENT(thm_2_2_2, "the bracket that right-invariant functions give the dual algebra") {
   claim.holds(
-      "With $\\{q, p\\} = +1$ on $T^*G$ and the commutator in the algebra; left-invariant functions give "
-      "the minus bracket.");
+      "With $\\{q, p\\} = +1$ on $T^*G$ and the commutator in the algebra; left-invariant functions give the "
+      "minus bracket.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_algebra_polynomial<S>(draw, group.dimension()),
                h = draw_algebra_polynomial<S>(draw, group.dimension()),
@@ -384,9 +383,8 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0), \qquad \lambda(p) = T^*_{g}R_{g}\,p)",
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t), \qquad \lambda(p) = T^*_eR_{g}\,p)",
       "The momentum in the equation for $g$ is that of the same instant; and with the index $g(t)$ in place "
-      "of $e$ "
-      "the map $\\lambda$ would start in another fibre. Then the four conditions are equivalent: i and ii as "
-      "they stand, iii and iv together with the equation for $g$.");
+      "of $e$ the map $\\lambda$ would start in another fibre. Then the four conditions are equivalent: i "
+      "and ii as they stand, iii and iv together with the equation for $g$.");
   claim.same_slip_as("claim_2_2_reconstruction_velocity");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     lie_poisson_conditions(claim, draw, Side::right, group, model);
@@ -399,12 +397,11 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
 }
 
 STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group element") {
-  claim.corrected(
-      R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
-      R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
-      "The momentum is that of the same instant, translated to the identity. With the momentum frozen at "
-      "its initial value $g$ would be a one-parameter group; and $p(0)$ is a covector at $g(0)$, not an "
-      "element of the dual algebra.");
+  claim.corrected(R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
+                  R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
+                  "The momentum is that of the same instant, translated to the identity. With the momentum "
+                  "frozen at its initial value $g$ would be a one-parameter group; and $p(0)$ is a covector "
+                  "at $g(0)$, not an element of the dual algebra.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const H = right_invariant_function(h);
@@ -486,11 +483,9 @@ STATEMENT(claim_2_2_lie_poisson_equivalence,
 STATEMENT(claim_2_2_left_reduction, "Euler-Poincare and Lie-Poisson reduction on the left") {
   claim.holds(
       "The theorems for multiplication from the left, with $\\xi = g^{-1}\\dot g$, $\\mu = T_e^*L_g\\,p$, "
-      "the signs "
-      "$\\frac{d}{dt}\\frac{\\delta l}{\\delta\\xi} = \\ad^*_\\xi\\frac{\\delta l}{\\delta\\xi}$, "
+      "the signs $\\frac{d}{dt}\\frac{\\delta l}{\\delta\\xi} = \\ad^*_\\xi\\frac{\\delta l}{\\delta\\xi}$, "
       "$\\delta\\xi = \\dot\\eta + [\\xi,\\eta]$, $\\dot\\mu = \\ad^*_{\\delta h/\\delta\\mu}\\mu$ and the "
-      "minus bracket; the "
-      "spatial momentum is constant, and $\\mu = \\Ad^*_g$ of it.");
+      "minus bracket; the spatial momentum is constant, and $\\mu = \\Ad^*_g$ of it.");
   Quadrature<S> const rule(14);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     euler_poincare_conditions(claim, draw, Side::left, group, model, rule);
@@ -563,10 +558,9 @@ STATEMENT(claim_2_2_euler_poincare_lie_poisson,
           "Euler-Poincare and Lie-Poisson equations, and Legendre's transformation") {
   claim.convention(
       "Where $l$, or $h$, is regular: with $\\mu = \\delta l/\\delta\\xi$ and $h = \\langle\\mu,\\xi\\rangle "
-      "- l$ the one "
-      "system is the other, off shell and on both sides, and from $h$ in the same way back; on $TG$ and "
-      "$T^*G$, for right-invariant functions, the "
-      "Legendre transformation of the Lagrangian takes its vector field to that of the Hamiltonian.");
+      "- l$ the one system is the other, off shell and on both sides, and from $h$ in the same way back; on "
+      "$TG$ and $T^*G$, for right-invariant functions, the Legendre transformation of the Lagrangian takes "
+      "its vector field to that of the Hamiltonian.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.dimension();
     auto const l = draw_algebra_polynomial<S>(draw, n);
@@ -701,12 +695,11 @@ void close_the_form(Claim<S>& claim, Draw& draw) {
 }  // namespace
 
 STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra, and are symplectic") {
-  claim.corrected(
-      R"(\mathcal O \subset \mathfrak g)", R"(\mathcal O \subset \mathfrak g^*)",
-      "The orbit of a momentum under the coadjoint action lies in the dual of the algebra; tangent "
-      "vectors of orbits in the algebra are others. The form is not degenerate, closed (its "
-      "derivative on surfaces with three parameters in orbits of dimension 4), and the only one that gives "
-      "the bracket: fields of linear functions span the tangent space.");
+  claim.corrected(R"(\mathcal O \subset \mathfrak g)", R"(\mathcal O \subset \mathfrak g^*)",
+                  "The orbit of a momentum under the coadjoint action lies in the dual of the algebra; "
+                  "tangent vectors of orbits in the algebra are others. The form is not degenerate, closed "
+                  "(its derivative on surfaces with three parameters in orbits of dimension 4), and the only "
+                  "one that gives the bracket: fields of linear functions span the tangent space.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_retracted_curve<S>(draw, group);
@@ -768,10 +761,10 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
 
 STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") {
   claim.convention(
-      "$J$ is the momentum map of multiplication from the right, $T_e^*L_g\\,p$, taken at $p(t)$ rather "
-      "than at $g(t)$: for a right-invariant Hamiltonian the body momentum is constant and $\\mu(t)$ is "
-      "the spatial one. $\\mu_0$ is the initial value of $\\mu$ only if $g(0) = e$. $\\Ad^*_{g^{-1}}$ is "
-      "the dual of $\\Ad_{g^{-1}}$.");
+      "$J$ is the momentum map of multiplication from the right, $T_e^*L_g\\,p$, taken at $p(t)$ rather than "
+      "at $g(t)$: for a right-invariant Hamiltonian the body momentum is constant and $\\mu(t)$ is the "
+      "spatial one. $\\mu_0$ is the initial value of $\\mu$ only if $g(0) = e$. $\\Ad^*_{g^{-1}}$ is the "
+      "dual of $\\Ad_{g^{-1}}$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     Costate<SpannedGroup, S> const p{draw.template element<S>(group), draw.template momentum<S>(group)};
@@ -858,8 +851,8 @@ namespace {}  // namespace
 
 STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, with $\\ad$") {
   claim.holds(
-      "With $\\eta = \\delta g\\,g^{-1}$, $\\xi = \\dot g\\,g^{-1}$ and $\\ad_\\xi\\eta = [\\xi,\\eta]$, "
-      "the commutator.");
+      "With $\\eta = \\delta g\\,g^{-1}$, $\\xi = \\dot g\\,g^{-1}$ and $\\ad_\\xi\\eta = [\\xi,\\eta]$, the "
+      "commutator.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_retracted_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);
@@ -886,12 +879,11 @@ STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, wi
 }
 
 STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocity, with the bracket") {
-  claim.corrected(
-      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
-      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
-      "The thesis defines $\\ad_\\xi\\eta = [\\xi,\\eta]$ (Theorem 2.2.3), so the two printed expressions "
-      "differ in every group that is not abelian. The plus sign belongs to $\\xi = g^{-1}\\dot g$ and "
-      "$\\eta = g^{-1}\\delta g$, the left-invariant case.");
+  claim.corrected(R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
+                  R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
+                  "The thesis defines $\\ad_\\xi\\eta = [\\xi,\\eta]$ (Theorem 2.2.3), so the two printed "
+                  "expressions differ in every group that is not abelian. The plus sign belongs to $\\xi = "
+                  "g^{-1}\\dot g$ and $\\eta = g^{-1}\\delta g$, the left-invariant case.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_retracted_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);

@@ -32,8 +32,8 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
   claim.corrected(R"(\mathbb S=\sum_{k=1}^{N}\mathbb L(g_k,g_{k+1}))",
                   R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb )"
                   R"(L(g_k,g_{k+1}))",
-                  "The configurations are $g_0,\\dots,g_N$ and the ends $g_0$ and $g_N$ are held, so the "
-                  "sum runs over the $N$ pairs between them; the printed range leaves $g_0$ out, needs a "
+                  "The configurations are $g_0,\\dots,g_N$ and the ends $g_0$ and $g_N$ are held, so the sum "
+                  "runs over the $N$ pairs between them; the printed range leaves $g_0$ out, needs a "
                   "configuration $g_{N+1}$, and its variation at $g_1$ is not (3.2).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // Configurations g_0, ..., g_N with N = 4, and g_5, which only the printed range asks for.
@@ -260,9 +260,8 @@ STATEMENT(claim_3_1_action_differential_split,
                   R"(L(g_{k-1},g_k)\delta g_k)",
                   R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
                   R"(L(g_k,g_{k+1})\delta g_k)",
-                  "A configuration is the second of the pair before it and the first of the pair after "
-                  "it: $D_2$ goes with $(g_{k-1}, g_k)$, $D_1$ with $(g_k, g_{k+1})$. The ranges are "
-                  "right.");
+                  "A configuration is the second of the pair before it and the first of the pair after it: "
+                  "$D_2$ goes with $(g_{k-1}, g_k)$, $D_1$ with $(g_k, g_{k+1})$. The ranges are right.");
   claim.same_slip_as("eq_3_3");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
@@ -395,10 +394,9 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
                   R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
                   R"(\,dg_{k+1}^j\wedge dg_k^i)",
                   "The printed right side is $-d\\theta^- = d\\theta^+$ everywhere: the slip is in the "
-                  "definition, for with $\\omega = d\\theta^+$ the coordinates, the chain for "
-                  "symplecticity and the pull-back of $-d\\theta_0$ all hold as printed. The library has "
-                  "$\\omega = d\\theta^-$, which is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of "
-                  "chapter 2.");
+                  "definition, for with $\\omega = d\\theta^+$ the coordinates, the chain for symplecticity "
+                  "and the pull-back of $-d\\theta_0$ all hold as printed. The library has $\\omega = "
+                  "d\\theta^-$, which is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -482,8 +480,8 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
   claim.corrected(R"(d\mathbb S=\theta^-_{\mathbb L}+F^*\theta^+_{\mathbb L})",
                   R"(d\mathbb S=\theta^-_{)"
                   R"(\mathbb L}+(\mathbb F^{N-1})^*\theta^+_{\mathbb L})",
-                  "The last of $N$ pairs is $N-1$ steps of the flow from the first; the printed single "
-                  "step is right for $N = 2$ only. $F$ is the flow, not the Legendre transformation.");
+                  "The last of $N$ pairs is $N-1$ steps of the flow from the first; the printed single step "
+                  "is right for $N = 2$ only. $F$ is the flow, not the Legendre transformation.");
   claim.maybe_scan();
   over_groups(groups_for_motions<S>(3), claim, [&](auto const& group, auto const& model) {
     // A motion of three pairs, and changes of its first pair mapped by the tangent of the flow.
@@ -575,9 +573,9 @@ STATEMENT(claim_3_1_symplecticity_chain,
                   R"(L}=\omega_{\mathbb L})",
                   R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb )"
                   R"(L}=\omega_{\mathbb L})",
-                  "With the page's own $\\omega = d\\theta^- = -d\\theta^+$ the first and the last sign "
-                  "are wrong and cancel; the middle equality, from $ddS = 0$, is right. The chain holds "
-                  "as printed if $\\omega$ is defined as $d\\theta^+$.");
+                  "With the page's own $\\omega = d\\theta^- = -d\\theta^+$ the first and the last sign are "
+                  "wrong and cancel; the middle equality, from $ddS = 0$, is right. The chain holds as "
+                  "printed if $\\omega$ is defined as $d\\theta^+$.");
   claim.same_slip_as("eq_3_5");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);

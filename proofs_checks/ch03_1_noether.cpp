@@ -203,9 +203,8 @@ inline constexpr auto class_lagrangian = [](auto const& g0, auto const& g1) {
 
 STATEMENT(rem_3_1_3, "a symmetry group smaller than $G$ conserves its own momentum and no other") {
   claim.holds(
-      "The remark sets this case aside for the rest of the chapter; Noether's theorem of this section "
-      "covers it. Instance: $K$ is the one-parameter group that fixes a vector, acting on $G$ from the "
-      "right.");
+      "The remark sets this case aside for the rest of the chapter; Noether's theorem of this section covers "
+      "it. Instance: $K$ is the one-parameter group that fixes a vector, acting on $G$ from the right.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const fixed = fixed_vector(group);
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
@@ -232,10 +231,8 @@ STATEMENT(rem_3_1_3, "a symmetry group smaller than $G$ conserves its own moment
 STATEMENT(claim_3_1_symmetry_of_discrete_flow, "a symmetry takes discrete motions to discrete motions") {
   claim.holds(
       "At finite elements: the action is invariant, (3.2) at a moved sequence is (3.2) at the sequence "
-      "itself, "
-      "moved, so that critical points go to critical points and no others do, and the flow is equivariant. "
-      "For "
-      "translations on either side, for a subgroup of them, and for conjugation.");
+      "itself, moved, so that critical points go to critical points and no others do, and the flow is "
+      "equivariant. For translations on either side, for a subgroup of them, and for conjugation.");
   // Sequences of four configurations, no motions: for each symmetry, how it moves a covector at the identity.
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));

@@ -189,9 +189,8 @@ STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
       R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi,\,h\circ\pi\}_{G\times G})",
       R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi_d,\,h\circ\pi_d\}_{G\times G})",
       "The algorithm preserves the bracket that the quotient map $\\pi_d$ induces; by (3.13) as printed, "
-      "with "
-      "the projection on a configuration, all functions would commute. $\\mathbb L$ is right-invariant and, "
-      "for the bracket, regular; the hypothesis on the action is always true.");
+      "with the projection on a configuration, all functions would commute. $\\mathbb L$ is right-invariant "
+      "and, for the bracket, regular; the hypothesis on the action is always true.");
   claim.maybe_scan();
   claim.same_slip_as("eq_3_13");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {

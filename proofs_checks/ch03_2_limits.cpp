@@ -59,13 +59,12 @@ State<SpannedGroup, S> draw_state(Draw& draw, SpannedGroup const& group) {
 }  // namespace
 
 STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the action") {
-  claim.corrected(R"(\sum_k\mathbb L(g_k,g_{k+1})\to\int L\,dt,\quad \mathbb L(g_k,g_{k+1})=L(\kappa,\chi))",
-                  R"(\sum_k\Delta t\,\mathbb L(g_k,g_{k+1})\to\int L\,dt)",
-                  "The step is missing: a discrete Lagrangian that is $L$ at an approximate state, as "
-                  "defined in section 3.1 "
-                  "and (3.20), has the sum of $N$ values of $L$ for its action, which grows with the number "
-                  "of steps. Times "
-                  "the step it is an energy times time and the sum converges, for steps of any lengths.");
+  claim.corrected(
+      R"(\sum_k\mathbb L(g_k,g_{k+1})\to\int L\,dt,\quad \mathbb L(g_k,g_{k+1})=L(\kappa,\chi))",
+      R"(\sum_k\Delta t\,\mathbb L(g_k,g_{k+1})\to\int L\,dt)",
+      "The step is missing: a discrete Lagrangian that is $L$ at an approximate state, as defined in section "
+      "3.1 and (3.20), has the sum of $N$ values of $L$ for its action, which grows with the number of "
+      "steps. Times the step it is an energy times time and the sum converges, for steps of any lengths.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
@@ -218,8 +217,7 @@ STATEMENT(
     "the discrete Euler-Poincare algorithm, reconstructed, tends to the Euler-Poincare flow, reconstructed") {
   claim.holds(
       "Read by means of reconstruction, or of the momentum: to second order, in two charts. The velocity of "
-      "a "
-      "relative motion, taken for that at its earlier end, is right to first order only.");
+      "a relative motion, taken for that at its earlier end, is right to first order only.");
   for (auto const& group : limit_groups()) {
     auto const judge = [&](std::string const& chart, Refinement const& fine, EndErrors const& errors) {
       claim.order("the configuration, " + chart, group.name(), fine.step_lengths(), errors.configurations, 2);
@@ -264,8 +262,7 @@ STATEMENT(claim_3_2_legendre_limit, "the discrete Legendre transformation tends 
       R"(F\mathbb L=(g_k,\,D_1\mathbb L)\to FL)", R"((g_k,\,-\Delta t\,D_1\mathbb L)\to FL)",
       "With the sign and the step that the printed one lacks: $D_1\\mathbb L$ of a discrete Lagrangian that "
       "approximates $L$ is minus the momentum over the step. Along any curve to first order, along motions "
-      "to "
-      "second; $D_2\\mathbb L$ at the later configuration likewise.");
+      "to second; $D_2\\mathbb L$ at the later configuration likewise.");
   if (!claim.fits_orders() && !claim.fits_orders_in_digits()) return;
   for (auto const& group : limit_groups()) {
     auto const top = draw_top<S>(draw, group);
@@ -313,13 +310,10 @@ STATEMENT(claim_3_2_diagram_does_not_commute,
           "two ways from pairs to momenta and velocities, which agree in the limit alone") {
   claim.convention(
       "The diagram has no arrow from $G$ to the algebra. Read so: the momentum of a pair is not that of the "
-      "state which the pair approximates, at any step, "
-      "but "
-      "$\\chi(-h\\,\\mathrm{ad}_\\xi)^*$ of it, for the natural chart; the two agree along $\\xi$, where "
-      "brackets vanish, "
-      "and in the limit to first order, with $\\tfrac h2\\mathrm{ad}^*_\\xi$ of the momentum as leading "
-      "difference. "
-      "And the relative motion of a pair tends to 1, whatever the velocity.");
+      "state which the pair approximates, at any step, but $\\chi(-h\\,\\mathrm{ad}_\\xi)^*$ of it, for the "
+      "natural chart; the two agree along $\\xi$, where brackets vanish, and in the limit to first order, "
+      "with $\\tfrac h2\\mathrm{ad}^*_\\xi$ of the momentum as leading difference. And the relative motion "
+      "of a pair tends to 1, whatever the velocity.");
   S const h = step_length<S>();
   auto const momenta = [](auto const& l, S const& step, Algebra<S> const& xi) {
     return std::pair(momentum_before_right(natural_chart_lagrangian_right(l, step), exp(-step * xi)),

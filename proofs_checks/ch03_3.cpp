@@ -154,9 +154,9 @@ STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart
 
 STATEMENT(claim_3_3_quadratic_lie_algebra, "assumption of a regular quadratic Lie algebra") {
   claim.holds(
-      "The assumption is never used: the construction, its invariance and its reduction hold on "
-      "$\\Aff(1)$, $\\SE(2)$, the Heisenberg group and others, whose algebras carry no invariant "
-      "nondegenerate form. (That of $\\SE(3)$ does.)");
+      "The assumption is never used: the construction, its invariance and its reduction hold on $\\Aff(1)$, "
+      "$\\SE(2)$, the Heisenberg group and others, whose algebras carry no invariant nondegenerate form. "
+      "(That of $\\SE(3)$ does.)");
   // Invariant forms are linear in the coefficients that are drawn, their determinant of degree 6 at most; the
   // discrete Lagrangians as everywhere in this section.
   std::vector<SpannedGroup> without = {spanned("Heisenberg", Heisenberg{}), unitriangular(4)};
@@ -538,8 +538,7 @@ STATEMENT(claim_3_3_inheritance_chain, "the four lines of the proof of Lemma 3.3
       R"(\Bigr] )"
       R"(= T_qR_{\bar g}\cdot T_{g'}R_g\cdot T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta)(\zeta))",
       "Two slips: the first line pushes forward by the chart in place of its inverse, which (3.20) has; and "
-      "the "
-      "sign of (3.22). With both mended each line follows from the one before, and on the left as well.");
+      "the sign of (3.22). With both mended each line follows from the one before, and on the left as well.");
   claim.maybe_scan();
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());

@@ -145,8 +145,7 @@ STATEMENT(eq_3_26, "implicit algorithm on the Lie algebra through the function c
       "Two slips: the sign of the velocity (3.25) and the sign in $\\chi$. No choice of bracket saves the "
       "second, for $\\exp(\\mathrm{ad}_\\xi) = \\mathrm{Ad}_{\\exp\\xi}$ needs the commutator and the "
       "printed $\\chi$ its opposite. The algorithm has order 2, forwards in time; that a step has exactly "
-      "one "
-      "solution near the last is decided in balls for one Lagrangian on each of two groups.");
+      "one solution near the last is decided in balls for one Lagrangian on each of two groups.");
   claim.same_slip_as("claim_3_3_derivative_of_exponential");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -229,9 +228,9 @@ STATEMENT(eq_3_26, "implicit algorithm on the Lie algebra through the function c
 STATEMENT(claim_3_3_channell_scovel, "comparison with the Lie-Poisson integrators of Channell and Scovel") {
   claim.convention(
       "Both are (4.2) and (4.3) with a function of the logarithm in the role of $S$. Channell and Scovel "
-      "truncate the solution of (4.1) that begins with half of an invariant form; it "
-      "generates the identity at time 0 and needs a nondegenerate form. Read here to first and to second "
-      "order in the step, the truncation has order 1 and 2. (3.26) needs no form and has order 2.");
+      "truncate the solution of (4.1) that begins with half of an invariant form; it generates the identity "
+      "at time 0 and needs a nondegenerate form. Read here to first and to second order in the step, the "
+      "truncation has order 1 and 2. (3.26) needs no form and has order 2.");
   std::vector<SpannedGroup> const quadratic = {spanned("SO(3)", SO<3>{}), spanned("SL(2)", SL2{}),
                                                spanned("SO(4)", SO<4>{})};
   // The trace form of matrices, which is invariant.

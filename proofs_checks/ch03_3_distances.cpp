@@ -261,10 +261,8 @@ STATEMENT(claim_3_3_chart_condition,
 STATEMENT(claim_3_3_distance_restricts_step, "the domain of the chart restricts the time step") {
   claim.holds(
       "A motion whose speed is at most $v$ stays within $v\\,\\Delta t$ of where a step began, so $\\Delta t "
-      "< r/v$ "
-      "with the radius $r$ of the chart is enough. The bound depends on the motion: what is short enough for "
-      "one "
-      "is too long for one twice as fast.");
+      "< r/v$ with the radius $r$ of the chart is enough. The bound depends on the motion: what is short "
+      "enough for one is too long for one twice as fast.");
   auto const so3 = spanned("SO(3)", SO<3>{});
   {
     // Rotations about one axis at a constant rate: the distance grows with the time.

@@ -107,12 +107,12 @@ STATEMENT(claim_4_1_groupoids,
 }
 
 STATEMENT(claim_4_1_dual_poisson,
-          "the duals of the algebroids are Poisson manifolds: $T^*G$ with the canonical bracket, the dual "
-          "of the algebra with the Lie-Poisson bracket") {
+          "the duals of the algebroids are Poisson manifolds: $T^*G$ with the canonical bracket, the dual of "
+          "the algebra with the Lie-Poisson bracket") {
   claim.convention(
-      "Weinstein's bracket, in which momenta $p(X)$, $p(Y)$ of vector fields have the bracket $p([X, "
-      "Y])$, is on $T^*G$ minus the canonical one with $\\{q, p\\} = 1$, and on the dual of the algebra "
-      "the plus Lie-Poisson bracket.");
+      "Weinstein's bracket, in which momenta $p(X)$, $p(Y)$ of vector fields have the bracket $p([X, Y])$, "
+      "is on $T^*G$ minus the canonical one with $\\{q, p\\} = 1$, and on the dual of the algebra the plus "
+      "Lie-Poisson bracket.");
   over_groupoids(claim, [&](auto const& gamma, auto const& model) {
     auto const g = draw_arrows<S>(draw, gamma, 1)[0];
     int const m = gamma.base_dimension(), n = gamma.dimension();
@@ -169,9 +169,9 @@ auto constant_target(Gamma const& gamma, A const& g) { return gamma.target(gamma
 
 }  // namespace
 
-STATEMENT(def_4_1_1,
-          "critical points of $\\mathcal L(g) + \\mathcal L(h)$ among composable pairs "
-          "with a fixed product") {
+STATEMENT(
+    def_4_1_1,
+    "critical points of $\\mathcal L(g) + \\mathcal L(h)$ among composable pairs with a fixed product") {
   claim.holds(
       "On pairs these are the discrete Euler-Lagrange equations (3.2). On a group they are (3.10), on its "
       "opposite (3.11), both with all signs changed: a relative motion looks back.");
@@ -407,8 +407,7 @@ STATEMENT(claim_4_1_cotangent_groupoid,
           "Poisson maps") {
   claim.holds(
       "The product of two covectors is the one that adds them on composable tangent vectors; it exists "
-      "exactly "
-      "where the target of the one is the source of the other. Lagrangian submanifolds: graphs of "
+      "exactly where the target of the one is the source of the other. Lagrangian submanifolds: graphs of "
       "differentials in Definition 4.1.2, here the fibres over the elements of a group, which are no "
       "graphs.");
   claim.leaves(
@@ -536,8 +535,7 @@ STATEMENT(claim_4_1_poisson_on_group,
           "Legendre map") {
   claim.holds(
       "Locally: where the second derivative has an inverse. A function can be regular elsewhere and not at "
-      "one "
-      "element, where no bracket comes back. Both Legendre maps pull back the same structure.");
+      "one element, where no bracket comes back. Both Legendre maps pull back the same structure.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);

@@ -220,11 +220,11 @@ STATEMENT(claim_4_2_classical_hamilton_jacobi,
 }
 
 STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invariant case") {
-  claim.corrected(
-      R"(\Pi_{k-1} = L_{f_{kk-1}}^*\,d\ell(f_{kk-1}))", R"(\Pi_{k-1} = -L_{f_{kk-1}}^*\,d\ell(f_{kk-1}))",
-      "A minus is missing: $\\Pi$ is the body momentum, and with $\\ell$ an action the printed map gives "
-      "minus the one with which the step from $g_{k-1}$ begins. (4.2) has the minus, and there it is "
-      "checked along exact flows.");
+  claim.corrected(R"(\Pi_{k-1} = L_{f_{kk-1}}^*\,d\ell(f_{kk-1}))",
+                  R"(\Pi_{k-1} = -L_{f_{kk-1}}^*\,d\ell(f_{kk-1}))",
+                  "A minus is missing: $\\Pi$ is the body momentum, and with $\\ell$ an action the printed "
+                  "map gives minus the one with which the step from $g_{k-1}$ begins. (4.2) has the minus, "
+                  "and there it is checked along exact flows.");
   claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -254,12 +254,11 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
 }
 
 STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
-  claim.corrected(
-      R"(\Pi_k = L_f^*\,d\ell(f),\quad \Pi_{k+1} = R_f^*\,d\ell(f))",
-      R"(\Pi_k = -L_f^*\,d\ell(f),\quad \Pi_{k+1} = -R_f^*\,d\ell(f))",
-      "$\\Pi$ is the body momentum, and both lines lack the minus of (4.2): as printed they carry an even "
-      "$\\ell$ backwards in time, any other in neither direction. $f$ is $f_{k+1,k}$, and $\\ell$ an "
-      "action.");
+  claim.corrected(R"(\Pi_k = L_f^*\,d\ell(f),\quad \Pi_{k+1} = R_f^*\,d\ell(f))",
+                  R"(\Pi_k = -L_f^*\,d\ell(f),\quad \Pi_{k+1} = -R_f^*\,d\ell(f))",
+                  "$\\Pi$ is the body momentum, and both lines lack the minus of (4.2): as printed they "
+                  "carry an even $\\ell$ backwards in time, any other in neither direction. $f$ is "
+                  "$f_{k+1,k}$, and $\\ell$ an action.");
   claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -294,8 +293,8 @@ STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
 
 STATEMENT(claim_4_2_system_and_dep, "the two lines and the discrete Euler-Poincare equation") {
   claim.convention(
-      "One equation (3.11) joins two of these systems: the second line of one step and the first line of "
-      "the next, with $\\Pi_k$ eliminated.");
+      "One equation (3.11) joins two of these systems: the second line of one step and the first line of the "
+      "next, with $\\Pi_k$ eliminated.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 2);
     auto const any = draw_reduced_lagrangian<S>(draw, group);
@@ -591,8 +590,8 @@ STATEMENT(eq_4_2, "the initial momentum from the reduced generating function") {
 
 STATEMENT(eq_4_3, "the final momentum by the coadjoint action, and the Poisson map") {
   claim.convention(
-      "With $\\Ad^*$ the dual of $\\Ad$, no inverse in the star. The map is a Lie-Poisson map for the "
-      "minus bracket, and so for the plus bracket, whatever $S$ is.");
+      "With $\\Ad^*$ the dual of $\\Ad$, no inverse in the star. The map is a Lie-Poisson map for the minus "
+      "bracket, and so for the plus bracket, whatever $S$ is.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -739,13 +738,13 @@ Refinement const coarse{0.5, {16, 24, 32, 48, 64, 96}};
 
 STATEMENT(claim_4_2_hamilton_jacobi_identification,
           "a discrete Lagrangian in the role of the generating function") {
-  claim.corrected(R"(\Pi_k = L_f^*\,d\ell(f),\quad \Pi_{k+1} = R_f^*\,d\ell(f))",
-                  R"(\Pi_k = -L_f^*\,d\ell(f),\quad \Pi_{k+1} = -R_f^*\,d\ell(f),\quad S_L = \ell)",
-                  "(4.2) has a minus that (4.4) lacks: with the momentum of (4.2) the printed system "
-                  "carries an even $\\ell$ backwards in time. With the signs, and $\\ell$ an action ($h$ "
-                  "times that of the thesis), it is (4.2) and (4.3) for every $\\ell$; its $g$ "
-                  "approximates the inverse of the configuration. The discrete Lagrangian of the natural "
-                  "chart is the first term of the series that solves (4.1).");
+  claim.corrected(
+      R"(\Pi_k = L_f^*\,d\ell(f),\quad \Pi_{k+1} = R_f^*\,d\ell(f))",
+      R"(\Pi_k = -L_f^*\,d\ell(f),\quad \Pi_{k+1} = -R_f^*\,d\ell(f),\quad S_L = \ell)",
+      "(4.2) has a minus that (4.4) lacks: with the momentum of (4.2) the printed system carries an even "
+      "$\\ell$ backwards in time. With the signs, and $\\ell$ an action ($h$ times that of the thesis), it "
+      "is (4.2) and (4.3) for every $\\ell$; its $g$ approximates the inverse of the configuration. The "
+      "discrete Lagrangian of the natural chart is the first term of the series that solves (4.1).");
   claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_group_polynomial<S>(draw, group);
@@ -999,8 +998,8 @@ std::vector<SpannedGroup> const& square_groups() {
 
 STATEMENT(eq_4_5, "the square of group and dual-algebra dynamics") {
   claim.convention(
-      "$\\Sigma$ takes $f_{k,k-1}$ to $f_{k+1,k}$ by (3.11); of the two the later one is the first factor "
-      "of the product that Definition 4.1.1 holds fixed. Either sign of the Legendre map will do.");
+      "$\\Sigma$ takes $f_{k,k-1}$ to $f_{k+1,k}$ by (3.11); of the two the later one is the first factor of "
+      "the product that Definition 4.1.1 holds fixed. Either sign of the Legendre map will do.");
   over_groups(square_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const f = draw_configurations<S>(draw, group, 2);

@@ -98,8 +98,7 @@ STATEMENT(eq_4_6, "the commuting square of Legendre and quotient maps") {
 STATEMENT(eq_4_7, "the square in coordinates") {
   claim.holds(
       "As a square: with $p_k = \\partial\\mathbb L/\\partial g_k$ above and the same sign below. The "
-      "physical "
-      "momenta are minus these.");
+      "physical momenta are minus these.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -275,14 +274,14 @@ STATEMENT(claim_4_3_tangent_square, "the tangent maps of the square commute") {
 }
 
 STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections") {
-  claim.corrected(R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak )"
-                  R"(g^*\to T_g^*G)",
-                  R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ )"
-                  R"(\text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
-                  "A fibre of $T^*G$ is Lagrangian: pulled back to it the canonical form is zero. The "
-                  "lift must preserve the momentum of the symmetry, the body momentum; then $g$ moves "
-                  "with $\\mu$. The row above holds with $F\\mathbb L = (g_k, -D_1\\mathbb L)$, as in "
-                  "Theorem 4.3.2.");
+  claim.corrected(
+      R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak )"
+      R"(g^*\to T_g^*G)",
+      R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ )"
+      R"(\text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
+      "A fibre of $T^*G$ is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve "
+      "the momentum of the symmetry, the body momentum; then $g$ moves with $\\mu$. The row above holds with "
+      "$F\\mathbb L = (g_k, -D_1\\mathbb L)$, as in Theorem 4.3.2.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -526,8 +525,7 @@ STATEMENT(cor_4_3_1,
       "The image approximates the flow only with the minus, and with $h$ times the Lagrangian of the thesis. "
       "As printed an even Lagrangian runs backwards in time, any other follows the flow in neither "
       "direction. Configurations come by (3.14): the momenta alone do not tell them. The order is that of "
-      "the "
-      "discrete Lagrangian, here 2.");
+      "the discrete Lagrangian, here 2.");
   claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
@@ -648,8 +646,7 @@ STATEMENT(
     "the reduced motion stays on the symplectic leaves of the group, which correspond to coadjoint orbits") {
   claim.holds(
       "Locally, as the structure is: the Legendre map takes the tangent spaces of the leaves onto those of "
-      "the "
-      "orbits, and a step takes leaf to leaf.");
+      "the orbits, and a step takes leaf to leaf.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     auto const other = draw_reduced_lagrangian<S>(draw, group);
@@ -697,8 +694,7 @@ STATEMENT(claim_4_3_time_step_legendre,
   claim.corrected(R"((g_k, g_{k+1})\mapsto(g_k, \Delta t\cdot D_1\mathbb L(g_k, g_{k+1})))",
                   R"((g_k, g_{k+1})\mapsto(g_k, -\Delta t\cdot D_1\mathbb L(g_k, g_{k+1})))",
                   "The factor is right, and the minus of the physical momentum is missing. For a discrete "
-                  "Lagrangian that "
-                  "is an action there is nothing to multiply, and steps may differ.");
+                  "Lagrangian that is an action there is nothing to multiply, and steps may differ.");
   claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // A constant step: the motions are the same, brackets and forms are multiplied by constants.

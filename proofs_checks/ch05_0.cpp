@@ -81,8 +81,8 @@ STATEMENT(claim_5_0_principal_moments, "diagonal entries of Lambda and the princ
   claim.corrected(R"(\Lambda_i \text{ correspond to the sums of certain principal moments of inertia})",
                   R"(\Lambda_i + \Lambda_j = I_{ij}, \qquad \Lambda_i = \tfrac12(I_{ij} + I_{ik} - I_{jk}))",
                   "The moments are sums of the $\\Lambda_i$, not the other way round: $\\Lambda_i = \\int "
-                  "x_i^2\\,dm$, and $I_{ij}$ is the moment of inertia "
-                  "for turning in the plane $(i, j)$, in space $I_1 = \\Lambda_2 + \\Lambda_3$.");
+                  "x_i^2\\,dm$, and $I_{ij}$ is the moment of inertia for turning in the plane $(i, j)$, in "
+                  "space $I_1 = \\Lambda_2 + \\Lambda_3$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const body = draw_point_masses<S>(draw, n);
@@ -164,10 +164,9 @@ STATEMENT(claim_5_0_pairing, "pairing used in the rigid body Lagrangian") {
   claim.corrected(R"(\langle\cdot,\cdot\rangle \text{ is the pairing between the Lie group and its dual})",
                   R"(\langle\cdot,\cdot\rangle \text{ is the pairing between the Lie algebra and its dual})",
                   "A group has no dual. Between elements of the group the same trace is constant and does "
-                  "not depend on the motion. Which pairing of skew matrices it is, "
-                  "the thesis does not say: by $\\mathrm{Tr}(A^TB)$ the factor of (5.1) is right and "
-                  "$\\partial l/\\partial\\xi = \\tfrac12J\\xi$; by half of that "
-                  "$\\partial l/\\partial\\xi = J\\xi$.");
+                  "not depend on the motion. Which pairing of skew matrices it is, the thesis does not say: "
+                  "by $\\mathrm{Tr}(A^TB)$ the factor of (5.1) is right and $\\partial l/\\partial\\xi = "
+                  "\\tfrac12J\\xi$; by half of that $\\partial l/\\partial\\xi = J\\xi$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size(), d = group.dimension();
     auto const lambda = draw_second_moments<S>(draw, n);

@@ -110,8 +110,7 @@ STATEMENT(claim_5_1_velocity_element, "discrete velocity of the chart discretisa
                   R"(\zeta_{k+1k} = -\frac1h)"
                   R"(\log(g_{k+1}^{-1}g_k) = \frac1h\log(g_k^{-1}g_{k+1}))",
                   "The printed one leads from the later configuration to the earlier. The kinetic energy is "
-                  "even and does not depend on it; (5.4) goes with the printed "
-                  "sign.");
+                  "even and does not depend on it; (5.4) goes with the printed sign.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g0 = draw.template element<S>(group), g1 = draw_near(draw, g0),
                k = draw.template element<S>(group);
@@ -142,14 +141,14 @@ STATEMENT(claim_5_1_velocity_element, "discrete velocity of the chart discretisa
 }
 
 STATEMENT(eq_5_2, "discrete rigid body Lagrangian from the chart") {
-  claim.corrected(R"(L(g_k,g_{k+1}) = \tfrac12\langle\zeta_{k+1k},\zeta_{k+1k}\rangle = \tfrac12\langle)"
-                  R"(\zeta_{k+1k},\mathcal J(\zeta_{k+1k})\rangle)",
-                  R"(L(g_k,g_{k+1}) = (\zeta_{k+1k},\zeta_{k+1k}) = \tfrac14\langle\zeta_{k+1k},\mathcal J()"
-                  R"(\zeta_{k+1k})\rangle)",
-                  "By the pairing of (5.1), for which the kinetic energy has $\\tfrac14$ and the metric "
-                  "$(\\cdot,\\cdot)$ has it too. The factor drops out "
-                  "of the equations. By the pairing of coordinates, half of that, $\\tfrac12$ is right here "
-                  "and the $\\tfrac14$ of (5.1) is not.");
+  claim.corrected(
+      R"(L(g_k,g_{k+1}) = \tfrac12\langle\zeta_{k+1k},\zeta_{k+1k}\rangle = \tfrac12\langle)"
+      R"(\zeta_{k+1k},\mathcal J(\zeta_{k+1k})\rangle)",
+      R"(L(g_k,g_{k+1}) = (\zeta_{k+1k},\zeta_{k+1k}) = \tfrac14\langle\zeta_{k+1k},\mathcal J()"
+      R"(\zeta_{k+1k})\rangle)",
+      "By the pairing of (5.1), for which the kinetic energy has $\\tfrac14$ and the metric "
+      "$(\\cdot,\\cdot)$ has it too. The factor drops out of the equations. By the pairing of coordinates, "
+      "half of that, $\\tfrac12$ is right here and the $\\tfrac14$ of (5.1) is not.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g0 = draw_near(draw, g1),
                k = draw.template element<S>(group);
@@ -186,8 +185,7 @@ STATEMENT(eq_5_3, "reduced discrete rigid body Lagrangian through the logarithm"
   claim.corrected(R"(\ell(f_{k+1k}) = \frac1{2h^2}\langle\log f_{k+1k},\mathcal J(\log f_{k+1k})\rangle)",
                   R"(\ell(f_{k+1k}) = \frac1{4h^2}\langle\log f_{k+1k},\mathcal J(\log f_{k+1k})\rangle)",
                   "The factor of (5.2) again: by the pairing of (5.1) it is $\\tfrac14$, by that of "
-                  "coordinates $\\tfrac12$. The library's carries the "
-                  "factor $h$.");
+                  "coordinates $\\tfrac12$. The library's carries the factor $h$.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g0 = draw_near(draw, g1),
                k = draw.template element<S>(group);
@@ -225,10 +223,10 @@ STATEMENT(eq_5_3, "reduced discrete rigid body Lagrangian through the logarithm"
 STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity") {
   claim.convention(
       "With $\\chi$ as (3.26) prints it, $\\chi(\\ad)\\,\\iex(-\\ad) = 1$, which is the one that left "
-      "translation needs, and $\\zeta$ as printed, from the later configuration to the earlier. With "
-      "$\\chi$ the inverse of $\\iex$ the factor $\\Ad^*$ is one too many; with $\\zeta$ the velocity all "
-      "three signs turn, and as printed the equation would run back in time. From two attitudes of the body "
-      "the equation approaches its flow forwards and to second order.");
+      "translation needs, and $\\zeta$ as printed, from the later configuration to the earlier. With $\\chi$ "
+      "the inverse of $\\iex$ the factor $\\Ad^*$ is one too many; with $\\zeta$ the velocity all three "
+      "signs turn, and as printed the equation would run back in time. From two attitudes of the body the "
+      "equation approaches its flow forwards and to second order.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     S const h = step_length<S>();
     auto const j = draw_inertia<S>(draw, group);

@@ -62,8 +62,8 @@ STATEMENT(claim_5_2_trace_lagrangian, "rigid body Lagrangian as a single trace")
 
 STATEMENT(eq_5_5, "difference approximation of the body angular velocity") {
   claim.holds(
-      "To first order in the step. The difference $D$ is not in the algebra: $D + D^T = h\\,D^TD$ "
-      "exactly. Its skew part is right to second order, half-way through the step.");
+      "To first order in the step. The difference $D$ is not in the algebra: $D + D^T = h\\,D^TD$ exactly. "
+      "Its skew part is right to second order, half-way through the step.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     S const h = step<S>();
     auto const g0 = draw_rotation<S>(draw, group), g1 = draw_rotation<S>(draw, group),
@@ -173,8 +173,7 @@ STATEMENT(claim_5_2_other_difference, "discrete Lagrangian from the difference a
 STATEMENT(claim_5_2_moser_veselov_multiple, "discrete Lagrangian compared with that of Moser and Veselov") {
   claim.holds(
       "Theirs is $\\mathrm{Tr}(X_kJX_{k+1}^T)$, with $J$ in place of $\\Lambda$. A negative factor turns "
-      "least into greatest and leaves the "
-      "stationary sequences as they are.");
+      "least into greatest and leaves the stationary sequences as they are.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     S const h = step<S>(), multiple = -S(1) / (h * h);
@@ -215,8 +214,8 @@ STATEMENT(claim_5_2_moser_veselov_multiple, "discrete Lagrangian compared with t
 STATEMENT(claim_5_2_reduced_trace_lagrangian, "reduced discrete Lagrangian as a trace") {
   claim.convention(
       "Of the scaled Lagrangian $\\mathrm{Tr}(g_k\\Lambda g_{k+1}^T)$; the one printed before it has "
-      "$-1/h^2$ as well. The trace is the same for $f$ and $f^{-1}$: this Lagrangian does not depend on "
-      "the direction of time.");
+      "$-1/h^2$ as well. The trace is the same for $f$ and $f^{-1}$: this Lagrangian does not depend on the "
+      "direction of time.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);

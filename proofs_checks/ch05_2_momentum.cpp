@@ -262,9 +262,9 @@ STATEMENT(claim_5_2_mv_first_line, "first Moser-Veselov equation, momentum updat
   claim.same_slip_as("eq_5_9");
   claim.corrected(
       R"(M_{k+1} = \omega_{k-1}M_k\omega_{k-1}^{-1})", R"(M_{k+1} = \omega_kM_k\omega_k^{-1})",
-      "The index of $\\omega$ is one too low. With it right, a constant momentum in space seen from "
-      "the body obeys the line, and its difference quotient is $[M, \\xi]$: to first order at the "
-      "ends of a step, to second half-way. With the index as printed it is so to first order only.");
+      "The index of $\\omega$ is one too low. With it right, a constant momentum in space seen from the body "
+      "obeys the line, and its difference quotient is $[M, \\xi]$: to first order at the ends of a step, to "
+      "second half-way. With the index as printed it is so to first order only.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const motion = draw_motion<S>(draw, n);
     for (int k = 1; k <= 2; ++k) {
@@ -396,8 +396,8 @@ STATEMENT(claim_5_2_momentum_by_substitution,
   claim.corrected(
       R"(M = J(\xi) = \Lambda\xi + \xi\Lambda)", R"(M = J(\xi) = \Lambda\xi - \xi^T\Lambda)",
       "The two are the same for skew $\\xi$, but the difference (5.5) is not skew: only the second form "
-      "makes of it the second line of (5.9), over $h$. The first makes of it no element of "
-      "$\\so(n)$; the skew part of that is the mean of the momenta at the two ends of the step.");
+      "makes of it the second line of (5.9), over $h$. The first makes of it no element of $\\so(n)$; the "
+      "skew part of that is the mean of the momenta at the two ends of the step.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const g0 = draw_turn<S>(draw, n), g1 = draw_turn<S>(draw, n);

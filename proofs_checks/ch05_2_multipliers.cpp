@@ -92,9 +92,8 @@ STATEMENT(claim_5_2_skew_multiplier, "skew part of the matrix multiplier") {
 STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
   claim.holds(
       "For the scaled Lagrangian, without the factor $-1/h^2$. Its stationary sequences, the configurations "
-      "varied over all matrices, are those of the "
-      "unconstrained sum varied over the group; each has one symmetric multiplier at each configuration, "
-      "$\\lambda_k = (g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
+      "varied over all matrices, are those of the unconstrained sum varied over the group; each has one "
+      "symmetric multiplier at each configuration, $\\lambda_k = (g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     // Off the group: the gradient, in all entries, of a sum over four configurations.
@@ -161,15 +160,14 @@ STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
 }
 
 STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elements") {
-  claim.corrected(R"(\bar\lambda_k = g^T\lambda_k g \text{ for all } g \in G)",
-                  R"(\bar\lambda_k = g_k^T)"
-                  R"(\lambda_k g_k)",
-                  "With one element, the configuration itself: the multiplier in the body frame. All "
-                  "conjugates of $\\lambda_k$ are symmetric, but only this one "
-                  "is in the reduced equation, and they are all the same only where $\\lambda_k$ is a "
-                  "multiple of the identity. "
-                  "Left multiplication takes the constraint to its conjugate and $\\lambda_k$ with it; "
-                  "$\\bar\\lambda_k$ stays.");
+  claim.corrected(
+      R"(\bar\lambda_k = g^T\lambda_k g \text{ for all } g \in G)",
+      R"(\bar\lambda_k = g_k^T)"
+      R"(\lambda_k g_k)",
+      "With one element, the configuration itself: the multiplier in the body frame. All conjugates of "
+      "$\\lambda_k$ are symmetric, but only this one is in the reduced equation, and they are all the same "
+      "only where $\\lambda_k$ is a multiple of the identity. Left multiplication takes the constraint to "
+      "its conjugate and $\\lambda_k$ with it; $\\bar\\lambda_k$ stays.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const k = draw_rotation<S>(draw, group), g = draw_rotation<S>(draw, group);
@@ -211,17 +209,17 @@ STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elemen
 }
 
 STATEMENT(claim_5_2_operator_equation, "operator equation from varying the constrained reduced action") {
-  claim.corrected(R"(-\ell'(f_{kk-1})TR_{f_{kk-1}} + \ell'(f_{k+1k})\mathrm{Ad}_{f_{k+1k}}TR_{f_{k+1k}} = )"
-                  R"(\bar\lambda_k)",
-                  R"(\ell'(f_{kk-1})TR_{f_{kk-1}}\vartheta_k^T + \ell'(f_{k+1k})TR_{f_{k+1k}})"
-                  R"(\mathrm{Ad}_{f_{k+1k}}\vartheta_k = \mathrm{Tr}(\bar\lambda_k\vartheta_k))",
-                  "For skew $\\vartheta_k$ the two are the same, both multipliers drop out, and (3.11) "
-                  "remains. But a multiplier is there so that $\\vartheta_k = g_k^T\\delta g_k$ may be "
-                  "any matrix, and then (5.6), where $f_{kk-1} = g_k^Tg_{k-1}$, has $\\vartheta_k^T$ in "
-                  "place of $-\\vartheta_k$; only so does the next equation follow. With inverses in "
-                  "place of transposes the printed operators stand, but for another multiplier, $\\Lambda "
-                  "f_{k+1k} - f_{kk-1}\\Lambda$. $\\Ad$ comes before $TR$, which leaves the algebra; as "
-                  "products of matrices either order gives $f\\vartheta$.");
+  claim.corrected(
+      R"(-\ell'(f_{kk-1})TR_{f_{kk-1}} + \ell'(f_{k+1k})\mathrm{Ad}_{f_{k+1k}}TR_{f_{k+1k}} = )"
+      R"(\bar\lambda_k)",
+      R"(\ell'(f_{kk-1})TR_{f_{kk-1}}\vartheta_k^T + \ell'(f_{k+1k})TR_{f_{k+1k}})"
+      R"(\mathrm{Ad}_{f_{k+1k}}\vartheta_k = \mathrm{Tr}(\bar\lambda_k\vartheta_k))",
+      "For skew $\\vartheta_k$ the two are the same, both multipliers drop out, and (3.11) remains. But a "
+      "multiplier is there so that $\\vartheta_k = g_k^T\\delta g_k$ may be any matrix, and then (5.6), "
+      "where $f_{kk-1} = g_k^Tg_{k-1}$, has $\\vartheta_k^T$ in place of $-\\vartheta_k$; only so does the "
+      "next equation follow. With inverses in place of transposes the printed operators stand, but for "
+      "another multiplier, $\\Lambda f_{k+1k} - f_{kk-1}\\Lambda$. $\\Ad$ comes before $TR$, which leaves "
+      "the algebra; as products of matrices either order gives $f\\vartheta$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const corrected =
@@ -342,9 +340,8 @@ STATEMENT(claim_5_2_dep_with_multiplier, "reduced equation with the symmetric mu
 STATEMENT(eq_5_7, "reduced algorithm on the rotation group without multiplier") {
   claim.holds(
       "It is (3.11) for $\\ell(f) = \\mathrm{Tr}(f\\Lambda)$. Solved for $f_{k+1k}$ from two attitudes of "
-      "the "
-      "body it approaches the flow of the body, forwards in time and to second order; solved for $f_{kk-1}$ "
-      "it runs back.");
+      "the body it approaches the flow of the body, forwards in time and to second order; solved for "
+      "$f_{kk-1}$ it runs back.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);

@@ -39,12 +39,12 @@ auto printed_casimir(Matrix<S> const& lambda) {
 }  // namespace
 
 STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its expression in R^3") {
-  claim.corrected(R"(C_{\mathfrak{so}(3)^*}(y) = \|y\|^2)",
-                  R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}()"
-                  R"(\mu^2) = -2\|y\|^2)",
-                  "Either is a Casimir, but they are not the same function: the square of a skew matrix has "
-                  "no positive trace. Spheres and area form are right; the Kirillov-Kostant form is "
-                  "the area form over the radius.");
+  claim.corrected(
+      R"(C_{\mathfrak{so}(3)^*}(y) = \|y\|^2)",
+      R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}()"
+      R"(\mu^2) = -2\|y\|^2)",
+      "Either is a Casimir, but they are not the same function: the square of a skew matrix has no positive "
+      "trace. Spheres and area form are right; the Kirillov-Kostant form is the area form over the radius.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     auto const mu = draw.template momentum<S>(group);
@@ -103,12 +103,12 @@ STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its exp
 }
 
 STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on $\\SO(3)$") {
-  claim.corrected(R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f\Lambda) = f\Lambda - \Lambda f^T)",
-                  R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f^T\Lambda) = f^T\Lambda - \Lambda f)",
-                  "The printed matrix is the other translation, $-R_f^*d\\ell(f)$: its negative is the "
-                  "momentum at the other end of the step. The pull-back of a Casimir is the same for both. "
-                  "Matrices are paired by $\\frac12\\mathrm{Tr}(A^TB)$, "
-                  "so that the skew part stands without its one half.");
+  claim.corrected(
+      R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f\Lambda) = f\Lambda - \Lambda f^T)",
+      R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f^T\Lambda) = f^T\Lambda - \Lambda f)",
+      "The printed matrix is the other translation, $-R_f^*d\\ell(f)$: its negative is the momentum at the "
+      "other end of the step. The pull-back of a Casimir is the same for both. Matrices are paired by "
+      "$\\frac12\\mathrm{Tr}(A^TB)$, so that the skew part stands without its one half.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -129,11 +129,9 @@ STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on $\\
 STATEMENT(eq_5_10, "Casimir function on the rotation group") {
   claim.convention(
       "Up to constant and sign it is the pull-back of $\\|y\\|^2$, in any dimension; from "
-      "$\\mathrm{Tr}(\\mu^2)$, "
-      "the other form that the thesis gives the Casimir, there is a factor 2 as well. On $\\SO(4)$ and "
-      "$\\SO(5)$ it is one of two; the other is the pull-back of the Pfaffian, or of the coefficient of "
-      "fourth "
-      "degree.");
+      "$\\mathrm{Tr}(\\mu^2)$, the other form that the thesis gives the Casimir, there is a factor 2 as "
+      "well. On $\\SO(4)$ and $\\SO(5)$ it is one of two; the other is the pull-back of the Pfaffian, or of "
+      "the coefficient of fourth degree.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -372,9 +370,9 @@ void fills_its_component(Claim<S>& claim, Draw& draw) {
 STATEMENT(claim_5_3_invariant_manifolds,
           "level sets of the group Casimir and the reduced discrete dynamics") {
   claim.convention(
-      "For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own on "
-      "the group, and its own invariant manifolds. On $\\SO(4)$ and $\\SO(5)$ the leaves are the common "
-      "level sets of two functions.");
+      "For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own on the "
+      "group, and its own invariant manifolds. On $\\SO(4)$ and $\\SO(5)$ the leaves are the common level "
+      "sets of two functions.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const motion = draw_motion<S>(draw, n);
     TraceLagrangian<S> const l{motion.lambda};
@@ -444,9 +442,9 @@ STATEMENT(claim_5_3_algebra_casimir, "Casimir on the rotation algebra through an
       R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual induced by } J)",
       R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual that } \mathrm{Ad}^* \text{ )"
       R"(keeps, } -\tfrac12\mathrm{Tr}(\mu^2))",
-      "In the metric that $J$ induces on the dual the right side is $\\langle J\\xi, "
-      "J^{-1}J\\xi\\rangle$, twice the energy: conserved by the motion of the body, but no Casimir unless "
-      "the moments are equal. The formula in coordinates that follows has the right metric.");
+      "In the metric that $J$ induces on the dual the right side is $\\langle J\\xi, J^{-1}J\\xi\\rangle$, "
+      "twice the energy: conserved by the motion of the body, but no Casimir unless the moments are equal. "
+      "The formula in coordinates that follows has the right metric.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, n));

@@ -89,10 +89,10 @@ auto contracted_volume_above(int mu) {
 }  // namespace
 
 STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its first jets") {
-  claim.corrected("y^a,\\ i = 1,\\dots,N", "y^a,\\ a = 1,\\dots,N",
-                  "The index that is named is not the one that is used. Changes of charts act on the "
-                  "fibres of the jet bundle affinely, not linearly, wherever the chart of space depends "
-                  "on space-time.");
+  claim.corrected(
+      "y^a,\\ i = 1,\\dots,N", "y^a,\\ a = 1,\\dots,N",
+      "The index that is named is not the one that is used. Changes of charts act on the fibres of the jet "
+      "bundle affinely, not linearly, wherever the chart of space depends on space-time.");
   claim.maybe_scan();
   // Jets of degree 6 in polynomials of second degree. Linear maps through polynomials and their inverses: an
   // allowance of ten times that of plain evaluation.
@@ -792,11 +792,10 @@ void positive_jacobians(Claim<S>& claim, Draw const& draw) {
 
 STATEMENT(claim_6_1_initial_jacobian,
           "Jacobian of a regular motion at and after the identity configuration") {
-  claim.corrected(
-      "J(x,0) = 1", "J(x,0) = \\sqrt{\\det g(x)/\\det G(x)}",
-      "It is 1 where the two metrics have the same volume, as for a fluid in its container. "
-      "That $J$ stays positive for a regular motion is right in either case: decided for all times "
-      "of motions that turn by up to 150 degrees.");
+  claim.corrected("J(x,0) = 1", "J(x,0) = \\sqrt{\\det g(x)/\\det G(x)}",
+                  "It is 1 where the two metrics have the same volume, as for a fluid in its container. That "
+                  "$J$ stays positive for a regular motion is right in either case: decided for all times of "
+                  "motions that turn by up to 150 degrees.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     TwoMetrics<S, n, n> const m(draw);

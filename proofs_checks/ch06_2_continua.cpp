@@ -351,8 +351,8 @@ STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
 STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
   claim.convention(
       "With the symmetric derivative in $g$ it is so by definition. The balance of moment of momentum, that "
-      "the Piola-Kirchhoff stress times $F$ is symmetric, "
-      "needs a $W$ of the Green tensor, of a solid without symmetry as well.");
+      "the Piola-Kirchhoff stress times $F$ is symmetric, needs a $W$ of the Green tensor, of a solid "
+      "without symmetry as well.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
@@ -420,8 +420,7 @@ STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
 STATEMENT(claim_6_2_euclidean_elasticity, "elasticity in a Euclidean space") {
   claim.convention(
       "In coordinates in which $g$ and $G$ are constant; the first index of the stress is raised with $g$. "
-      "The solid has "
-      "no symmetry, and may have fewer dimensions than its space.");
+      "The solid has no symmetry, and may have fewer dimensions than its space.");
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const j = draw_second_jet<S, n, N>(draw);
@@ -549,8 +548,8 @@ STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid
 STATEMENT(claim_6_2_barotropic_spatial_form,
           "the barotropic equation with spatial density and spatial pressure") {
   claim.holds(
-      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ taken at the particle, and "
-      "the gradient is that of $g$.");
+      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ taken at the particle, and the "
+      "gradient is that of $g$.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
@@ -790,8 +789,7 @@ STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
 STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
   claim.convention(
       "$W$ is per unit mass, $\\rho$ the mass per volume of the body, and the derivative in $g$ the "
-      "symmetric one. $J$ stays; it disappears where $\\rho/J$, the "
-      "spatial density, is written.");
+      "symmetric one. $J$ stays; it disappears where $\\rho/J$, the spatial density, is written.");
   over_media<S>(draw,
                 [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const& fluid,
                                                       SecondJet<S, n, n> const& j, std::string const& model) {

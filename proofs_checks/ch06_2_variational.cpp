@@ -354,9 +354,9 @@ void determined_from_one_box(Claim<S>& claim, Draw& draw) {
 
 STATEMENT(claim_6_2_euler_lagrange_map_unique, "uniqueness of the Euler-Lagrange derivative") {
   claim.holds(
-      "Whatever boundary term (6.7) is written with: from variations that vanish on the boundary of one "
-      "box, and from all variations at a point. It is a function of second jets: sections with one second "
-      "jet have one $D_{EL}\\mathcal L$.");
+      "Whatever boundary term (6.7) is written with: from variations that vanish on the boundary of one box, "
+      "and from all variations at a point. It is a function of second jets: sections with one second jet "
+      "have one $D_{EL}\\mathcal L$.");
   claim.leaves(
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");
@@ -400,9 +400,9 @@ struct ForceAlong {
 
 STATEMENT(claim_6_2_critical_point, "critical points of the action and admissible variations") {
   claim.convention(
-      "Admissible variations vanish on the boundary of $U$; with all variations, natural boundary "
-      "conditions are imposed as well. Both directions: with $V$ a bump times $E$ the rate is the integral "
-      "of the bump times $|E|^2$.");
+      "Admissible variations vanish on the boundary of $U$; with all variations, natural boundary conditions "
+      "are imposed as well. Both directions: with $V$ a bump times $E$ the rate is the integral of the bump "
+      "times $|E|^2$.");
   claim.leaves(
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");

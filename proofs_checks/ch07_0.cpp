@@ -252,11 +252,10 @@ STATEMENT(claim_7_0_vakonomic_differs,
   claim.convention(
       "The constraint is one on velocities that does not integrate to one on configurations: for a holonomic "
       "one, $g\\,df = 0$, both principles give the same motions, as the text says before. Hamilton's "
-      "principle on the curves that satisfy $\\omega\\cdot\\dot q = 0$ has the equations "
-      "(7.2). Its reaction has the part $-\\lambda\\,|\\dot q|^2\\,\\omega\\cdot\\mathrm{curl}\\,\\omega$ "
-      "along "
-      "the displacement $\\omega\\times\\dot q$, which virtual work leaves free. Which of the two nature "
-      "follows is a question for experiments.");
+      "principle on the curves that satisfy $\\omega\\cdot\\dot q = 0$ has the equations (7.2). Its reaction "
+      "has the part $-\\lambda\\,|\\dot q|^2\\,\\omega\\cdot\\mathrm{curl}\\,\\omega$ along the displacement "
+      "$\\omega\\times\\dot q$, which virtual work leaves free. Which of the two nature follows is a "
+      "question for experiments.");
   restrict_to_allowed_curves<S, 3, 1>(claim, draw, false, "any linear constraint in R^3");
   compare_any_linear(claim, draw, false);
   compare_any_linear(claim, draw, true);

@@ -226,8 +226,7 @@ STATEMENT(eq_7_2, "constrained Euler-Lagrange equations") {
   claim.holds(
       "They are those of $L - \\langle\\lambda, \\Phi\\rangle$, in components of an orthonormal frame of "
       "$\\mathcal V$; the derivative of the augmented action in $\\phi$ is minus their pairing with the "
-      "variation, "
-      "up to the divergence of a field that vanishes with it.");
+      "variation, up to the divergence of a field that vanishes with it.");
   over_dimensions(ConstrainedDimensions{}, [&]<class D>(D, std::string const& name) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
@@ -285,12 +284,10 @@ STATEMENT(claim_7_2_constrained_hamilton,
           "critical points of the constrained action and of the action with multiplier") {
   claim.convention(
       "An extremum is a critical point, and the constraint is regular as in Theorem 7.1.1. Shown off shell, "
-      "for "
-      "any density and any variation: from the multiplier to the constrained sections for every constraint "
-      "with "
-      "two components; the other way where one field is a function of the other and of its derivatives, on "
-      "strings, membranes and solids, and where none is, on curves that sweep area at a given rate; for "
-      "$J = 1$ see claim_7_2_incompressibility_fits.");
+      "for any density and any variation: from the multiplier to the constrained sections for every "
+      "constraint with two components; the other way where one field is a function of the other and of its "
+      "derivatives, on strings, membranes and solids, and where none is, on curves that sweep area at a "
+      "given rate; for $J = 1$ see claim_7_2_incompressibility_fits.");
   // Cubics of cubics, differentiated up to three times: terms grow to some tens and cancel in part.
   double const condition = 100;
   over_dimensions(ConstrainedDimensions{}, [&]<class D>(D, std::string const& name) {

@@ -93,8 +93,7 @@ STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its t
       "\\ker T\\mathbb{F}\\mathcal L_\\Phi \\supseteq \\mathrm{span}(\\partial/\\partial\\beta_\\mu)",
       "Restricting the target, all momenta $p$ nearby are reached where $\\partial^2L_\\Phi/\\partial "
       "v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay in "
-      "its kernel. "
-      "The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
+      "its kernel. The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
@@ -231,8 +230,7 @@ STATEMENT(eq_8_6, "the field equation of the multiplier") {
       "L_\\Phi}{\\partial\\beta_\\mu} = \\Phi = J - 1",
       "A slip of the pen: the left side is a number, the same in every chart of the body, because the "
       "multiplier is a density; the coefficient of a form $d^{n+1}x$ would change with the chart. The "
-      "equation "
-      "of $\\lambda$ is $\\Phi(j^1\\phi) = 0$ either way.");
+      "equation of $\\lambda$ is $\\Phi(j^1\\phi) = 0$ either way.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
@@ -334,8 +332,8 @@ STATEMENT(claim_8_2_other_cancellations,
           "what else cancels where the momenta of the pressure are differentiated") {
   claim.holds(
       "Besides the metric of space: the derivatives of $\\det v$ and of $v^{-1}$ cancel each other (the "
-      "identity of Piola), and those of the root of $\\det G$ in $\\lambda$ cancel those of the root in "
-      "$J$. The derivative of $P$ remains.");
+      "identity of Piola), and those of the root of $\\det G$ in $\\lambda$ cancel those of the root in $J$. "
+      "The derivative of $P$ remains.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));

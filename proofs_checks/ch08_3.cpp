@@ -158,8 +158,7 @@ STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two
       "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial(P_W + P_\\lambda)}{\\partial "
       "x^k}\\,J(F^{-1})^k{}_a",
       "A slip of an index: $\\dot\\phi$ is a vector, and its components differentiated as functions would "
-      "lose "
-      "the connection. The density is 1; otherwise $\\rho(x)$ stands before the acceleration.");
+      "lose the connection. The density is 1; otherwise $\\rho(x)$ stands before the acceleration.");
   claim.maybe_scan();
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

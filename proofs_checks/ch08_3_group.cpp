@@ -155,9 +155,8 @@ FieldsInTime<S, n> acceleration_in_box(BoxMetric<S, n> const& g, FieldsInTime<S,
 STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the volume") {
   claim.holds(
       "Such fields along a wall of any form have such a bracket, and differentiating the adjoint action of "
-      "any "
-      "motion of the group gives minus the bracket of Jacobi and Lie. The volume grows along the flow of a "
-      "field by its divergence, and so the flow stays in the group where there is none.");
+      "any motion of the group gives minus the bracket of Jacobi and Lie. The volume grows along the flow of "
+      "a field by its divergence, and so the flow stays in the group where there is none.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);
@@ -212,8 +211,7 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
 STATEMENT(claim_8_3_tangent_bracket, "the bracket of fields along a boundary") {
   claim.holds(
       "For any two fields along a boundary of any form, with or without divergence. The derivative of one "
-      "along "
-      "the other alone leaves a boundary that is bent.");
+      "along the other alone leaves a boundary that is bent.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     Matrix<S, n, 1> const y = draw.vector<S, Matrix<S, n, 1>>(n);
@@ -237,8 +235,7 @@ STATEMENT(claim_8_3_right_invariant_metric, "the metric on volume preserving map
       "Extended by right invariance the inner product of fields is $\\int g(\\eta(x))(\\dot\\eta, "
       "\\dot\\eta)\\,\\mu$, twice the kinetic energy of the particles, because $\\eta$ preserves $\\mu$; "
       "translated from the left it is another metric. Integrands are compared for finite maps, integrals in "
-      "a "
-      "box for fields along its walls.");
+      "a box for fields along its walls.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);

@@ -199,9 +199,9 @@ auto shifted_time(S const& tau) {
 STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogeneous fluids") {
   claim.convention(
       "A relabelling must take each level set of the density, and of the entropy, to itself: one that "
-      "exchanges level sets is no symmetry. The stored energy depends on the point of the body through "
-      "these alone. Among the fields that preserve the volume those along the level sets are all symmetries "
-      "there are: the rate of the Lagrangian is that of the density or the entropy, times what is not zero.");
+      "exchanges level sets is no symmetry. The stored energy depends on the point of the body through these "
+      "alone. Among the fields that preserve the volume those along the level sets are all symmetries there "
+      "are: the rate of the Lagrangian is that of the density or the entropy, times what is not zero.");
   // The energy is of degree 24 in the coordinates after clearing denominators, the field of degree 12.
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -259,10 +259,10 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
 
 STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries") {
   claim.convention(
-      "The stored energy must depend on the metric of space and on the deformation through the Green "
-      "tensor alone (or be equivariant under isometries in another way), and the isometry must respect "
-      "the boundary conditions. Of a fluid, which knows the sign of $J$, an isometry that turns space inside "
-      "out is none. The solid has no symmetry of its own.");
+      "The stored energy must depend on the metric of space and on the deformation through the Green tensor "
+      "alone (or be equivariant under isometries in another way), and the isometry must respect the boundary "
+      "conditions. Of a fluid, which knows the sign of $J$, an isometry that turns space inside out is none. "
+      "The solid has no symmetry of its own.");
   // A cubic of the Green tensor, which is of degree 12 with the denominators of the sphere and the body.
   over_points(claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
               [&]<class D>(D, std::string const& model) {
@@ -360,9 +360,9 @@ STATEMENT(claim_9_0_euclidean_isometries, "rotations and translations as symmetr
 STATEMENT(claim_9_0_time_translation, "translation of time as the symmetry that all media share") {
   claim.holds(
       "Of media whose mass, metrics and stored energy are functions of the body and of space. Fields that "
-      "are "
-      "to first order at a point symmetries of all of them have there no part but a constant one along time, "
-      "so that fields which are everywhere are multiples of the translation of time: it is the only one.");
+      "are to first order at a point symmetries of all of them have there no part but a constant one along "
+      "time, so that fields which are everywhere are multiples of the translation of time: it is the only "
+      "one.");
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const j = draw_jet<S, n, N>(draw);

@@ -67,9 +67,9 @@ auto bracket(X const& x, Y const& y) {
 STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
   claim.corrected(
       "\\eta_E=(y^a,\\lambda)", "\\eta_E=\\bigl(y^a,\\lambda/\\det\\partial\\eta\\bigr)",
-      "By (8.2) $\\lambda=\\sqrt{\\det G}\\,P$ is a density, and the lift must take it along as one: "
-      "then $P$ stays, and the incompressible fluid is symmetric. The printed lift, which leaves "
-      "$\\lambda$ as it is, agrees with it only in coordinates in which $\\det G$ is constant.");
+      "By (8.2) $\\lambda=\\sqrt{\\det G}\\,P$ is a density, and the lift must take it along as one: then "
+      "$P$ stays, and the incompressible fluid is symmetric. The printed lift, which leaves $\\lambda$ as it "
+      "is, agrees with it only in coordinates in which $\\det G$ is constant.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -179,8 +179,8 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
 
 STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
   claim.holds(
-      "For the lift (9.1) as it stands; divergence-free means $\\partial_k(\\sqrt{\\det G}\\,\\xi^k)=0$, "
-      "the rate at which the flow changes the volume. The formula holds for any field on the body. With a "
+      "For the lift (9.1) as it stands; divergence-free means $\\partial_k(\\sqrt{\\det G}\\,\\xi^k)=0$, the "
+      "rate at which the flow changes the volume. The formula holds for any field on the body. With a "
       "multiplier that is a density $-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along $\\beta_\\mu$.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
@@ -284,12 +284,9 @@ auto action_gained(AnyDensity<S, 1, 2> const& L, Eta const& eta, Phi const& phi,
 STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a group") {
   claim.convention(
       "Equivalent to invariance of the action over every region, which moves with $\\eta_X$: the action "
-      "gained "
-      "over a box has the defect of equivariance at its corner as its mixed derivative by the corner. "
-      "Invariance "
-      "up to what happens at the boundary would allow a divergence: a Galilean boost adds one to the density "
-      "of "
-      "a medium in flat space, which is not equivariant, and its action over a box changes.");
+      "gained over a box has the defect of equivariance at its corner as its mixed derivative by the corner. "
+      "Invariance up to what happens at the boundary would allow a divergence: a Galilean boost adds one to "
+      "the density of a medium in flat space, which is not equivariant, and its action over a box changes.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -380,11 +377,9 @@ STATEMENT(prop_9_1_1, "equivariance of the two fluid Lagrangians under relabelli
       "\\mathcal L(\\eta_{J^1E}(\\bar\\gamma))=(\\eta_X^{-1})^*\\mathcal L(\\bar\\gamma)\\ \\text{for}\\ "
       "\\eta_E=\\bigl(y^a,\\lambda/\\det\\partial\\eta\\bigr)",
       "The barotropic fluid is equivariant as printed, for every metric of the body; the incompressible one "
-      "is "
-      "with a multiplier that goes over as a density, and with the printed lift only where $\\det G$ is "
-      "constant. "
-      "A finite relabelling enters at a jet through its image and its tangent map alone, and all of them are "
-      "drawn.");
+      "is with a multiplier that goes over as a density, and with the printed lift only where $\\det G$ is "
+      "constant. A finite relabelling enters at a jet through its image and its tangent map alone, and all "
+      "of them are drawn.");
   claim.same_slip_as("eq_9_1");
   // Each density is of degree some 24 with its denominators, a field 12.
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
@@ -480,9 +475,9 @@ STATEMENT(claim_9_1_jacobian_functions, "functions of the Jacobian and the deter
       "\\det\\partial_i\\eta^j=\\sqrt{\\det G}/(\\sqrt{\\det G}\\circ\\eta),\\quad "
       "f(J(\\eta_{J^1E}(\\bar\\gamma)))\\sqrt{\\det G}\\,d^{n+1}x=(\\eta_X^{-1})^*"
       "\\bigl(f(J(\\bar\\gamma))\\sqrt{\\det G}\\,d^{n+1}x\\bigr)",
-      "The printed forms need coordinates in which $\\det G$ is constant, while (6.1) and (6.3) are "
-      "written for any. That $J$ is the same before and after holds in all of them. The degree is printed "
-      "$m+1$, as in (6.3).");
+      "The printed forms need coordinates in which $\\det G$ is constant, while (6.1) and (6.3) are written "
+      "for any. That $J$ is the same before and after holds in all of them. The degree is printed $m+1$, as "
+      "in (6.3).");
   claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

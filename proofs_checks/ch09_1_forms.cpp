@@ -101,11 +101,8 @@ auto on_coordinates(Eta const& eta) {
 
 STATEMENT(eq_9_4, "covariant momentum map and the multisymplectic form") {
   claim.holds(
-      "With $\\Omega=-d\\Theta$; the momentum map is linear in $\\xi$. "
-      "There is one "
-      "for relabelling of the barotropic and of the incompressible fluid, and for isometries and time of a "
-      "medium "
-      "of any energy.");
+      "With $\\Omega=-d\\Theta$; the momentum map is linear in $\\xi$. There is one for relabelling of the "
+      "barotropic and of the incompressible fluid, and for isometries and time of a medium of any energy.");
   // Momenta of a fluid, differentiated: some 60 with denominators, times a potential and four vectors.
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, jets = Jet<S, n, n>::dimension;
@@ -195,8 +192,7 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
       "Every lift to the dual jet bundle preserves the canonical $\\Theta$. A prolongation to $J^1Y$ takes "
       "$\\Theta_{\\mathcal L}$ to the Cartan form of the pulled-back density: it is preserved where "
       "$\\mathcal L$ is equivariant, and only there. Galileo's boost of a medium in flat space preserves "
-      "$\\Omega$ "
-      "and not $\\Theta$.");
+      "$\\Omega$ and not $\\Theta$.");
   over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<3, 1>>{},
               [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension, duals = DualJet<S, n, N>::dimension;
@@ -259,10 +255,9 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
 STATEMENT(eq_9_7, "momentum map from the Cartan form") {
   claim.convention(
       "The density must be equivariant: then "
-      "$d(j^1\\xi\\lrcorner\\,\\Theta_L)=j^1\\xi\\lrcorner\\,\\Omega_L$, for any "
-      "density that is equivariant under a field with a part along space-time, and for fields that leave it "
-      "alone. "
-      "For others the form is there, and its differential is not the contraction.");
+      "$d(j^1\\xi\\lrcorner\\,\\Theta_L)=j^1\\xi\\lrcorner\\,\\Omega_L$, for any density that is equivariant "
+      "under a field with a part along space-time, and for fields that leave it alone. For others the form "
+      "is there, and its differential is not the contraction.");
   claim.leaves(
       "Bodies of dimension three are not tried: forms on a jet bundle over four dimensions cost much, and no "
       "coefficient here depends on the dimension.");

@@ -96,12 +96,10 @@ STATEMENT(eq_9_6, "invariance of the action under a group") {
 STATEMENT(claim_9_1_symmetries_of_solutions, "symmetries take solutions to solutions") {
   claim.holds(
       "For any density and any automorphism the field equations of $\\mathcal L$ along the moved section are "
-      "those "
-      "of $\\eta^*\\mathcal L$ along the section, times an invertible matrix; so solutions go to solutions "
-      "where "
-      "$\\eta^*\\mathcal L=\\mathcal L$. Exact motions are moved, and the generator is a first variation of "
-      "them. "
-      "The converse is not claimed: Galileo's boost takes solutions to solutions as well.");
+      "those of $\\eta^*\\mathcal L$ along the section, times an invertible matrix; so solutions go to "
+      "solutions where $\\eta^*\\mathcal L=\\mathcal L$. Exact motions are moved, and the generator is a "
+      "first variation of them. The converse is not claimed: Galileo's boost takes solutions to solutions as "
+      "well.");
   over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
@@ -282,11 +280,9 @@ struct AffineFields {
 STATEMENT(claim_9_1_vertical_variations, "vertical variations and spatial symmetries") {
   claim.holds(
       "Of all affine fields on Y that are symmetries of a fluid of the plane, flat in body and space, three "
-      "are "
-      "vertical, the isometries of space; arbitrary ones are nine, with time and the five relabellings. A "
-      "vertical "
-      "field with the same vertical part along a section as a relabelling is no symmetry: its rate is "
-      "$-D_\\mu(L\\,\\xi^\\mu)$.");
+      "are vertical, the isometries of space; arbitrary ones are nine, with time and the five relabellings. "
+      "A vertical field with the same vertical part along a section as a relabelling is no symmetry: its "
+      "rate is $-D_\\mu(L\\,\\xi^\\mu)$.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -516,8 +512,8 @@ STATEMENT(claim_9_1_barotropic_current_differential,
       "x^k}\\,J\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
       "The density is missing: the printed form holds for $\\rho=1$. The differential is $-\\sqrt{\\det "
       "G}\\,\\xi^k\\bigl(\\rho\\,g_{ab}(D_g\\dot\\phi/Dt)^b\\phi^a{}_{,k}+J\\,\\partial_kP\\bigr)d^{n+1}x$; "
-      "closed at a point for all divergence-free fields it gives back the field equations there, since "
-      "$F$ is invertible.");
+      "closed at a point for all divergence-free fields it gives back the field equations there, since $F$ "
+      "is invertible.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
@@ -632,8 +628,7 @@ STATEMENT(claim_9_1_constraint_from_current, "constraint and the vanishing of th
 STATEMENT(claim_9_1_currents_differ, "the difference of the barotropic and the incompressible current") {
   claim.holds(
       "With the momentum part in common they differ by $(P_\\lambda-\\rho W-P_WJ)\\sqrt{\\det "
-      "G}\\,\\xi^k\\,d^nx_k$, "
-      "the current of the difference of the two Lagrangians.");
+      "G}\\,\\xi^k\\,d^nx_k$, the current of the difference of the two Lagrangians.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);

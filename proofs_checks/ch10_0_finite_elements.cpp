@@ -416,10 +416,8 @@ STATEMENT(claim_10_0_betti_reciprocity, "multisymplectic form formula and recipr
   claim.holds(
       "Of increments at rest of a strained hyperelastic body, without symmetry: the time's component of the "
       "form vanishes, and through the faces flows the work of the one tractions in the other displacements "
-      "less "
-      "the converse. With forces on the body their work is added on both sides. Increments of second degree "
-      "of "
-      "a state of uniform strain in a homogeneous body, on boxes; shells as well.");
+      "less the converse. With forces on the body their work is added on both sides. Increments of second "
+      "degree of a state of uniform strain in a homogeneous body, on boxes; shells as well.");
   over_models(claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
               [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -496,11 +494,10 @@ STATEMENT(claim_10_0_static_fem,
           "finite elements for static elasticity and the discrete multisymplectic form") {
   claim.convention(
       "In the sense of Veselov's discretization: the forms of an element's action sum to zero over its "
-      "corners, "
-      "and for two first variations over the outer nodes of a patch. For elements whose forces come from the "
-      "stored energy, here linear simplices with one point of evaluation each, an anisotropic solid in "
-      "curved "
-      "metrics and dead loads on the nodes. Test functions that differ from the shape functions lose it.");
+      "corners, and for two first variations over the outer nodes of a patch. For elements whose forces come "
+      "from the stored energy, here linear simplices with one point of evaluation each, an anisotropic solid "
+      "in curved metrics and dead loads on the nodes. Test functions that differ from the shape functions "
+      "lose it.");
   over_models(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     Patch<S, n> const patch(draw, draw_medium<S, n>(draw, Kind::solid));
@@ -552,11 +549,9 @@ STATEMENT(claim_10_0_static_fem,
 STATEMENT(claim_10_0_newmark, "finite elements with Newmark time stepping") {
   claim.convention(
       "For $\\gamma=\\frac12$ and any $\\beta$, with masses in the nodes or those of the shape functions, in "
-      "a "
-      "space of constant metric. The discrete Lagrangian and the form are those of the shifted positions "
+      "a space of constant metric. The discrete Lagrangian and the form are those of the shifted positions "
       "$z = q - \\beta h^2a$, the positions themselves for $\\beta = 0$; other $\\gamma$ lose the form. On a "
-      "patch "
-      "of an anisotropic solid the form gains from time to time what the loads bring through the outer "
+      "patch of an anisotropic solid the form gains from time to time what the loads bring through the outer "
       "nodes.");
   over_models(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
     constexpr int n = D::n;

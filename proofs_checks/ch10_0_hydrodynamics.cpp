@@ -334,21 +334,15 @@ char const* name_of(Conserved form) {
 STATEMENT(claim_10_0_reduced_hydrodynamics, "reduced hydrodynamic schemes and known first integrals") {
   claim.convention(
       "For the ideal fluid on the sphere whose vorticity is a matrix $W\\in\\mathfrak{su}(N)$. The known "
-      "first "
-      "integrals "
-      "are then the $N-1$ Casimirs, the energy and the angular momentum. Every step that conjugates by a "
-      "Cayley map "
-      "conserves the Casimirs. The discrete Lie-Poisson step of chapter 3 conserves the angular momentum and "
-      "is a "
-      "Poisson map; its energy is within $O(h^2)$. With the stream function of the mean vorticity the energy "
-      "is "
-      "conserved, and the angular momentum and the Poisson property are given up. With a displacement that "
-      "moves "
-      "along the orbit all of them are conserved, and the Poisson property is given up.");
+      "first integrals are then the $N-1$ Casimirs, the energy and the angular momentum. Every step that "
+      "conjugates by a Cayley map conserves the Casimirs. The discrete Lie-Poisson step of chapter 3 "
+      "conserves the angular momentum and is a Poisson map; its energy is within $O(h^2)$. With the stream "
+      "function of the mean vorticity the energy is conserved, and the angular momentum and the Poisson "
+      "property are given up. With a displacement that moves along the orbit all of them are conserved, and "
+      "the Poisson property is given up.");
   claim.leaves(
       "That the matrices tend to the fluid as $N\\to\\infty$ is cited on the page, and that a step has a "
-      "solution "
-      "is shown where one is found.");
+      "solution is shown where one is found.");
   // The sizes bound the sums of products, so that plain evaluation is what remains.
   double const sums = 1;
   for (int const n : {4, 5}) {
@@ -495,11 +489,9 @@ STATEMENT(claim_10_0_reduced_hydrodynamics, "reduced hydrodynamic schemes and kn
 STATEMENT(claim_10_0_vorticity_preservation, "discrete vorticity preservation for incompressible fluids") {
   claim.convention(
       "With $\\SU(N)$ in the place of the area-preserving maps of the sphere. The momentum map of the "
-      "relabellings "
-      "is then the vorticity carried back to the labels, $g_k^{-1}W_kg_k$ for $g_{k+1} = "
+      "relabellings is then the vorticity carried back to the labels, $g_k^{-1}W_kg_k$ for $g_{k+1} = "
       "\\mathrm{cay}(A_k)\\,g_k$, and it is the same at every step. It is the momentum of the discrete "
-      "Noether "
-      "theorem: $W_0$ and $W_1$ are the two discrete Legendre images of a Lagrangian on the group.");
+      "Noether theorem: $W_0$ and $W_1$ are the two discrete Legendre images of a Lagrangian on the group.");
   claim.leaves("A mesh of labels, of which the thesis speaks here, has no such group; the page says why.");
   for (int const n : {3, 4}) {
     if (numbers_grow() && n > 3) continue;

@@ -90,16 +90,11 @@ STATEMENT(claim_10_0_reduced_pair_space,
           "pairs of a general configuration space, reduced by its symmetries") {
   claim.convention(
       "Where $\\mathbb L$ is invariant and regular, the action free, and the momentum is $-D_1\\mathbb L$. "
-      "Brackets "
-      "of invariant functions are invariant, and the flow keeps them. The discrete momentum map commutes "
-      "with "
-      "invariant functions, the flow keeps it, and the leaves have the codimension of the coadjoint orbits "
-      "of $G$. "
-      "$-D_1\\mathbb L$ carries the bracket to that of $T^*M/G$. Instances of $M$ and $G$: frames in space "
-      "with "
-      "turns about one axis, a bundle that is no product; $\\mathrm{Aff}(1)$ with its stretchings; $\\SO(3)$ "
-      "and "
-      "$\\mathrm{Aff}(1)$, each beside a plane.");
+      "Brackets of invariant functions are invariant, and the flow keeps them. The discrete momentum map "
+      "commutes with invariant functions, the flow keeps it, and the leaves have the codimension of the "
+      "coadjoint orbits of $G$. $-D_1\\mathbb L$ carries the bracket to that of $T^*M/G$. Instances of $M$ "
+      "and $G$: frames in space with turns about one axis, a bundle that is no product; $\\mathrm{Aff}(1)$ "
+      "with its stretchings; $\\SO(3)$ and $\\mathrm{Aff}(1)$, each beside a plane.");
   for (auto const& space : spaces()) {
     auto const& m = space.m;
     int const d = m.dimension();
