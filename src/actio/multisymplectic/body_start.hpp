@@ -42,11 +42,22 @@ enum class Conserve {
   energy  ///< energy: implicit, by a discrete gradient; the form is given up
 };
 
+/// The coefficients of von Neumann and Richtmyer's viscosity (artificial_viscosity.hpp); without it both are
+/// 0.
+struct ArtificialViscosity {
+  double linear = 0;  ///< of the speed of sound; about 1/2 damps what follows a shock
+  /// of the jump of the velocity over a cell; about 2 spreads a shock over three cells
+  double quadratic = 0;
+  /// Whether there is one.
+  bool any() const { return linear != 0 || quadratic != 0; }
+};
+
 /// How time is stepped.
 struct BodyStepping {
   double step;                         ///< length of a step
   int order = 2;                       ///< 2, or 4 by five substeps (Suzuki)
   Conserve conserve = Conserve::form;  ///< what it keeps
+  ArtificialViscosity viscosity = {};  ///< with order 2 and `form` alone
 };
 
 /// A body at the start.

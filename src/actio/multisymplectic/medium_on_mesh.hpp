@@ -55,6 +55,11 @@ class MediumOnMesh {
     }
     steps_of_.held.put_places(state_.x, 0), steps_of_.held.put_velocities(state_.v, 0);
     state_.x_rest.assign(state_.x.size(), 0), state_.v_rest.assign(state_.x.size(), 0);
+    if (stepping.viscosity.any()) {
+      auto const& forces = steps_of_.forces;
+      steps_of_.viscosity.emplace(stepping.viscosity, forces.body);
+      steps_of_.viscosity->forces(forces.body, forces.law(), state_.x, state_.v, state_.viscous);
+    }
     begin();
   }
 
@@ -96,7 +101,8 @@ class MediumOnMesh {
   std::size_t bytes() const {
     // A state, its copy, forces and their copy, and an acceleration.
     return mesh_.bytes() + steps_of_.forces.body.bytes() + steps_of_.held.bytes() +
-           11 * state_.x.size() * sizeof(double);
+           11 * state_.x.size() * sizeof(double) +
+           (steps_of_.viscosity ? steps_of_.viscosity->bytes() + 3 * state_.x.size() * sizeof(double) : 0);
   }
 
   /// Places of the nodes, length.
@@ -110,6 +116,9 @@ class MediumOnMesh {
       e.kinetic += 0.5 * masses()[k / d] * state_.v[k] * state_.v[k];
     return e;
   }
+  /// The energy that viscosity has taken since the start: energies and this together are constant up to the
+  /// square of the step, where energies are without viscosity.
+  double dissipated() const { return state_.dissipated; }
   /// Linear momentum, mass x length/time: kept to rounding where nothing is held and no load acts.
   Place momentum() const {
     Place sum{};
@@ -169,11 +178,15 @@ class MediumOnMesh {
   }
   /// The longest time step for which small motions about the state now are stable, with the explicit step:
   /// two over the largest frequency, which comes from below, so that the step comes from above, within a per
-  /// cent. With order 4 no substep is longer than 0.66 of the step, and the step may be longer by that.
+  /// cent; with viscosity at most what that allows. With order 4 no substep is longer than 0.66 of the step,
+  /// and the step may be longer by that.
   double largest_step() const {
     double longest = 0;
     for (double const one : fractions_) longest = std::max(longest, std::abs(one));
-    return 2 / steps_of_.largest_frequency(state_.x) / longest;
+    double const step = 2 / steps_of_.largest_frequency(state_.x) / longest;
+    if (!steps_of_.viscosity) return step;
+    auto const& forces = steps_of_.forces;
+    return std::min(step, steps_of_.viscosity->limit(forces.body, forces.law(), state_.x, state_.v).step);
   }
 
   /// The whole state: number of steps, places, velocities and their rests.
@@ -181,19 +194,27 @@ class MediumOnMesh {
     std::vector<double> out{static_cast<double>(steps_)};
     for (auto const* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})
       out.insert(out.end(), part->begin(), part->end());
+    if (steps_of_.viscosity) {
+      out.insert(out.end(), state_.viscous.begin(), state_.viscous.end());
+      out.push_back(state_.dissipated);
+    }
     return out;
   }
   /// Goes on from a state that was remembered, bit for bit.
   /// @throws OutsideDomain  where it is of another size
   /// @throws BodyCellInverts  where a cell is inside out in it
   void restore(std::vector<double> const& remembered) {
-    std::size_t const n = state_.x.size();
-    if (remembered.size() != 1 + 4 * n)
-      throw OutsideDomain("medium", "a remembered state has one and four numbers per component of a node",
-                          static_cast<double>(remembered.size()), static_cast<double>(1 + 4 * n));
+    std::size_t const n = state_.x.size(), all = steps_of_.viscosity ? 2 + 5 * n : 1 + 4 * n;
+    if (remembered.size() != all)
+      throw OutsideDomain("medium",
+                          "a remembered state has four numbers per component of a node and one more,"
+                          " with viscosity five and two more",
+                          static_cast<double>(remembered.size()), static_cast<double>(all));
     auto from = remembered.begin() + 1;
     for (auto* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})
       part->assign(from, from + static_cast<long>(n)), from += static_cast<long>(n);
+    if (steps_of_.viscosity) state_.viscous.assign(from, from + static_cast<long>(n));
+    if (steps_of_.viscosity) state_.dissipated = remembered.back();
     steps_ = static_cast<long>(remembered[0]);
     begin();
   }
@@ -214,6 +235,10 @@ class MediumOnMesh {
     if (stepping.order != 2 && stepping.order != 4)
       throw OutsideDomain("medium", "the order of a step is 2 or 4", stepping.order,
                           stepping.order < 3 ? 2 : 4);
+    bool const plain = stepping.order == 2 && stepping.conserve == Conserve::form;
+    if (stepping.viscosity.any() && !plain)
+      throw OutsideDomain("medium", "viscosity has steps of order 2 that keep the form without it; order",
+                          stepping.order, 2);
     return stepping;
   }
   std::vector<Place> points(std::vector<double> const& in) const {
