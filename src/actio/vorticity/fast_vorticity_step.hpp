@@ -7,26 +7,19 @@
 //   has it,
 //
 // converges by a factor of about fifty a round; mostly one round or two are needed, and none where the flow
-// is so smooth in time that the middle can be extrapolated, too. Then the equation of the step is evaluated
-// once in double precision, with C = [A, Wt]:
-//
-//   r = W_0 + C + A Wt A - Wt,        W_1 = W_0 - r + 2C + U r U^*,  U = cay(A).
-//
-// This is cay(A) W_0 cay(A)^* whatever r is. As r is of the size of a rounding in single precision, U r U^*
-// may be found in single precision, and the spectrum of W_1 is that of W_0 to the rounding of double
-// precision. Energy and angular momentum, where the form conserves them, are then off by about the tolerance;
-// they are taken back by a move along the orbit, W_1 + [Y, W_1] + [Y, [Y, W_1]]/2 with Y = sum c_i [Q_i,
-// W_1], Q_i being the P of W_1 and the spin matrices; single precision will do for it, too.
-//
-// What would add up over many steps is kept small: r once more by what it does to itself (better_middle),
-// since the error of the transform has made r and multiplies it.
+// is so smooth in time that the middle can be extrapolated, too. The end is found from A and the middle with
+// the spectrum of W_0 to the rounding of double precision (isospectral_finish.hpp). Energy and angular
+// momentum, where the form conserves them, are then off by about the tolerance; they are taken back by a
+// small move along the orbit (orbit_move.hpp).
 //
 // What it gives up against the plain step: the solution is that of the implicit equation to the tolerance,
 // and not to rounding, so going back returns to the tolerance.
 #pragma once
 
-#include "actio/vorticity/single_cayley.hpp"
-#include "actio/vorticity/spin_columns.hpp"
+#include "actio/vorticity/isospectral_finish.hpp"
+#include "actio/vorticity/operator_radius.hpp"
+#include "actio/vorticity/orbit_move.hpp"
+#include "actio/vorticity/past_steps.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 
 namespace actio {
@@ -43,10 +36,9 @@ class FastVorticityStep : public StepSetting<Stream> {
                     Products products = eigen_products())
       : StepSetting<Stream>(stream, conserved, step, frame),
         products_of_plain_(products),
-        products_(products),
-        cayley_(products),
+        finish_(products),
         corrected_(sphere_, this->corrected_axes()),
-        polished_(sphere_, polished_axes()) {}
+        move_(sphere_, moved_axes()) {}
 
   /// How well A solves its equation, relative to |A|: not below what single precision gives, about 1e-9.
   double tolerance = 1e-8;
@@ -61,18 +53,8 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// Forgets the steps that were made: the next one begins as if it were the first.
   void forget() { past_.clear(), factors_.setZero(), radius_ = 0; }
 
-  /// Of what A is moved by: energy, and up to three directions.
-  using Factors = Eigen::Vector4d;
-  /// A step that was made, as the first guess of the next one needs it.
-  struct Past {
-    SkewHermitian<> displacement;    ///< A
-    SkewHermitian<float> increment;  ///< Wt - W_0
-    Factors factors;                 ///< of this step
-    double first_change = 1;         ///< of A, relative, by the first of its rounds: how good the guess was
-    int wait = 0;                    ///< steps for which the guess is not tried as the solution
-    double radius = 0;               ///< an estimate of the largest eigenvalue of A over |A|
-    int age = 0;                     ///< steps since it was made
-  };
+  using Factors = PastStep::Factors;  ///< of what A is moved by
+  using Past = PastStep;              ///< what the first guess of the next step needs of one that was made
   /// All that the next step depends on beside W: the steps before, the newest first.
   std::deque<Past> const& past() const { return past_; }
   /// Goes on as from these.
@@ -81,36 +63,8 @@ class FastVorticityStep : public StepSetting<Stream> {
     radius_ = past_.empty() ? 0 : past_.front().radius, age_ = past_.empty() ? 0 : past_.front().age;
   }
 
-  /// The largest modulus of an eigenvalue of A by the method of Lanczos: an estimate from below, good to one
-  /// per cent or so.
-  static double spectral_radius(SkewHermitian<> const& a) {
-    auto const n = a.size();
-    constexpr int most = 16;
-    using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 2>;
-    Vectors v(n, 2), before = Vectors::Zero(n, 2), u(n, 2);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      auto const x = static_cast<double>(k);
-      v.row(k) << std::cos(1.7 * x * x + x), std::sin(2.3 * x * x + 1);
-    }
-    v.normalize();
-    Eigen::VectorXd diagonal(most), beside(most);
-    int count = 0;
-    while (count < most) {
-      // u = -iA v.
-      Vectors const r = a.real * v, j = a.imaginary * v;
-      u.col(0) = j.col(0) + r.col(1), u.col(1) = j.col(1) - r.col(0);
-      diagonal[count] = u.cwiseProduct(v).sum();
-      u -= diagonal[count] * v;
-      if (count > 0) u -= beside[count - 1] * before;
-      beside[count] = u.norm();
-      ++count;
-      if (!(beside[count - 1] > 1e-12 * diagonal.head(count).cwiseAbs().maxCoeff())) break;
-      before = v, v = u / beside[count - 1];
-    }
-    return tridiagonal_values<Eigen::MatrixXd>(diagonal.head(count), beside.head(count - 1))
-        .cwiseAbs()
-        .maxCoeff();
-  }
+  /// The largest modulus of an eigenvalue of A: `lanczos_radius`.
+  static double spectral_radius(SkewHermitian<> const& a);
 
  private:
   using StepSetting<Stream>::stream_, StepSetting<Stream>::sphere_, StepSetting<Stream>::conserved_,
@@ -123,13 +77,11 @@ class FastVorticityStep : public StepSetting<Stream> {
   static constexpr double longest_move_ = 3e-8;        ///< along the orbit, relative to |A|
   /// Of |W|: beyond, squares of what is found in single precision are no numbers of it.
   static constexpr double smallest_size_ = 1e-7, largest_size_ = 1e12;
-  static constexpr double shortest_move_ = 5e-10;  ///< of W, relative, whose square matters after many steps
-  static constexpr double cutoff_ = 1e-5;          ///< of eigenvalues that single precision tells from zero
-  static constexpr int steps_to_wait_ = 16;        ///< after a guess that was not good enough
-  static constexpr int steps_of_radius_ = 16;      ///< for which an estimate of the radius is taken as good
+  static constexpr int steps_to_wait_ = 16;    ///< after a guess that was not good enough
+  static constexpr int steps_of_radius_ = 16;  ///< for which an estimate of the radius is taken as good
 
-  /// Those along whose turns W_1 is moved.
-  typename StepSetting<Stream>::Axes polished_axes() const {
+  /// Those along which the angular momentum of the end is taken back.
+  typename StepSetting<Stream>::Axes moved_axes() const {
     if (of_energy()) return this->corrected_axes();
     return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
   }
@@ -153,23 +105,15 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// A as a polynomial in time through the steps before; the first one begins from that of W_0.
   void guess(SkewHermitian<> const& w) {
     factors_.setZero();
-    auto const count = static_cast<int>(past_.size());
-    if (count == 0) {
+    if (past_.empty()) {
       stream_.solve(w, p_);
       this->subtract_turning(w, momentum_.norm(), p_);
       a_ = eps_ * p_;
+      return;
     }
-    double binomial = 1;
-    for (int k = 0; k < count; ++k) {
-      binomial *= static_cast<double>(count - k) / (k + 1);
-      double const weight = k % 2 == 0 ? binomial : -binomial;
-      auto const& past = past_[static_cast<std::size_t>(k)];
-      factors_ += weight * past.factors;
-      if (k == 0)
-        a_.real = weight * past.displacement.real, a_.imaginary = weight * past.displacement.imaginary;
-      else
-        a_.real += weight * past.displacement.real, a_.imaginary += weight * past.displacement.imaginary;
-    }
+    extrapolate(past_, [this](Past const& past, double weight) { factors_ += weight * past.factors; });
+    a_.real.setZero(w.size(), w.size()), a_.imaginary.setZero(w.size(), w.size());
+    add_extrapolated(past_, &Past::displacement, a_);
   }
   void remember(SkewHermitian<> const& displacement, SkewHermitian<> const& increment,
                 Factors const& factors) {
@@ -194,22 +138,14 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// precision of the finish says whether both are good enough.
   bool find_by_guess(SkewHermitian<> const& w, double size, VorticityReport& report) {
     middle_ = w;
-    double binomial = 1;
-    auto const count = static_cast<int>(past_.size());
-    for (int k = 0; k < count; ++k) {
-      binomial *= static_cast<double>(count - k) / (k + 1);
-      double const weight = k % 2 == 0 ? binomial : -binomial;
-      auto const& past = past_[static_cast<std::size_t>(k)].increment;
-      middle_.real += weight * past.real.template cast<double>();
-      middle_.imaginary += weight * past.imaginary.template cast<double>();
-    }
-    if (!(residual_of_middle(w) <= largest_residual_ * size)) return false;
-    if (of_energy()) average_ = w + commutator_;
+    add_extrapolated(past_, &Past::increment, middle_);
+    if (!(finish_.evaluate(w, a_, middle_) <= largest_residual_ * size)) return false;
+    if (of_energy()) average_ = w + finish_.half_change();
     find_displacement(w);
     ++report.iterations;
-    first_change_ = report.residual = distance_to_next();
+    first_change_ = report.residual = relative_distance(a_, next_);
     if (!(first_change_ <= tolerance)) return false;
-    cayley_.factor(a_, radius_of_displacement());
+    finish_.transform().factor(a_, radius_of_displacement());
     return true;
   }
 
@@ -221,11 +157,11 @@ class FastVorticityStep : public StepSetting<Stream> {
     for (;;) {
       double const radius = radius_of_displacement();
       if (!(radius < 1)) return false;
-      cayley_.factor(a_, radius);
-      find_middle(w);
+      finish_.transform().factor(a_, radius);
+      finish_.find_middle(w, single_, of_energy(), middle_, average_);
       find_displacement(w);
       ++report.iterations;
-      double const change = report.residual = distance_to_next();
+      double const change = report.residual = relative_distance(a_, next_);
       if (std::isinf(before)) first_change_ = change;
       if (change <= tolerance) return true;
       if (!(change < 0.25 * before)) return change < lowest_;
@@ -245,98 +181,35 @@ class FastVorticityStep : public StepSetting<Stream> {
     return std::max(1.05 * radius_ * size, 1e-6);
   }
 
-  /// Wt of A, and the mean of both ends.
-  void find_middle(SkewHermitian<> const& w) {
-    for (SkewHermitian<>* m : {&middle_, &average_})
-      if (m->size() != w.size()) *m = SkewHermitian<>(w.size());
-    cayley_.conjugate(single_, twice_, square_);
-    bool const average = of_energy();
-    for (Eigen::Index c = 0; c < w.size(); ++c) {
-      auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
-      auto const put = [&](auto const& start, auto const& f, auto const& e, auto& middle, auto& mean) {
-        below(middle) = below(start) + (below(f) + below(e)).template cast<double>();
-        if (average) below(mean) = below(start) + (below(f) + 2.F * below(e)).template cast<double>();
-      };
-      put(w.real, twice_.real, square_.real, middle_.real, average_.real);
-      put(w.imaginary, twice_.imaginary, square_.imaginary, middle_.imaginary, average_.imaginary);
-    }
-    mirror_lower(middle_);
-    if (average) mirror_lower(average_);
-  }
-
   /// The A that belongs to the middle.
   void find_displacement(SkewHermitian<> const& w) {
     stream_.solve(of_energy() ? average_ : middle_, p_);
     this->subtract_turning(middle_, momentum_.norm(), p_);
     next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
-    if (corrected_.count() == 0) return;
-    // X_0 = [A, Wt], and X_j = [iS_j, Wt].
-    if (half_change_.size() != w.size()) half_change_ = SkewHermitian<>(w.size());
-    half_change_.real = average_.real - w.real, half_change_.imaginary = average_.imaginary - w.imaginary;
     // The extrapolated factors are better than what single precision would find; what they lack is found at
     // the end.
+    if (corrected_.count() != 0) move_displacement(w);
+  }
+  /// Adds what the factors say to the A that was found, along X_0 = [A, Wt] and X_j = [iS_j, Wt].
+  void move_displacement(SkewHermitian<> const& w) {
+    if (half_change_.size() != w.size()) half_change_ = SkewHermitian<>(w.size());
+    half_change_.real = average_.real - w.real, half_change_.imaginary = average_.imaginary - w.imaginary;
     add_combination(corrected_, &half_change_, middle_, factors_, next_);
   }
-  double distance_to_next() const {
-    double apart = 0, size = 0;
-    for (Eigen::Index c = 0; c < a_.size(); ++c) {
-      auto const below = a_.size() - c;
-      apart += (a_.real.col(c).tail(below) - next_.real.col(c).tail(below)).squaredNorm() +
-               (a_.imaginary.col(c).tail(below) - next_.imaginary.col(c).tail(below)).squaredNorm();
-      size += next_.real.col(c).tail(below).squaredNorm() + next_.imaginary.col(c).tail(below).squaredNorm();
-    }
-    return size == 0 ? std::sqrt(apart) : std::sqrt(apart / size);
-  }
 
-  /// |r|, with C and A Wt A in double precision.
-  double residual_of_middle(SkewHermitian<> const& w) {
-    products_.multiply(a_, middle_, commutator_);
-    products_.multiply_again(a_, remainder_);
-    residual_.real = (commutator_.real + remainder_.real - (middle_.real - w.real)).template cast<float>();
-    residual_.imaginary = (commutator_.imaginary + remainder_.imaginary - (middle_.imaginary - w.imaginary))
-                              .template cast<float>();
-    return static_cast<double>(norm(residual_));
-  }
-  /// The residual of the middle that was found in single precision.
+  /// Evaluates the equation of the step at the middle that was found in single precision.
   /// @return false where r is too large for single precision
   bool settle(SkewHermitian<> const& w, double size) {
     // The polynomial of the transform is good on an interval of which the end was estimated.
     double found;
-    for (int tries = 0; !((found = residual_of_middle(w)) <= largest_residual_ * size); ++tries) {
+    for (int tries = 0; !((found = finish_.evaluate(w, a_, middle_)) <= largest_residual_ * size); ++tries) {
       if (tries == 4) return false;
       radius_ *= 1.2;
-      cayley_.factor(a_, radius_of_displacement());
-      find_middle(w);
+      finish_.transform().factor(a_, radius_of_displacement());
+      finish_.find_middle(w, single_, of_energy(), middle_, average_);
     }
-    if (found > smallest_residual_ * size) better_middle();
+    if (found > smallest_residual_ * size) finish_.better_middle();
     return true;
-  }
-  /// The middle Wt + r in the place of Wt: C and r become C + [A, r] and [A, r] + A r A.
-  ///
-  /// What the transform is off by has made r, and makes the end wrong by its product with r: always to the
-  /// same side, so that it would add up.
-  void better_middle() {
-    cayley_.evaluate(residual_, twice_, square_);
-    residual_.real = twice_.real + square_.real, residual_.imaginary = twice_.imaginary + square_.imaginary;
-    mirror_lower(residual_), mirror_lower(twice_);
-    commutator_.real += twice_.real.template cast<double>();
-    commutator_.imaginary += twice_.imaginary.template cast<double>();
-  }
-  /// W_1 = W_0 + 2C + (U r U^* - r).
-  void finish(SkewHermitian<> const& w) {
-    if (end_.size() != w.size()) end_ = SkewHermitian<>(w.size());
-    cayley_.conjugate(residual_, twice_, square_);
-    for (Eigen::Index c = 0; c < w.size(); ++c) {
-      auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
-      auto const put =
-          [&](auto const& start, auto const& half_change, auto const& f, auto const& e, auto& end) {
-        below(end) = below(start) +
-                     (2 * below(half_change) + (2.F * (below(f) + 2.F * below(e))).template cast<double>());
-      };
-      put(w.real, commutator_.real, twice_.real, square_.real, end_.real);
-      put(w.imaginary, commutator_.imaginary, twice_.imaginary, square_.imaginary, end_.imaginary);
-    }
-    mirror_lower(end_);
   }
 
   /// Takes energy and angular momentum back to what they were, along the orbit. The A that is found on the
@@ -344,136 +217,55 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// precision.
   /// @return false where it would be a long way; the factors are then the better ones
   bool polish(SkewHermitian<> const& w) {
-    Eigen::Index const first = of_energy() ? 1 : 0,
-                       count = first + static_cast<Eigen::Index>(polished_.count());
-    Eigen::VectorXd change(count);
+    bool const energy = of_energy();
+    auto const& axes = move_.axes();
+    Eigen::Index const first = energy ? 1 : 0;
+    Eigen::VectorXd change(first + static_cast<Eigen::Index>(axes.size()));
     double scale = 0;
     average_.real = 0.5 * (w.real + end_.real), average_.imaginary = 0.5 * (w.imaginary + end_.imaginary);
-    if (!of_energy()) {
-      average_.real += remainder_.real, average_.imaginary += remainder_.imaginary;
+    if (!energy) {
+      average_.real += finish_.remainder().real, average_.imaginary += finish_.remainder().imaginary;
       std::swap(average_, middle_);
     }
-    stream_.solve(of_energy() ? average_ : middle_, p_);
+    stream_.solve(energy ? average_ : middle_, p_);
     this->subtract_turning(middle_, momentum_.norm(), p_);
     next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
-    if (of_energy()) {
+    if (energy) {
       scale = std::abs(eps_) * norm(p_);
       change[0] = eps_ * (p_.real.cwiseProduct(end_.real - w.real).sum() +
                           p_.imaginary.cwiseProduct(end_.imaginary - w.imaginary).sum());
     }
     Eigen::Vector3d const momentum = spin_components(sphere_, end_) - momentum_;
-    auto const axes = polished_axes();
     for (std::size_t j = 0; j < axes.size(); ++j)
       change[static_cast<Eigen::Index>(j) + first] = axes[j].dot(momentum);
-    single_.real = end_.real.template cast<float>(),
+    single_.real = end_.real.template cast<float>();
     single_.imaginary = end_.imaginary.template cast<float>();
-    if (of_energy()) {
+    if (energy) {
       // What a move changes the energy by goes by P of the end.
       stream_.solve(end_, p_);
       this->subtract_turning(middle_, momentum_.norm(), p_);
-      residual_.real = (eps_ * p_.real).template cast<float>(),
-      residual_.imaginary = (eps_ * p_.imaginary).template cast<float>();
-      cayley_.commutator(residual_, single_, direction_);
+      stream_of_end_.real = (eps_ * p_.real).template cast<float>();
+      stream_of_end_.imaginary = (eps_ * p_.imaginary).template cast<float>();
     }
     Eigen::VectorXd const move =
-        newton(polished_, of_energy() ? &direction_ : nullptr, single_, change, scale);
-    residual_.real.setZero(), residual_.imaginary.setZero();
-    add_combination(polished_, of_energy() ? &direction_ : nullptr, single_, move, residual_);
+        move_.find(finish_.transform(), energy ? &stream_of_end_ : nullptr, single_, change, scale);
     // The third power of the move is left out.
-    if (!(static_cast<double>(norm(residual_)) <= longest_move_ * norm(next_))) {
-      factors_.head(move.size()) += 0.5 * move;
-      return false;
-    }
-    if (corrected_.count() != 0) {
-      half_change_.real = average_.real - w.real, half_change_.imaginary = average_.imaginary - w.imaginary;
-      factors_.head(move.size()) += 0.5 * move;
-      add_combination(corrected_, &half_change_, middle_, factors_, next_);
-    }
-    move_end();
+    bool const is_short = move_.length() <= longest_move_ * norm(next_);
+    if (corrected_.count() != 0 || !is_short) factors_.head(move.size()) += 0.5 * move;
+    if (!is_short) return false;
+    if (corrected_.count() != 0) move_displacement(w);
+    move_.move(finish_.transform(), single_, end_);
     return true;
-  }
-  /// \f$W_1 + [Y, W_1] + \tfrac12[Y, [Y, W_1]]\f$ with the Y in `residual_` and W_1 also in `single_`.
-  /// Without the last term the squares of W would grow by that of each move, which never takes them back.
-  void move_end() {
-    cayley_.commutator(residual_, single_, direction_);
-    mirror_lower(direction_);
-    if (static_cast<double>(norm(direction_)) > shortest_move_ * static_cast<double>(norm(single_))) {
-      cayley_.commutator(residual_, direction_, twice_);
-      mirror_lower(twice_);
-      direction_.real += 0.5F * twice_.real, direction_.imaginary += 0.5F * twice_.imaginary;
-    }
-    end_.real += direction_.real.template cast<double>();
-    end_.imaginary += direction_.imaginary.template cast<double>();
-  }
-
-  /// The Newton step of factors of X_0, where there is one, and X_j = [iS_j, W]: the inner products of the X,
-  /// in units of what they are commutators of, inverted as far as they are regular. Entries below the
-  /// diagonal count for two.
-  Eigen::VectorXd newton(SpinColumns<float> const& spins, SkewHermitian<float> const* x0,
-                         SkewHermitian<float> const& w, Eigen::VectorXd change, double scale_of_first) const {
-    auto const count = change.size(), first = count - static_cast<Eigen::Index>(spins.count());
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
-    auto const sum = [](auto const& a, auto const& b) {
-      return 2 * static_cast<double>(a.dot(b)) - static_cast<double>(a[0]) * static_cast<double>(b[0]);
-    };
-    if (spins.count() == 0)
-      for (Eigen::Index c = 0; c < w.size(); ++c) {
-        auto const r = x0->real.col(c).tail(w.size() - c), i = x0->imaginary.col(c).tail(w.size() - c);
-        gram(0, 0) += sum(r, r) + sum(i, i);
-      }
-    else
-      spins.over(w, [&](Eigen::Index c, auto const& pieces) {
-        auto const rows = w.size() - c;
-        if (x0) {
-          auto const r = x0->real.col(c).tail(rows), i = x0->imaginary.col(c).tail(rows);
-          gram(0, 0) += sum(r, r) + sum(i, i);
-          for (std::size_t a = 0; a < pieces.size(); ++a)
-            gram(first + static_cast<Eigen::Index>(a), 0) +=
-                sum(r, pieces[a].real.matrix()) + sum(i, pieces[a].imaginary.matrix());
-        }
-        for (std::size_t a = 0; a < pieces.size(); ++a)
-          for (std::size_t b = 0; b <= a; ++b)
-            gram(first + static_cast<Eigen::Index>(a), first + static_cast<Eigen::Index>(b)) +=
-                sum(pieces[a].real.matrix(), pieces[b].real.matrix()) +
-                sum(pieces[a].imaginary.matrix(), pieces[b].imaginary.matrix());
-      });
-    Eigen::VectorXd scale = Eigen::VectorXd::Constant(count, std::sqrt(sphere_.n / 3.0) / sphere_.hbar());
-    if (x0) scale[0] = scale_of_first;
-    gram = scale.cwiseInverse().asDiagonal() * gram * scale.cwiseInverse().asDiagonal();
-    return regular_solution(gram, change.cwiseQuotient(scale), cutoff_).cwiseQuotient(scale);
-  }
-  template <class Real>
-  static void add_combination(SpinColumns<Real> const& spins, SkewHermitian<Real> const* x0,
-                              SkewHermitian<Real> const& w, Eigen::VectorXd const& factors,
-                              SkewHermitian<Real>& out) {
-    Eigen::Index const first = x0 ? 1 : 0;
-    if (spins.count() != 0)
-      spins.over(w, [&](Eigen::Index c, auto const& pieces) {
-        for (std::size_t a = 0; a < pieces.size(); ++a) {
-          Real const f = static_cast<Real>(factors[first + static_cast<Eigen::Index>(a)]);
-          out.real.col(c).tail(w.size() - c) += f * pieces[a].real.matrix();
-          out.imaginary.col(c).tail(w.size() - c) += f * pieces[a].imaginary.matrix();
-        }
-      });
-    if (x0)
-      for (Eigen::Index c = 0; c < w.size(); ++c) {
-        auto const rows = w.size() - c;
-        Real const f = static_cast<Real>(factors[0]);
-        out.real.col(c).tail(rows) += f * x0->real.col(c).tail(rows);
-        out.imaginary.col(c).tail(rows) += f * x0->imaginary.col(c).tail(rows);
-      }
-    mirror_lower(out);
   }
 
   Eigen::Vector3d momentum_ = Eigen::Vector3d::Zero();  ///< spin components of W_0
   Products products_of_plain_;
-  SkewProducts<double> products_;
-  SingleCayley cayley_;
+  IsospectralFinish<> finish_;
   SpinColumns<double> corrected_;
-  SpinColumns<float> polished_;
+  OrbitMove<> move_;
 
-  SkewHermitian<> a_, next_, p_, middle_, average_, half_change_, commutator_, remainder_, end_;
-  SkewHermitian<float> single_, residual_, direction_, twice_, square_;
+  SkewHermitian<> a_, next_, p_, middle_, average_, half_change_, end_;
+  SkewHermitian<float> single_, stream_of_end_;
   Factors factors_ = Factors::Zero();
   double first_change_ = 1;  ///< of A in this step, by the first of its rounds
   int wait_ = 0;             ///< steps for which the guess is not tried as the solution
@@ -498,15 +290,20 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
     found = tried && find_by_guess(w, size, report);
     if (tried && !found) wait_ = steps_to_wait_;
     if (!found) found = find(w, report) && settle(w, size);
-    if (found) finish(w), made = polish(w);
+    if (found) finish_.find_end(w, end_), made = polish(w);
   }
   if (!made) return plain_step(w);
   // Wt = (W_0 + W_1)/2 + A Wt A: what the middle was off by counts in this by the square of A.
-  average_.real = 0.5 * (end_.real - w.real) + remainder_.real;
-  average_.imaginary = 0.5 * (end_.imaginary - w.imaginary) + remainder_.imaginary;
+  average_.real = 0.5 * (end_.real - w.real) + finish_.remainder().real;
+  average_.imaginary = 0.5 * (end_.imaginary - w.imaginary) + finish_.remainder().imaginary;
   remember(next_, average_, factors_);
   w.real.swap(end_.real), w.imaginary.swap(end_.imaginary);
   return report;
+}
+
+template <class Stream>
+double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
+  return lanczos_radius(a);
 }
 
 #ifdef ACTIO_COMPILED_STEPS

@@ -1,0 +1,101 @@
+// The end of a step, isospectral to the rounding of double precision, from a middle that need not solve its
+// equation.
+//
+// For any skew A and any Wt, with C = [A, Wt] and the residual
+//
+//   r = W_0 + C + A Wt A - Wt,        W_1 = W_0 - r + 2C + U r U^*,  U = cay(A),
+//
+// is cay(A) W_0 cay(A)^*, whatever r is. The equation is evaluated once in double precision. Where r is of
+// the size of a rounding in single precision, U r U^* may be found in single precision, and the spectrum of
+// W_1 is that of W_0 to the rounding of double precision.
+//
+// What would add up over many steps is kept small: r once more by what it does to itself (better_middle),
+// since the error of the transform has made r and multiplies it.
+#pragma once
+
+#include "actio/vorticity/single_cayley.hpp"
+
+namespace actio {
+
+/// From A to the middle of a step, found in single precision, and from there to its end.
+/// @tparam Real  of the state
+template <class Real = double>
+class IsospectralFinish {
+ public:
+  /// With memory that is taken when the size is known.
+  explicit IsospectralFinish(Products const& products) : products_(products), cayley_(products) {}
+
+  /// The transform with which middle and end are found: of the A with which it was last factored.
+  SingleCayley& transform() { return cayley_; }
+
+  /// \f$\tilde W = (1-A)^{-1}W_0(1+A)^{-1}\f$ by the transform, and the mean of both ends.
+  /// @param rounded  W_0 in single precision
+  /// @param mean     whether the mean is wanted
+  void find_middle(SkewHermitian<Real> const& w, SkewHermitian<float> const& rounded, bool mean,
+                   SkewHermitian<Real>& middle, SkewHermitian<Real>& average) {
+    for (SkewHermitian<Real>* m : {&middle, &average})
+      if (m->size() != w.size()) *m = SkewHermitian<Real>(w.size());
+    cayley_.conjugate(rounded, twice_, square_);
+    for (Eigen::Index c = 0; c < w.size(); ++c) {
+      auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
+      auto const put = [&](auto const& start, auto const& f, auto const& e, auto& to, auto& to_mean) {
+        below(to) = below(start) + (below(f) + below(e)).template cast<Real>();
+        if (mean) below(to_mean) = below(start) + (below(f) + 2.F * below(e)).template cast<Real>();
+      };
+      put(w.real, twice_.real, square_.real, middle.real, average.real);
+      put(w.imaginary, twice_.imaginary, square_.imaginary, middle.imaginary, average.imaginary);
+    }
+    mirror_lower(middle);
+    if (mean) mirror_lower(average);
+  }
+
+  /// Evaluates the equation of a step: C, A Wt A and r; \f$|r|\f$. Three products of real matrices, and the
+  /// halves of three.
+  double evaluate(SkewHermitian<Real> const& w, SkewHermitian<Real> const& a,
+                  SkewHermitian<Real> const& middle) {
+    products_.multiply(a, middle, commutator_);
+    products_.multiply_again(a, remainder_);
+    residual_.real = (commutator_.real + remainder_.real - (middle.real - w.real)).template cast<float>();
+    residual_.imaginary = (commutator_.imaginary + remainder_.imaginary - (middle.imaginary - w.imaginary))
+                              .template cast<float>();
+    return static_cast<double>(norm(residual_));
+  }
+  /// The middle Wt + r in the place of Wt: C and r become C + [A, r] and [A, r] + A r A.
+  ///
+  /// What the transform is off by has made r, and makes the end wrong by its product with r: always to the
+  /// same side, so that it would add up.
+  void better_middle() {
+    cayley_.evaluate(residual_, twice_, square_);
+    residual_.real = twice_.real + square_.real, residual_.imaginary = twice_.imaginary + square_.imaginary;
+    mirror_lower(residual_), mirror_lower(twice_);
+    commutator_.real += twice_.real.template cast<Real>();
+    commutator_.imaginary += twice_.imaginary.template cast<Real>();
+  }
+  /// \f$W_1 = W_0 + 2C + (U r U^* - r)\f$, by the transform.
+  void find_end(SkewHermitian<Real> const& w, SkewHermitian<Real>& end) {
+    if (end.size() != w.size()) end = SkewHermitian<Real>(w.size());
+    cayley_.conjugate(residual_, twice_, square_);
+    for (Eigen::Index c = 0; c < w.size(); ++c) {
+      auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
+      auto const put =
+          [&](auto const& start, auto const& half_change, auto const& f, auto const& e, auto& to) {
+        below(to) = below(start) +
+                    (2 * below(half_change) + (2.F * (below(f) + 2.F * below(e))).template cast<Real>());
+      };
+      put(w.real, commutator_.real, twice_.real, square_.real, end.real);
+      put(w.imaginary, commutator_.imaginary, twice_.imaginary, square_.imaginary, end.imaginary);
+    }
+    mirror_lower(end);
+  }
+
+  SkewHermitian<Real> const& half_change() const { return commutator_; }  ///< C
+  SkewHermitian<Real> const& remainder() const { return remainder_; }     ///< A Wt A, of the middle as it was
+
+ private:
+  SkewProducts<Real> products_;
+  SingleCayley cayley_;
+  SkewHermitian<Real> commutator_, remainder_;
+  SkewHermitian<float> residual_, twice_, square_;
+};
+
+}  // namespace actio

@@ -1,0 +1,57 @@
+// How large a skew-Hermitian matrix is, as an operator and beside another one, in O(N^2) operations.
+#pragma once
+
+#include <cmath>
+
+#include "actio/vorticity/dense_matrices.hpp"
+#include "actio/vorticity/skew_hermitian.hpp"
+
+namespace actio {
+
+/// The largest modulus of an eigenvalue by the method of Lanczos: an estimate from below, good to one per
+/// cent or so.
+template <class Real>
+double lanczos_radius(SkewHermitian<Real> const& a) {
+  auto const n = a.size();
+  constexpr int most = 16;
+  using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+  Vectors v(n, 2), before = Vectors::Zero(n, 2), u(n, 2);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    auto const x = static_cast<double>(k);
+    v.row(k) << std::cos(1.7 * x * x + x), std::sin(2.3 * x * x + 1);
+  }
+  v.normalize();
+  Eigen::VectorXd diagonal(most), beside(most);
+  int count = 0;
+  while (count < most) {
+    // u = -iA v.
+    Vectors const r = a.real * v, j = a.imaginary * v;
+    u.col(0) = j.col(0) + r.col(1), u.col(1) = j.col(1) - r.col(0);
+    diagonal[count] = u.cwiseProduct(v).sum();
+    u -= diagonal[count] * v;
+    if (count > 0) u -= beside[count - 1] * before;
+    beside[count] = u.norm();
+    ++count;
+    if (!(beside[count - 1] > 1e-12 * diagonal.head(count).cwiseAbs().maxCoeff())) break;
+    before = v, v = u / beside[count - 1];
+  }
+  return tridiagonal_values<Eigen::MatrixXd>(diagonal.head(count), beside.head(count - 1))
+      .cwiseAbs()
+      .maxCoeff();
+}
+
+/// \f$|X-Y|/|Y|\f$ by what is on and below the diagonals, the diagonals counted as the rest; |X| where Y
+/// vanishes.
+template <class Real>
+Real relative_distance(SkewHermitian<Real> const& x, SkewHermitian<Real> const& y) {
+  Real apart = 0, size = 0;
+  for (Eigen::Index c = 0; c < x.size(); ++c) {
+    auto const below = x.size() - c;
+    apart += (x.real.col(c).tail(below) - y.real.col(c).tail(below)).squaredNorm() +
+             (x.imaginary.col(c).tail(below) - y.imaginary.col(c).tail(below)).squaredNorm();
+    size += y.real.col(c).tail(below).squaredNorm() + y.imaginary.col(c).tail(below).squaredNorm();
+  }
+  return size == 0 ? std::sqrt(apart) : std::sqrt(apart / size);
+}
+
+}  // namespace actio
