@@ -102,6 +102,7 @@ function tellWhatIsMissing() {
   if (planes && !asked(planes)) return add(planes, "it go from plane to plane");
   if (frame && !asked(frame)) return add(frame, "the frame move");
   if (!frame && momenta.length && !momenta.some(asked)) return add(momenta[0], "its trajectory");
+  if (run.scene.snapshots === false) return "Add snapshots = [] and snapshot_every, the time from one to the next, to [output] to see it move.";
   return "";
 }
 function say(...texts) {
@@ -119,7 +120,7 @@ function withoutStages() {
 /** The stages in use; the others are hidden. */
 function useStages(...names) {
   byId("motion").hidden = false;
-  for (const name of ["space", "sphere", "planes", "frame", "trajectory", "map"]) byId(name).hidden = !names.includes(name);
+  for (const name of ["space", "sphere", "planes", "frame", "trajectory", "map", "medium"]) byId(name).hidden = !names.includes(name);
 }
 function raise(name, theatre) {
   stages.push(theatre);
@@ -153,7 +154,20 @@ function raisePlanes() {
   say(momentum.of > momentum.components.length && `The first ${momentum.components.length} of ${momentum.of} components are shown.`);
   play(clockOf(run.times));
 }
+function raiseMedium() {
+  const medium = new Medium(run.medium), { of, cells, of_cells } = run.medium, flat = medium.dimension === 2;
+  useStages("medium");
+  byId("medium").className += flat ? " flat" : "";
+  raise("medium", flat ? new PlaneMediumView(canvasOf("medium"), medium) : new SpaceMediumView(canvasOf("medium"), medium, changed));
+  say(
+    medium.times.length < of && `${medium.times.length} of ${of} snapshots are shown.`,
+    cells < of_cells && `There are ${of_cells} ${flat ? "cells" : "faces"}, and ${cells} larger ones are shown in their place.`,
+    !medium.smooth && "The snapshots are too far apart to tell what is between them: it is shown at these alone.",
+  );
+  play(medium);
+}
 function raiseMaps() {
+  if (run.medium) return raiseMedium();
   if (!run.maps) return raisePlanes();
   const { times, largest, of } = run.maps;
   useStages("map");

@@ -85,13 +85,13 @@ class Stage {
     return [this.width / 2 + size * dot(from, this.right), this.height / 2 - size * dot(from, this.above), depth];
   }
 
-  /** A flat convex face; one that looks away is left out. Light falls from above the left shoulder. */
-  face(points, normal, colour) {
+  /** A flat convex face; one that looks away is left out. Light falls from above the left shoulder; gloss is how far it whitens. */
+  face(points, normal, colour, gloss = 0.55) {
     const middle = scale(1 / points.length, points.reduce(add));
     const towards = dot(normal, add(add(scale(7, this.eye), this.centre), scale(-1, middle)));
     if (towards <= 0) return;
     const lit = dot(normal, this.lamp);
-    const shaded = lit > 0 ? mix(colour, ink.rgb("light"), 0.55 * lit ** 3) : mix(colour, ink.rgb("shade"), -0.45 * lit);
+    const shaded = lit > 0 ? mix(colour, ink.rgb("light"), gloss * lit ** 3) : mix(colour, ink.rgb("shade"), -0.45 * lit);
     const dim = mix(shaded, ink.rgb("shade"), 0.3 * (1 - Math.max(0, lit)));
     this.items.push({ depth: dot(add(middle, scale(-1, this.centre)), this.eye), fill: ink.text(dim), points: points.map((p) => this.place(p)) });
   }

@@ -116,4 +116,12 @@ Hdf5Table read_hdf5(std::string const& path, bool writing) {
   return table;
 }
 
+std::vector<double> read_hdf5_numbers(std::string const& path, std::string const& name,
+                                      std::vector<unsigned long long>* extent) {
+  OpenFile const file(path);
+  DataSet const set = read_data_set(file.id, name);
+  if (extent) *extent = set.extent;
+  return set.numbers;
+}
+
 }  // namespace command

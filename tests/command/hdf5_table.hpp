@@ -20,5 +20,10 @@ struct Hdf5Table : Table {
 ///                 shortest data set
 /// @throws std::runtime_error  where it cannot be read
 Hdf5Table read_hdf5(std::string const& path, bool writing = false);
+/// The numbers of one data set, the last index first.
+/// @param extent  where its extent is written; null: nowhere
+/// @throws std::runtime_error  where it cannot be read
+std::vector<double> read_hdf5_numbers(std::string const& path, std::string const& name,
+                                      std::vector<unsigned long long>* extent = nullptr);
 
 }  // namespace command

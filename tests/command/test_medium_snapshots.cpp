@@ -1,10 +1,12 @@
-// Snapshots of media: tables of the nodes, grids for ParaView, and their list, read back byte by byte.
+// Snapshots of media: tables of the nodes, grids for ParaView and their list, frames in HDF5, read back byte
+// by byte.
 #include <zlib.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 
+#include "hdf5_table.hpp"
 #include "medium_scene.hpp"
 
 namespace {
@@ -140,7 +142,12 @@ BOOST_AUTO_TEST_CASE(a_grid_has_the_same_numbers_and_closes_its_seams) {
         area += 0.5 * (reference[a] * reference[b + 1] - reference[a + 1] * reference[b]);
       }
     BOOST_TEST(std::abs(area - 0.5) <= 1e-14);
-    BOOST_TEST(grid.array<double>("stress").size() == 3 * grid.cells);
+    // A shear has no stress along x; VTK has the diagonal first, and the names say so.
+    auto const stress = grid.array<double>("stress");
+    BOOST_REQUIRE(stress.size() == 3 * grid.cells);
+    for (std::size_t c = 0; c < grid.cells; ++c) BOOST_TEST(std::abs(stress[3 * c]) <= 1e-13);
+    BOOST_TEST(grid.head().find("ComponentName0=\"XX\" ComponentName1=\"YY\" ComponentName2=\"XY\"") !=
+               std::string::npos);
     BOOST_TEST(grid.array<double>("jacobian").size() == grid.cells);
   }
 }
@@ -157,6 +164,90 @@ BOOST_AUTO_TEST_CASE(the_list_of_grids_has_each_with_its_time_after_a_resumption
   std::string const longer = contents(path);
   BOOST_TEST(longer.find("file=\"000004.vtu\"") != std::string::npos, longer);
   BOOST_TEST(Grid(folder / "out/snapshots/000004.vtu").cells == 32u);
+}
+
+BOOST_AUTO_TEST_CASE(frames_in_hdf5_are_the_tables_one_after_the_other) {
+  Folder const folder;
+  Medium scene = sheared();
+  scene.output =
+      "formats = [\"csv\", \"hdf5\"]\nsnapshots = [\"jacobian\", \"stress\"]\nsnapshot_every = 0.1\n";
+  run_in(folder, scene);
+  std::string const path = folder / "out/snapshots/frames.h5";
+  std::vector<unsigned long long> extent;
+  BOOST_TEST((read_hdf5_numbers(path, "time", &extent) == std::vector<double>{0, 0.1, 0.2}));
+  auto const place = read_hdf5_numbers(path, "place", &extent);
+  BOOST_TEST((extent == std::vector<unsigned long long>{3, 32, 2}));
+  auto const velocity = read_hdf5_numbers(path, "velocity"), jacobian = read_hdf5_numbers(path, "jacobian"),
+             stress = read_hdf5_numbers(path, "stress", &extent);
+  BOOST_TEST((extent == std::vector<unsigned long long>{3, 32, 3}));
+  auto const reference = read_hdf5_numbers(path, "reference");
+  for (std::size_t k = 0; k < 3; ++k) {
+    Table const table = read_csv(folder / "out/snapshots/00000" + std::to_string(k) + ".csv");
+    for (std::size_t i = 0; i < 32; ++i) {
+      std::size_t const at = 32 * k + i;
+      BOOST_TEST(table.rows[i] == (std::vector<double>{reference[2 * i], reference[2 * i + 1], place[2 * at],
+                                                       place[2 * at + 1], velocity[2 * at],
+                                                       velocity[2 * at + 1], jacobian[at], stress[3 * at],
+                                                       stress[3 * at + 1], stress[3 * at + 2]}),
+                 boost::test_tools::per_element());
+    }
+  }
+  // Cells go around counterclockwise, and those at a seam are closed by the period beyond it.
+  auto const cells = read_hdf5_numbers(path, "cells"), beyond = read_hdf5_numbers(path, "beyond"),
+             periods = read_hdf5_numbers(path, "periods");
+  BOOST_TEST((periods == std::vector<double>{1, 0.5}));
+  auto const corner = [&](std::size_t cell, std::size_t k, std::size_t a) {
+    auto const node = static_cast<std::size_t>(cells[4 * cell + k]);
+    return reference[2 * node + a] + beyond[2 * (4 * cell + k) + a] * periods[a];
+  };
+  for (std::size_t c = 0; c < 32; ++c) {
+    double area = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      area +=
+          0.5 * (corner(c, k, 0) * corner(c, (k + 1) % 4, 1) - corner(c, k, 1) * corner(c, (k + 1) % 4, 0));
+    BOOST_TEST(std::abs(area - 0.5 / 32) <= 1e-15);
+  }
+  // Without "csv" they stand alone.
+  Folder const alone;
+  scene.output.replace(scene.output.find("\"csv\", "), 7, "");
+  auto const outcome = actio({"run", alone.write("medium.toml", scene.text()), "--out", alone / "out"});
+  BOOST_TEST_REQUIRE(outcome.status == 0, outcome.err);
+  BOOST_TEST(!std::filesystem::exists(alone / "out/snapshots/000000.csv"));
+  BOOST_TEST((read_hdf5_numbers(alone / "out/snapshots/frames.h5", "place") == place));
+}
+
+BOOST_AUTO_TEST_CASE(frames_of_a_run_that_was_killed_are_those_of_an_unbroken_one) {
+  Folder const folder;
+  Medium scene = sheared();
+  scene.until = "60", scene.every = "1";
+  scene.output = "formats = [\"hdf5\"]\nsnapshots = [\"pressure\"]\nsnapshot_every = 0.1\n";
+  std::string const file = folder.write("medium.toml", scene.text()), whole = folder / "whole",
+                    out = folder / "out", frames = out + "/snapshots/frames.h5";
+  BOOST_REQUIRE(actio({"run", file, "--out", whole, "--quiet"}).status == 0);
+  auto const all = read_hdf5_numbers(whole + "/snapshots/frames.h5", "place");
+  BOOST_REQUIRE(all.size() == 601u * 32 * 2);
+  // Killed when it has so many frames; what is there is whole, and the beginning of all of them.
+  std::size_t left = 0;
+  for (int const kill_at : {20, 200, 350}) {
+    std::string const begin = left == 0 ? "run " + file + " --out " + out : "resume " + out;
+    shell("export ACTIO_CHECKPOINT_SECONDS=0.02; $ACTIO " + begin + " --quiet & run=$!; while [ $(cat " +
+          out + "/snapshots/times.csv 2>/dev/null | wc -l) -lt " + std::to_string(kill_at) +
+          " ] && kill -0 $run; do sleep 0.002; done; kill -9 $run; wait $run");
+    auto const time = read_hdf5_numbers(frames, "time"), place = read_hdf5_numbers(frames, "place");
+    BOOST_TEST(time.size() + 1 >= static_cast<std::size_t>(kill_at));
+    BOOST_TEST(place.size() >= 64 * time.size());
+    BOOST_TEST((std::equal(place.begin(), place.begin() + static_cast<long>(64 * time.size()), all.begin())));
+    left = time.size();
+  }
+  BOOST_TEST(left < 601u);  // or nothing was killed
+  auto const resumed = actio({"resume", out, "--quiet"});
+  BOOST_TEST_REQUIRE(resumed.status == 0, resumed.err);
+  BOOST_TEST((contents(frames) == contents(whole + "/snapshots/frames.h5")));
+  // A file that was cut since is refused.
+  std::filesystem::resize_file(frames, std::filesystem::file_size(frames) / 2);
+  auto const refused = actio({"resume", out, "--until", "61"});
+  BOOST_TEST(refused.status == 4);
+  BOOST_TEST(refused.err.find(frames + ": cannot be opened: truncated file") == 0u, refused.err);
 }
 
 BOOST_AUTO_TEST_CASE(the_reader_of_vtk_opens_them) {

@@ -53,7 +53,7 @@ const byId = new Map();
 const sandbox = {
   document: { getElementById: (id) => byId.get(id) ?? byId.set(id, id === 'run' ? { textContent: json } : element()).get(id), createElement: element, documentElement: element(), addEventListener: (type, does) => (listeners[type] ??= []).push(does) },
   window: { devicePixelRatio: 2 }, location: { hash: process.argv[3] ?? '' }, getComputedStyle: () => ({ getPropertyValue: () => ' #4080c0' }),
-  matchMedia: () => ({ matches: false, addEventListener() {} }), addEventListener() {}, requestAnimationFrame: (frame) => frames.push(frame), console, Math, JSON,
+  matchMedia: () => ({ matches: false, addEventListener() {} }), addEventListener() {}, requestAnimationFrame: (frame) => frames.push(frame), console, Math, JSON, atob,
 };
 vm.createContext(sandbox);
 vm.runInContext(script + '\n;globalThis.made = { panels, stages, player, view, run, missing: tellWhatIsMissing(), tellError };', sandbox);
@@ -106,6 +106,28 @@ for (const [k, { name, rows }] of (player?.motion.trajectories ?? []).entries())
     const ends = run.quantities.find((q) => q.name === name).components.map((c) => c.label);
     player.motion.at(player.motion.times[row]).momenta[k].forEach((x, i) => { if (Math.abs(x - run.motion.columns[`${name}_${ends[i]}`][row]) > 1e-12 * Math.abs(x)) fail(`row ${row}: ${name} is ${x}`); });
   }
+// The places of a medium stay in their box, and faces in the plane that are its cells are as many times larger
+// than at the start as their colours say, as far as both are resolved: places in 65535 steps of the box,
+// colours in 255.
+function holdMedium(medium) {
+  const jacobian = medium.fields.find(({ name }) => name === 'jacobian'), first = medium.at(medium.from), steps = medium.upper.map((x, a) => (x - medium.lower[a]) / 65535);
+  const area = (places, f) => {
+    const [a, b, c, d] = [0, 1, 2, 3].map((k) => medium.corner(places, f, k));
+    return 0.5 * ((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]));
+  };
+  const J = (i, f) => jacobian.low + ((jacobian.high - jacobian.low) * jacobian.values[i * medium.count + f]) / 255;
+  medium.times.forEach((t, i) => {
+    const { places } = medium.at(t);
+    places.forEach((x, k) => { const a = k % medium.dimension; if (!(x >= medium.lower[a] - steps[a] && x <= medium.upper[a] + steps[a])) fail(`t = ${t}: a place outside the box`); });
+    for (let f = 0; medium.dimension === 2 && run.medium.cells === run.medium.of_cells && f < medium.count; ++f) {
+      const then = area(first.places, f), now = area(places, f), round = Math.sqrt(Math.max(then, now)) * 4 * Math.max(...steps), least = Math.min(then, now);
+      if (!(then > 0)) fail(`face ${f} has the area ${then}`);
+      const bound = (now / then) * (2 * round / least + (jacobian.high - jacobian.low) / 255 / J(0, f)) + (jacobian.high - jacobian.low) / 255 / J(0, f) + 1e-12;
+      if (!(Math.abs(now / then - J(i, f) / J(0, f)) <= bound)) fail(`t = ${t}: face ${f} is ${now / then} times as large, and its colour says ${J(i, f) / J(0, f)}`);
+    }
+  });
+}
+if (stages[0]?.medium) holdMedium(stages[0].medium);
 // Every choice beside a picture.
 for (const stage of stages)
   for (const [k, { options }] of (stage.choices ?? []).entries())
@@ -129,4 +151,4 @@ if (run.summary?.error) {
   error = sandbox.shown.join(' | ');
 }
 const largest = Object.fromEntries(run.drifts.map(({ label, curve }) => [label, Math.max(0, ...curve.value)]));
-console.log(JSON.stringify({ title: run.scene.title, subject: page.match(/<title>([\s\S]*?)<\/title>/)[1], drawn, stages: stages.length, views: stages.map((s) => s.constructor.name + (s.all ? (s.box ? ' in a box' : s.solid ? ' on a sphere' : ' of pairs') : '')).join(', '), rows: run.times.rows, perPiece: run.times.rows_per_piece, played: run.motion.columns.t.length, asks: sandbox.made.missing ? 1 : 0, error, largest }));
+console.log(JSON.stringify({ title: run.scene.title, subject: page.match(/<title>([\s\S]*?)<\/title>/)[1], drawn, stages: stages.length, views: stages.map((s) => s.constructor.name + (s.all ? (s.box ? ' in a box' : s.solid ? ' on a sphere' : ' of pairs') : '')).join(', '), rows: run.times.rows, perPiece: run.times.rows_per_piece, played: run.motion.columns.t.length, asks: sandbox.made.missing ? 1 : 0, faces: stages[0]?.medium?.count ?? 0, fields: (stages[0]?.medium?.fields ?? []).map(({ name, low, high }) => `${name} ${low} ${high}`).join(', '), error, largest }));

@@ -97,6 +97,8 @@ std::vector<std::string> formats_of(System const& system) {
 
 std::string meaning_of_formats(System const& system) {
   std::string out;
+  if (system.snapshots && !system.snapshots->in_hdf5.empty())
+    out = " For snapshots, hdf5: " + system.snapshots->in_hdf5 + ".";
   if (system.snapshots)
     for (auto const& format : system.snapshots->formats)
       out += " For snapshots, " + format.name + ": " + format.meaning + ".";

@@ -37,6 +37,7 @@ extern std::string_view const viewer_algebra,  ///< data/viewer/algebra.js
     viewer_frame,                              ///< data/viewer/frame.js
     viewer_trajectory,                         ///< data/viewer/trajectory.js
     viewer_map,                                ///< data/viewer/map.js
+    viewer_medium,                             ///< data/viewer/medium.js
     viewer_player,                             ///< data/viewer/player.js
     viewer_page;                               ///< data/viewer/page.js
 

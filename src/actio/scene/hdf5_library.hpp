@@ -25,21 +25,22 @@
 namespace actio::scene::hdf5 {
 
 /// The functions of HDF5 that the series calls: `of` is put round each name.
-#define ACTIO_HDF5_FUNCTIONS(of)                                                                           \
-  of(H5open) of(H5dont_atexit) of(H5Eget_auto2) of(H5Eset_auto2) of(H5Ewalk2) of(H5Acreate2) of(H5Aclose)  \
-      of(H5Awrite) of(H5Dcreate2) of(H5Dopen2) of(H5Dclose) of(H5Dget_space) of(H5Dget_create_plist)       \
-          of(H5Dset_extent) of(H5Dread) of(H5Dread_chunk) of(H5Dget_chunk_storage_size) of(H5Dwrite_chunk) \
-              of(H5FDregister) of(H5Fcreate) of(H5Fopen) of(H5Fclose) of(H5Fflush) of(H5Fget_vfd_handle)   \
-                  of(H5Pcreate) of(H5Pclose) of(H5Pset_chunk) of(H5Pget_chunk) of(H5Pset_chunk_cache)      \
-                      of(H5Pset_driver) of(H5Pset_fill_time) of(H5Pset_file_locking) of(H5Pset_fletcher32) \
-                          of(H5Pset_libver_bounds) of(H5Pset_obj_track_times) of(H5Screate)                \
-                              of(H5Screate_simple) of(H5Sclose) of(H5Sget_simple_extent_dims)              \
-                                  of(H5Sget_simple_extent_ndims) of(H5Sselect_hyperslab) of(H5Tcopy)       \
-                                      of(H5Tclose) of(H5Tset_cset) of(H5Tset_size)
+#define ACTIO_HDF5_FUNCTIONS(of)                                                                          \
+  of(H5open) of(H5dont_atexit) of(H5Eget_auto2) of(H5Eset_auto2) of(H5Ewalk2) of(H5Acreate2) of(H5Aclose) \
+      of(H5Awrite) of(H5Dcreate2) of(H5Dopen2) of(H5Dclose) of(H5Dget_space) of(H5Dget_create_plist)      \
+          of(H5Dset_extent) of(H5Dwrite) of(H5Dread) of(H5Dread_chunk) of(H5Dget_chunk_storage_size)      \
+              of(H5Dwrite_chunk) of(H5FDregister) of(H5Fcreate) of(H5Fopen) of(H5Fclose) of(H5Fflush)     \
+                  of(H5Fget_vfd_handle) of(H5Pcreate) of(H5Pclose) of(H5Pset_chunk) of(H5Pget_chunk)      \
+                      of(H5Pset_chunk_cache) of(H5Pset_deflate) of(H5Pset_driver) of(H5Pset_fill_time)    \
+                          of(H5Pset_file_locking) of(H5Pset_fletcher32) of(H5Pset_libver_bounds)          \
+                              of(H5Pset_obj_track_times) of(H5Pset_shuffle) of(H5Screate)                 \
+                                  of(H5Screate_simple) of(H5Sclose) of(H5Sget_simple_extent_dims)         \
+                                      of(H5Sget_simple_extent_ndims) of(H5Sselect_hyperslab) of(H5Tcopy)  \
+                                          of(H5Tclose) of(H5Tset_cset) of(H5Tset_size)
 /// Its classes of properties and types of numbers, which are variables in it: `of` is put round each name.
 #define ACTIO_HDF5_VARIABLES(of)                                                            \
   of(H5P_CLS_FILE_ACCESS_ID_g) of(H5P_CLS_FILE_CREATE_ID_g) of(H5P_CLS_DATASET_CREATE_ID_g) \
-      of(H5P_CLS_DATASET_ACCESS_ID_g) of(H5T_C_S1_g) of(H5T_NATIVE_DOUBLE_g)
+      of(H5P_CLS_DATASET_ACCESS_ID_g) of(H5T_C_S1_g) of(H5T_NATIVE_DOUBLE_g) of(H5T_NATIVE_INT64_g)
 
 /// The library, loaded.
 struct Library {

@@ -21,6 +21,7 @@
 #include <cstring>
 #include <optional>
 
+#include "actio/scene/hdf5_attributes.hpp"
 #include "actio/scene/hdf5_checksums.hpp"
 #include "actio/scene/hdf5_file.hpp"
 #include "actio/scene/series.hpp"
@@ -141,12 +142,7 @@ class Hdf5Series : public Series {
     return std::min(std::bit_floor(std::max<std::size_t>(1, rows)), std::bit_ceil(expected));
   }
 
-  Handle access(Session const& h5) const {
-    Handle access(h5->H5Pcreate(h5->H5P_CLS_FILE_ACCESS_ID_g_value), h5->H5Pclose);
-    h5->H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
-    hdf5::set_growing_file(h5, access);
-    return access;
-  }
+  static Handle access(Session const& h5) { return hdf5::access_to_growing_file(h5); }
 
   void create(Session const& h5, SeriesHead const& head) {
     // Under another name: before it can be read by anybody it does not have its own.
@@ -187,27 +183,12 @@ class Hdf5Series : public Series {
     tell(h5, id, "formula", quantity.formula);
     tell(h5, id, "unit", quantity.unit);
     tell(h5, id, "statement", quantity.statement);
-    tell(h5, id, "columns", set.group.columns, true);
+    tell(h5, id, "columns", set.group.columns);
   }
-  /// An attribute with one text, or with a list of texts; none where there is nothing to say.
-  void tell(Session const& h5, hid_t object, char const* name, std::vector<std::string> const& texts,
-            bool list) {
-    if (!list && texts.front().empty()) return;
-    Handle const type(h5->H5Tcopy(h5->H5T_C_S1_g_value), h5->H5Tclose);
-    h5->H5Tset_size(type, H5T_VARIABLE);
-    h5->H5Tset_cset(type, H5T_CSET_UTF8);
-    hsize_t const size = texts.size();
-    Handle const space(list ? h5->H5Screate_simple(1, &size, nullptr) : h5->H5Screate(H5S_SCALAR),
-                       h5->H5Sclose);
-    Handle const attribute(
-        check(h5, h5->H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), "cannot be written"),
-        h5->H5Aclose);
-    std::vector<char const*> pointers;
-    for (auto const& text : texts) pointers.push_back(text.c_str());
-    check(h5, h5->H5Awrite(attribute, type, pointers.data()), "cannot be written");
-  }
-  void tell(Session const& h5, hid_t object, char const* name, std::string const& text) {
-    tell(h5, object, name, {text}, false);
+  /// An attribute with one text or a list of them.
+  template <class Texts>
+  void tell(Session const& h5, hid_t object, char const* name, Texts const& texts) {
+    guarded([&] { return hdf5::attach(h5, path_, object, name, texts), 0; }, "cannot be written");
   }
 
   /// That the file to go on with is there, and is a table of this scene; how long its chunks are.
@@ -368,8 +349,13 @@ class Hdf5Series : public Series {
   }
 
   hid_t check(Session const& h5, hid_t result, char const* what) {
+    return guarded([&] { return h5.checked(result, path_, what); }, what);
+  }
+  /// What went wrong ends the writing, and is told with what the system says of it.
+  template <class Act>
+  hid_t guarded(Act const& act, char const* what) {
     try {
-      return h5.checked(result, path_, what);
+      return act();
     } catch (FileError const& error) {
       std::string const system = hdf5::driver_failure();
       fail(system.empty() ? error.what() : path_ + ": " + what + ": " + system);

@@ -10,7 +10,10 @@
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/drift.hpp"
 #include "actio/scene/own_files.hpp"
+#include "actio/scene/played_medium.hpp"
 #include "actio/scene/progress.hpp"
+#include "actio/scene/run_files.hpp"
+#include "actio/scene/series_reader.hpp"
 #include "actio/scene/snapshot_maps.hpp"
 #include "actio/scene/units.hpp"
 #include "book/plot.hpp"
@@ -66,6 +69,17 @@ void add_curve(book::Plot& plot, std::vector<Envelope::Point> const& points, dou
 std::string file_contents(std::string const& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// What the snapshots in a folder show of a medium; null where they show none.
+std::shared_ptr<PlayedMedium const> played_medium(Scene const& scene, std::string const& folder) {
+  std::error_code none;
+  std::string const list = folder + "/" + times_of_snapshots;
+  if (!scene.snapshots || !scene.simulation.snapshots || !std::filesystem::exists(list, none)) return nullptr;
+  std::vector<double> times;
+  auto const reader = read_csv_series(list, {"snapshot", "t"});
+  for (std::array<double, 2> row; reader->next(row);) times.push_back(row[1]);
+  return scene.simulation.snapshots->played(folder, times);
 }
 
 /// Removes pictures that were drawn before, which would pass for those of this run; pictures of other people
@@ -156,13 +170,21 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
       pictures.emplace_back("plots/" + own.name + ".svg", own.draw(scene, overview));
   if (std::string const map = vorticity_map(scene, folder, plot_width); !map.empty())
     pictures.emplace_back("plots/vorticity.svg", standing_alone(scene.title, plot_width, map));
-  pictures.emplace_back("plots/index.html",
-                        viewer_page(scene, overview, file_contents(folder + "/summary.json"),
-                                    vorticity_maps_json(scene, folder)));
+  auto const medium = played_medium(scene, folder);
+  if (medium)
+    pictures.emplace_back(
+        "plots/medium.svg",
+        standing_alone(scene.title, plot_width, medium_picture(*medium, plot_width, time_unit(scene))));
+  pictures.emplace_back(
+      "plots/index.html",
+      viewer_page(scene, overview, file_contents(folder + "/summary.json"),
+                  vorticity_maps_json(scene, folder), medium ? medium_json(*medium) : "null"));
   make_way(folder, pictures);
   for (auto const& [name, picture] : pictures) write_whole_file(folder + "/" + name, picture);
   if (!quiet && scene.system->shape && !overview.find("attitude"))
     say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
+  if (!quiet && scene.system->snapshots && !scene.snapshots)
+    say(stderr, "pictures: add snapshots = [] and snapshot_every to [output] to see it move\n");
 }
 
 }  // namespace actio::scene

@@ -20,8 +20,9 @@ std::string drift_picture(Scene const& scene, Overview::Drifting const& drifting
 /// The momentum in the frame of the body, on the sphere of its length.
 std::string polhode_picture(Scene const& scene, Overview const& overview);
 /// The page: curves, the body in motion, and the summary of the run; it needs nothing beside itself.
-/// @param maps_json  of its snapshots (snapshot_maps.hpp)
+/// @param maps_json    of its snapshots on a sphere (snapshot_maps.hpp)
+/// @param medium_json  of those of a medium (played_medium.hpp)
 std::string viewer_page(Scene const& scene, Overview const& overview, std::string const& summary_json,
-                        std::string const& maps_json = "null");
+                        std::string const& maps_json = "null", std::string const& medium_json = "null");
 
 }  // namespace actio::scene

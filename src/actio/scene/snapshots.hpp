@@ -9,6 +9,7 @@
 // its row; one that was cut short is written over.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct SnapshotKind {
   std::string always;                ///< what every one of them holds, in words
   std::vector<Column> columns;       ///< what can be asked for besides
   std::vector<Column> formats = {};  ///< in which they can be had besides tables: "netcdf"
+  std::string in_hdf5 = {};          ///< what of them "hdf5" leaves; empty: nothing
 };
 
 /// What a scene wants of its snapshots.
@@ -34,6 +36,8 @@ struct SnapshotRequest {
   /// Whether this format is wanted.
   bool in(std::string const& format) const;
 };
+
+struct PlayedMedium;
 
 /// What writes the snapshots of one run: the state of its motion at the time of the call.
 class SnapshotWriter {
@@ -55,6 +59,13 @@ class SnapshotWriter {
   /// @param durable  whether it is on the disk afterwards
   /// @throws FileError
   virtual void write(std::string const& folder, long number, double time, bool durable) = 0;
+  /// What the pictures of a run show of a medium; null where there is none.
+  /// @param times  of the snapshots that are in the folder
+  /// @throws FileError  where one cannot be read
+  virtual std::shared_ptr<PlayedMedium const> played(std::string const& folder,
+                                                     std::span<double const> times) const {
+    return (void)folder, (void)times, nullptr;
+  }
 };
 
 /// `snapshots/000012` and an ending.

@@ -150,6 +150,7 @@ Json head(Scene const& scene) {
            {"until", scene.schedule.until()}};
   for (auto const& quantity : scene.simulation.quantities.known())
     if (char const* const how = shown_how(quantity.shown)) out["shown"][quantity.name] = how;
+  if (scene.system->snapshots) out["snapshots"] = scene.snapshots.has_value();
   if (SceneTable const system = scene.file.section("system"); system.has("side"))
     out["side"] = system.text("side");
   if (method.has("name") && method.is_text("name")) out["method"] = words(method.text("name"));
@@ -161,7 +162,7 @@ Json head(Scene const& scene) {
 
 /// The whole run. No text in it can end the element that holds it: every `<` is written as \u003c.
 std::string run_json(Scene const& scene, Overview const& overview, std::string const& summary,
-                     std::string const& maps) {
+                     std::string const& maps, std::string const& medium) {
   Json const told = Json::parse(summary, nullptr, false);
   Envelope const* times = nullptr;
   for (auto const& drawn : overview.quantities)
@@ -175,9 +176,9 @@ std::string run_json(Scene const& scene, Overview const& overview, std::string c
                               : std::string("null");
   std::string const json = fmt::format(
       "{{\"scene\":{},\n\"body\":{},\n\"summary\":{},\n\"times\":{},\n\"quantities\":{},\n\"drifts\":{},"
-      "\n\"motion\":{},\n\"maps\":{}}}",
+      "\n\"motion\":{},\n\"maps\":{},\n\"medium\":{}}}",
       head(scene).dump(), body(scene).dump(), told.is_discarded() ? "null" : told.dump(), t,
-      curves(scene, overview), drifts(overview), motion(overview), maps);
+      curves(scene, overview), drifts(overview), motion(overview), maps, medium);
   std::string out;
   for (char const c : json) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
@@ -200,18 +201,20 @@ std::string filled(std::string_view page,
 }  // namespace
 
 std::string viewer_page(Scene const& scene, Overview const& overview, std::string const& summary_json,
-                        std::string const& maps_json) {
+                        std::string const& maps_json, std::string const& medium_json) {
   std::string script;
   for (auto const piece :
        {embedded::viewer_algebra, embedded::viewer_stage, embedded::viewer_shapes, embedded::viewer_motion,
         embedded::viewer_space, embedded::viewer_momentum_sphere, embedded::viewer_curves,
         embedded::viewer_planes, embedded::viewer_box, embedded::viewer_frame_motion, embedded::viewer_frame,
-        embedded::viewer_trajectory, embedded::viewer_map, embedded::viewer_player, embedded::viewer_page})
+        embedded::viewer_trajectory, embedded::viewer_map, embedded::viewer_medium, embedded::viewer_player,
+        embedded::viewer_page})
     script.append(piece);
-  return filled(embedded::viewer_html, {{"<!-- title -->", book::svg::escape(scene.title)},
-                                        {"/* style */", std::string(embedded::viewer_css)},
-                                        {"<!-- run -->", run_json(scene, overview, summary_json, maps_json)},
-                                        {"/* script */", script}});
+  return filled(embedded::viewer_html,
+                {{"<!-- title -->", book::svg::escape(scene.title)},
+                 {"/* style */", std::string(embedded::viewer_css)},
+                 {"<!-- run -->", run_json(scene, overview, summary_json, maps_json, medium_json)},
+                 {"/* script */", script}});
 }
 
 }  // namespace actio::scene

@@ -12,9 +12,10 @@ double bytes_of_snapshot(SnapshotRequest const& snapshots, int dimension) {
   double const d = dimension, columns = dimension == 1   ? field_size<1>(snapshots.columns)
                                         : dimension == 2 ? field_size<2>(snapshots.columns)
                                                          : field_size<3>(snapshots.columns);
-  bool const grids = snapshots.in("vtu"), tables = !grids || snapshots.in("csv");
-  return std::max(tables ? 155 * d + 40 * columns : 0.0,
-                  grids ? (dimension == 3 ? 1150 : 260) + 4 * columns : 0.0);
+  bool const grids = snapshots.in("vtu"), frames = snapshots.in("hdf5"), tables = snapshots.in("csv");
+  return std::max({tables ? 155 * d + 40 * columns : 0.0,
+                   grids ? (dimension == 3 ? 1150 : 260) + 4 * columns : 0.0,
+                   frames ? 55 * d + 16 * columns : 0.0});
 }
 
 /// The state, its copy, and what is there while a row or a checkpoint is made, given what one vector at each

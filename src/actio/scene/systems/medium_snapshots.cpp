@@ -1,41 +1,33 @@
 #include "actio/scene/systems/medium_snapshots.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/number_table.hpp"
+#include "actio/scene/systems/medium_frames.hpp"
+#include "actio/scene/systems/medium_grid.hpp"
+#include "actio/scene/systems/medium_playing.hpp"
 #include "actio/scene/systems/vtu_file.hpp"
+#include "actio/scene/units.hpp"
 
 namespace actio::scene {
 namespace {
-
-std::vector<std::string> stress_names(int d) {
-  std::vector<std::string> out;
-  for (int a = 0; a < d; ++a)
-    for (int b = a; b < d; ++b) out.push_back(std::string("stress_") + "xyz"[a] + "xyz"[b]);
-  return out;
-}
-
-/// The numbers that VTK has for cells.
-unsigned char vtk_type(BodyMesh::Shape shape) {
-  static constexpr unsigned char types[] = {3, 5, 9, 10, 12};
-  return types[static_cast<int>(shape)];
-}
-/// The corner of a cell that VTK counts as number k: around the faces of box-like ones.
-std::size_t vtk_corner(BodyMesh::Shape shape, std::size_t k) {
-  bool const boxlike = shape == BodyMesh::Shape::quadrilateral || shape == BodyMesh::Shape::hexahedron;
-  return boxlike ? k ^ (k >> 1 & 1) : k;
-}
 
 template <int d>
 class MediumSnapshots : public SnapshotWriter {
  public:
   using Place = std::array<double, d>;
-  MediumSnapshots(SnapshotRequest const& request, MediumView<d> const& medium)
-      : asked_(request.columns), vtu_(request.in("vtu")), csv_(!vtu_ || request.in("csv")), medium_(medium) {}
+  MediumSnapshots(SceneFile const& scene, SnapshotRequest const& request, MediumView<d> const& medium)
+      : scene_(scene),
+        asked_(request.columns),
+        vtu_(request.in("vtu")),
+        hdf5_(request.in("hdf5")),
+        csv_(request.in("csv")),
+        medium_(medium) {}
 
   std::vector<std::string> files(long number) const override {
     std::vector<std::string> out;
@@ -44,7 +36,10 @@ class MediumSnapshots : public SnapshotWriter {
     return out;
   }
   std::vector<std::string> shared_files() const override {
-    return vtu_ ? std::vector<std::string>{series_file} : std::vector<std::string>{};
+    std::vector<std::string> out;
+    if (vtu_) out.emplace_back(series_file);
+    if (hdf5_) out.insert(out.end(), {frames_file, std::string(frames_file) + ".part"});
+    return out;
   }
   double bytes_of_one() const override {
     auto const& cells = medium_.motion->cells();
@@ -52,11 +47,17 @@ class MediumSnapshots : public SnapshotWriter {
                  fields = field_size<d>(asked_);
     // A number of a table has about 19 characters; zlib leaves of doubles that differ about all, and of what
     // counts corners little.
-    return (csv_ ? nodes * (3 * d + fields) * 19 : 0) + (vtu_ ? 8 * (nodes * 9 + all * fields) : 0);
+    return (csv_ ? nodes * (3 * d + fields) * 19 : 0) + (vtu_ ? 8 * (nodes * 9 + all * fields) : 0) +
+           (hdf5_ ? 8 * nodes * (2 * d + fields) : 0);
   }
 
   /// The list of grids is made anew: it may have been cut short.
   void begin(std::string const& folder, std::span<double const> taken) override {
+    if (hdf5_ && taken.empty())
+      frames(folder).create(attributes(), MediumFrames<d>::constants(medium_.motion->cells()),
+                            read_units(scene_).time);
+    else if (hdf5_)
+      frames(folder).cut(taken.size());
     if (!vtu_) return;
     std::string text = pvd_beginning();
     for (std::size_t k = 0; k < taken.size(); ++k)
@@ -65,10 +66,25 @@ class MediumSnapshots : public SnapshotWriter {
   }
   void write(std::string const& folder, long number, double time, bool durable) override {
     auto const x = medium_.motion->places(), v = medium_.motion->velocities();
-    if (csv_) write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table(x, v), durable);
+    if (csv_ || hdf5_) {
+      auto const fields = mean_fields(medium_, x, asked_, true);
+      if (csv_) write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table(x, v, fields), durable);
+      if (hdf5_)
+        frames(folder).add(static_cast<std::size_t>(number), time, MediumFrames<d>::one(x, v, asked_, fields),
+                           durable);
+    }
     if (!vtu_) return;
     write_whole_file(folder + "/" + snapshot_file(number, ".vtu"), grid(x, v, time), durable);
     add_to_series(folder + "/" + series_file, pvd_entry(time, file_in_series(number)));
+  }
+
+  std::shared_ptr<PlayedMedium const> played(std::string const& folder,
+                                             std::span<double const> times) const override {
+    return play_medium<d>(medium_, times, [&](std::size_t number) {
+      if (hdf5_) return MediumFrame<d>::in_hdf5(frames(folder), number);
+      std::string const file = snapshot_file(static_cast<long>(number), ".csv");
+      return MediumFrame<d>::in_table(folder + "/" + file, asked_);
+    });
   }
 
  private:
@@ -84,17 +100,20 @@ class MediumSnapshots : public SnapshotWriter {
     if (!file) throw FileError(path + ": cannot be written");
   }
 
-  std::string table(std::vector<Place> const& x, std::vector<Place> const& v) const {
-    std::string heading;
-    for (char const* const names : {"XYZ", "xyz", "uvw"})
-      for (int a = 0; a < d; ++a) heading += std::string(heading.empty() ? "" : ",") + names[a];
-    for (auto const& name : asked_)
-      if (name != "stress")
-        heading += "," + name;
-      else
-        for (auto const& one : stress_names(d)) heading += "," + one;
-    NumberTable out(heading);
-    auto const fields = mean_fields(medium_, x, asked_, true);
+  Hdf5Frames frames(std::string const& folder) const {
+    return MediumFrames<d>::in(folder, medium_.motion->cells(), asked_);
+  }
+  std::vector<std::pair<std::string, std::string>> attributes() const {
+    return {{"title", scene_.section("scene").text("title")},
+            {"system", scene_.section("system").text("kind")},
+            {"actio_version", ACTIO_VERSION},
+            {"scene", scene_.written()}};
+  }
+
+  /// @param fields  of each node
+  std::string table(std::vector<Place> const& x, std::vector<Place> const& v,
+                    std::vector<double> const& fields) const {
+    NumberTable out(fmt::format("{}", fmt::join(medium_columns(d, asked_), ",")));
     auto const size = static_cast<std::size_t>(field_size<d>(asked_));
     out.reserve(x.size() * (3 * d + size));
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -107,35 +126,6 @@ class MediumSnapshots : public SnapshotWriter {
     return out.text();
   }
 
-  /// Points of the grid: the nodes, and beyond the seams of a periodic box once more those that cells need.
-  struct GridPoints {
-    std::vector<std::pair<std::size_t, unsigned char>> of;  ///< nodes, with bits of the periods beyond
-    std::vector<std::int64_t> corners;
-  };
-  GridPoints grid_points() const {
-    auto const& cells = medium_.motion->cells();
-    GridPoints out;
-    for (std::size_t k = 0; k < cells.nodes(); ++k) out.of.push_back({k, 0});
-    std::map<std::pair<int, unsigned char>, std::int64_t> beyond;
-    int const corners = corner_count(cells.shape());
-    out.corners.reserve(cells.cells() * static_cast<std::size_t>(corners));
-    for (std::size_t c = 0; c < cells.cells(); ++c) {
-      auto const cell = cells.cell(c);
-      for (std::size_t k = 0; k < static_cast<std::size_t>(corners); ++k) {
-        std::size_t const b = vtk_corner(cells.shape(), k);
-        int const node = cell.nodes[b];
-        unsigned char const wrap = cell.wraps[b];
-        if (wrap == 0) {
-          out.corners.push_back(node);
-          continue;
-        }
-        auto const [at, is_new] = beyond.try_emplace({node, wrap}, static_cast<std::int64_t>(out.of.size()));
-        if (is_new) out.of.push_back({static_cast<std::size_t>(node), wrap});
-        out.corners.push_back(at->second);
-      }
-    }
-    return out;
-  }
   /// Vectors at the points of the grid, with three components.
   /// @param shift  whether they are places, which lie periods beyond
   template <class At>
@@ -150,9 +140,20 @@ class MediumSnapshots : public SnapshotWriter {
     }
     return out;
   }
+  /// A component of a field, and the number that it has among them.
+  struct Component {
+    std::string name;
+    std::size_t at;
+  };
+  /// Those of a stress as VTK orders them: the diagonal first, then XY, YZ, XZ.
+  static std::vector<Component> stress_in_grid() {
+    if (d == 1) return {{"XX", 0}};
+    if (d == 2) return {{"XX", 0}, {"YY", 2}, {"XY", 1}};
+    return {{"XX", 0}, {"YY", 3}, {"ZZ", 5}, {"XY", 1}, {"YZ", 4}, {"XZ", 2}};
+  }
   std::string grid(std::vector<Place> const& x, std::vector<Place> const& v, double time) const {
     auto const& cells = medium_.motion->cells();
-    GridPoints const points = grid_points();
+    GridPoints const points = grid_points(cells);
     VtuFile file(time, points.of.size(), cells.cells());
     file.point_data("reference", at_points(points, true, [&](auto k) { return cells.reference(k); }), 3);
     file.point_data("velocity", at_points(points, false, [&](auto k) { return v[k]; }), 3);
@@ -160,25 +161,41 @@ class MediumSnapshots : public SnapshotWriter {
     auto const fields = mean_fields(medium_, x, asked_, false);
     std::size_t first = 0;
     for (auto const& name : asked_) {
-      std::size_t const wide = name == "stress" ? d * (d + 1) / 2 : 1;
+      auto const components = name == "stress" ? stress_in_grid() : std::vector<Component>{{"", 0}};
       std::vector<double> one;
-      one.reserve(cells.cells() * wide);
+      one.reserve(cells.cells() * components.size());
       for (std::size_t c = 0; c < cells.cells(); ++c)
-        for (std::size_t i = 0; i < wide; ++i) one.push_back(fields[c * size + first + i]);
-      file.cell_data(name, one, static_cast<int>(wide));
-      first += wide;
+        for (auto const& [word, at] : components) one.push_back(fields[c * size + first + at]);
+      std::vector<std::string> words;
+      for (auto const& [word, at] : components)
+        if (!word.empty()) words.push_back(word);
+      file.cell_data(name, one, words);
+      first += components.size();
     }
     file.points(at_points(points, true, [&](auto k) { return x[k]; }));
     file.cells(points.corners, corner_count(cells.shape()), vtk_type(cells.shape()));
     return file.text();
   }
 
+  SceneFile scene_;
   std::vector<std::string> asked_;
-  bool vtu_, csv_;
+  bool vtu_, hdf5_, csv_;
   MediumView<d> medium_;
 };
 
 }  // namespace
+
+std::vector<std::string> medium_columns(int d, std::vector<std::string> const& asked) {
+  std::vector<std::string> out;
+  for (char const* const names : {"XYZ", "xyz", "uvw"})
+    for (int a = 0; a < d; ++a) out.emplace_back(1, names[a]);
+  for (auto const& name : asked)
+    if (name != "stress")
+      out.push_back(name);
+    else
+      for (auto const& one : stress_components(d)) out.push_back("stress_" + one);
+  return out;
+}
 
 SnapshotKind medium_snapshots(bool fluid) {
   SnapshotKind out{"the reference coordinates X Y Z of the nodes, their places x y z and velocities u v w",
@@ -188,7 +205,10 @@ SnapshotKind medium_snapshots(bool fluid) {
                     {"energy_density", "stored energy per reference volume"}},
                    {{"vtu",
                      "grids for ParaView in snapshots/000000.vtu, ... with the fields in each cell, and "
-                     "snapshots/series.pvd, which lists them with their times"}}};
+                     "snapshots/series.pvd, which lists them with their times"}},
+                   "all of them in one file snapshots/frames.h5, with time, place, velocity and what was "
+                   "asked for of each frame and node, and reference and cells; tables are written beside it "
+                   "where csv is among the formats"};
   if (!fluid)
     out.columns.push_back({"stress", "Cauchy's, its components xx, xy, yy or xx, xy, xz, yy, yz, zz"});
   return out;
@@ -197,7 +217,7 @@ SnapshotKind medium_snapshots(bool fluid) {
 template <int d>
 std::unique_ptr<SnapshotWriter> write_medium(Request const& request, MediumView<d> const& medium) {
   if (!request.snapshots) return nullptr;
-  return std::make_unique<MediumSnapshots<d>>(*request.snapshots, medium);
+  return std::make_unique<MediumSnapshots<d>>(request.file, *request.snapshots, medium);
 }
 /// Along a line.
 template std::unique_ptr<SnapshotWriter> write_medium(Request const&, MediumView<1> const&);

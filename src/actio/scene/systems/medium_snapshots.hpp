@@ -10,6 +10,10 @@ namespace actio::scene {
 /// @param fluid  a solid has its stress besides
 SnapshotKind medium_snapshots(bool fluid);
 
+/// The columns of the tables.
+/// @param d  the dimension of the body
+std::vector<std::string> medium_columns(int d, std::vector<std::string> const& asked);
+
 /// What writes them.
 /// @param medium  its motion outlives the writer
 /// @return null where the scene asks for none

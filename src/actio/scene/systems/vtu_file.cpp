@@ -46,18 +46,22 @@ VtuFile::VtuFile(double time, std::size_t points, std::size_t cells)
     : time_(time), points_count_(points), cells_count_(cells) {}
 
 std::string VtuFile::array(std::string const& type, std::string const& name, int components,
-                           std::string_view bytes) {
-  std::string const head = fmt::format(
-      "        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type, name,
-      components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "", appended_.size());
+                           std::string_view bytes, std::vector<std::string> const& names) {
+  std::string more = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
+  for (std::size_t k = 0; k < names.size(); ++k) more += fmt::format(" ComponentName{}=\"{}\"", k, names[k]);
+  std::string const head =
+      fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
+                  name, more, appended_.size());
   appended_ += compressed(bytes);
   return head;
 }
 void VtuFile::point_data(std::string const& name, std::vector<double> const& values, int components) {
   point_data_ += array("Float64", name, components, bytes_of(values));
 }
-void VtuFile::cell_data(std::string const& name, std::vector<double> const& values, int components) {
-  cell_data_ += array("Float64", name, components, bytes_of(values));
+void VtuFile::cell_data(std::string const& name, std::vector<double> const& values,
+                        std::vector<std::string> const& components) {
+  int const count = std::max(1, static_cast<int>(components.size()));
+  cell_data_ += array("Float64", name, count, bytes_of(values), components);
 }
 void VtuFile::points(std::vector<double> const& places) {
   points_ = array("Float64", "Points", 3, bytes_of(places));

@@ -18,7 +18,9 @@ class VtuFile {
   /// Numbers at each point; those of a place have three components.
   void point_data(std::string const& name, std::vector<double> const& values, int components);
   /// Numbers in each cell.
-  void cell_data(std::string const& name, std::vector<double> const& values, int components);
+  /// @param components  names of them, as many as there are numbers in each; none: one number without a name
+  void cell_data(std::string const& name, std::vector<double> const& values,
+                 std::vector<std::string> const& components = {});
   /// Places of the points, three numbers each.
   void points(std::vector<double> const& places);
   /// The cells.
@@ -30,7 +32,8 @@ class VtuFile {
   std::string text() const;
 
  private:
-  std::string array(std::string const& type, std::string const& name, int components, std::string_view bytes);
+  std::string array(std::string const& type, std::string const& name, int components, std::string_view bytes,
+                    std::vector<std::string> const& names = {});
 
   double time_;
   std::size_t points_count_, cells_count_;

@@ -1,0 +1,110 @@
+#include "actio/scene/systems/medium_frames.hpp"
+
+#include <algorithm>
+
+#include "actio/scene/systems/medium_grid.hpp"
+#include "actio/scene/systems/medium_snapshots.hpp"
+
+namespace actio::scene {
+namespace {
+
+char const* shape_name(BodyMesh::Shape shape) {
+  static constexpr char const* names[] = {"line", "triangle", "quadrilateral", "tetrahedron", "hexahedron"};
+  return names[static_cast<int>(shape)];
+}
+
+template <std::size_t d>
+std::vector<double> in_a_row(std::vector<std::array<double, d>> const& all) {
+  std::vector<double> out;
+  out.reserve(d * all.size());
+  for (auto const& one : all) out.insert(out.end(), one.begin(), one.end());
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> stress_components(int d) {
+  std::vector<std::string> out;
+  for (int a = 0; a < d; ++a)
+    for (int b = a; b < d; ++b) out.push_back({"xyz"[a], "xyz"[b]});
+  return out;
+}
+
+template <int d>
+Hdf5Frames MediumFrames<d>::in(std::string const& folder, MediumCells<d> const& cells,
+                               std::vector<std::string> const& asked) {
+  std::size_t const nodes = cells.nodes();
+  std::vector<Hdf5Frames::Field> fields{{"place", "of the nodes", {nodes, d}},
+                                        {"velocity", "of the nodes", {nodes, d}}};
+  auto const known = medium_snapshots(false).columns;
+  for (auto const& name : asked) {
+    auto const column =
+        std::find_if(known.begin(), known.end(), [&](auto const& c) { return c.name == name; });
+    fields.push_back({name, "means around the nodes: " + column->meaning, {nodes}});
+    if (name != "stress") continue;
+    fields.back().components = stress_components(d);
+    fields.back().shape.push_back(fields.back().components.size());
+  }
+  return {folder + "/" + frames_file, std::move(fields)};
+}
+
+template <int d>
+std::vector<Hdf5Frames::Constant> MediumFrames<d>::constants(MediumCells<d> const& cells) {
+  auto const corners = static_cast<std::size_t>(corner_count(cells.shape()));
+  std::vector<double> reference;
+  for (std::size_t k = 0; k < cells.nodes(); ++k)
+    for (double const X : cells.reference(k)) reference.push_back(X);
+  std::vector<std::int64_t> nodes, beyond;
+  std::vector<double> periods;
+  for (int a = 0; a < d; ++a) periods.push_back(cells.period(a));
+  bool const periodic = periods != std::vector<double>(d, 0.0);
+  for (std::size_t c = 0; c < cells.cells(); ++c) {
+    auto const cell = cells.cell(c);
+    for (std::size_t k = 0; k < corners; ++k) {
+      std::size_t const b = vtk_corner(cells.shape(), k);
+      nodes.push_back(cell.nodes[b]);
+      for (int a = 0; periodic && a < d; ++a) beyond.push_back(cell.wraps[b] >> a & 1);
+    }
+  }
+  std::vector<Hdf5Frames::Constant> out;
+  out.push_back({{"reference", "the places X of the nodes in the reference space", {cells.nodes(), d}},
+                 std::move(reference)});
+  out.push_back({{"cells", "the nodes at the corners, counted as VTK counts them", {cells.cells(), corners}},
+                 std::move(nodes),
+                 {{"shape", shape_name(cells.shape())}}});
+  if (!periodic) return out;
+  out.push_back({{"periods", "of the box, zero where it has none", {d}}, std::move(periods)});
+  out.push_back({{"beyond",
+                  "by how many periods a corner lies beyond the place of its node",
+                  {cells.cells(), corners, d}},
+                 std::move(beyond)});
+  return out;
+}
+
+template <int d>
+std::vector<std::vector<double>> MediumFrames<d>::one(std::vector<Place> const& x,
+                                                      std::vector<Place> const& v,
+                                                      std::vector<std::string> const& asked,
+                                                      std::vector<double> const& fields) {
+  std::vector<std::vector<double>> out{in_a_row(x), in_a_row(v)};
+  auto const size = static_cast<std::size_t>(field_size<d>(asked));
+  std::size_t first = 0;
+  for (auto const& name : asked) {
+    std::size_t const wide = name == "stress" ? d * (d + 1) / 2 : 1;
+    auto& numbers = out.emplace_back();
+    numbers.reserve(x.size() * wide);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      for (std::size_t i = 0; i < wide; ++i) numbers.push_back(fields[k * size + first + i]);
+    first += wide;
+  }
+  return out;
+}
+
+/// Along a line.
+template struct MediumFrames<1>;
+/// In the plane.
+template struct MediumFrames<2>;
+/// In space.
+template struct MediumFrames<3>;
+
+}  // namespace actio::scene
