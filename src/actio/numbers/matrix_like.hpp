@@ -58,6 +58,8 @@ constexpr int known(int a, int b) { return a == Dynamic ? b : a; }
 template <class M, int R, int C>
 inline constexpr bool may_be = (rows_of<M> == R || rows_of<M> == Dynamic || R == Dynamic) &&
                                (columns_of<M> == C || columns_of<M> == Dynamic || C == Dynamic);
+/// Whether there is such an entry.
+constexpr bool is_index(Index k, Index count) { return k >= 0 && k < count; }
 /// A matrix itself; an expression of Eigen as a matrix.
 template <class B>
 decltype(auto) evaluated(B const& b) {
