@@ -2,6 +2,7 @@
 // algebra, and its neighbour by Channell and Scovel.
 
 #include "actio/groupoid/generating_function.hpp"
+#include "actio/reduction/algebra_euler_poincare.hpp"
 #include "actio/variational/euler_poincare.hpp"
 
 #include "chart_models.hpp"

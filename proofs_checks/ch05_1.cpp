@@ -4,6 +4,7 @@
 // polynomials (chart_models.hpp). A body there is a quadratic form on the algebra: what the statements of
 // this section say of J asks for no more. Over the other scalars it is a body, on the rotations of three,
 // four and five dimensions.
+#include "actio/reduction/algebra_euler_poincare.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "bodies.hpp"
 #include "chart_update.hpp"

@@ -2,6 +2,7 @@
 // reconstruction, the inverse in (3.18), the sign of iex, and the step in the algebra.
 #include "book/try_it.hpp"
 #include "actio/numbers/print.hpp"
+#include "actio/reduction/algebra_euler_poincare.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/discrete_momentum.hpp"
 #include "actio/reduction/natural_chart.hpp"

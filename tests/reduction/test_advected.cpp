@@ -8,6 +8,7 @@
 #include "actio/groups/unit_quaternions.hpp"
 #include "actio/reduction/advected.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
+#include "actio/reduction/stabiliser_momentum.hpp"
 #include "group_from_basis.hpp"
 #include "witness/draw.hpp"
 #include "witness/reference_solution.hpp"
