@@ -15,6 +15,7 @@
 #include "actio/numbers/square_root.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
+#include "witness/number_counts.hpp"
 
 namespace actio::checks {
 

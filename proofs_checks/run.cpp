@@ -27,6 +27,7 @@
 #include "actio/numbers/square_root.hpp"
 #include "book/json.hpp"
 #include "statement.hpp"
+#include "witness/number_counts.hpp"
 
 namespace actio::checks {
 

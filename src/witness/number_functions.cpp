@@ -5,6 +5,7 @@
 
 #include "actio/numbers/square_root.hpp"
 #include "witness/number.hpp"
+#include "witness/number_counts.hpp"
 #include "witness/number_parts.hpp"
 #include "witness/prime_field.hpp"
 

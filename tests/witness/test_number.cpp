@@ -14,6 +14,7 @@
 #include "actio/numbers/square_root.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
+#include "witness/number_counts.hpp"
 
 namespace {
 
