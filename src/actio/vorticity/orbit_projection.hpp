@@ -118,8 +118,8 @@ class OrbitProjection {
     for (int j = 0; j < 3; ++j)
       x[j + 1] = (1 / (size * std::sqrt(sphere_.spin_square()))) * spin_commutator(sphere_, j, w);
     // The directions are made orthonormal, the longest first, and what is missed is taken back along one
-    // after another. What is left of a direction by rounding is none; and what is missed by a rounding would
-    // become a motion where it is divided by a small length.
+    // after another. A remainder of a direction that is mere rounding is no direction, and a miss that is
+    // mere rounding is not taken back: divided by a small length it would become a motion.
     SkewHermitian<> y(w.size());
     double most = 0;
     for (int k = 0; k < 4; ++k) {
