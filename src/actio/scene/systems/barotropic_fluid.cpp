@@ -1,4 +1,5 @@
 // The compressible fluid whose pressure is a function of its density (thesis, chapters 6 to 10).
+#include "actio/scene/systems/medium_method.hpp"
 #include "actio/scene/systems/medium_quantities.hpp"
 #include "actio/scene/systems/medium_snapshots.hpp"
 #include "actio/scene/systems/medium_system.hpp"

@@ -1,4 +1,5 @@
 // The hyperelastic solid (thesis, chapters 6 to 10).
+#include "actio/scene/systems/medium_method.hpp"
 #include "actio/scene/systems/medium_quantities.hpp"
 #include "actio/scene/systems/medium_snapshots.hpp"
 #include "actio/scene/systems/medium_system.hpp"

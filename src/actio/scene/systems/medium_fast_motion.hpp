@@ -10,6 +10,15 @@
 
 namespace actio::scene {
 
+/// The law of a fluid; solids have none.
+template <class Medium>
+struct FluidLaw {};
+/// \copydoc FluidLaw
+template <class Volume>
+struct FluidLaw<FastFluid<Volume>> {
+  using type = Volume;  ///< of its Jacobian
+};
+
 /// A medium on a box in the plane or in space.
 template <class Medium, class Box>
 class FastMotion final : public MediumMotion<Box::dimension> {
@@ -23,7 +32,14 @@ class FastMotion final : public MediumMotion<Box::dimension> {
         density_(density),
         medium_(medium, box, step, density, at(start.placement), at(start.velocity), options(box)) {}
 
-  void advance(long count) override { medium_.step(count); }
+  void advance(long count) override {
+    try {
+      medium_.step(count);
+    } catch (CellInverts const& error) {
+      end_inside_out(
+          error, medium_.time(), requires { typename FluidLaw<Medium>::type; });
+    }
+  }
   void remember(CheckpointStream& stream) override {
     auto state = medium_.state();
     std::span<Place> places(state.places), velocities(state.velocities);

@@ -38,7 +38,7 @@ struct MediumMesh {
 /// @throws SceneError  where they are none
 MediumMesh read_medium_mesh(SceneFile const& file);
 
-/// The records of the keys of [system], [initial] and [method] of a medium.
+/// The records of the keys of [system] and [initial] of a medium.
 /// @param fluid  whether they are those of a fluid
 std::vector<Parameter> medium_parameters(bool fluid);
 

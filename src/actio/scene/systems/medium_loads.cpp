@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
@@ -112,6 +113,30 @@ void read_tractions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
   }
 }
 
+/// Numbers, or formulas in t.
+template <int d>
+void read_pressures(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>& out) {
+  SceneTable const load = file.section("system.load");
+  if (!load.has("pressure") || !load.is_table("pressure")) return;
+  SceneTable const table = load.inside("pressure");
+  for (auto const& side : table.keys()) {
+    require_known_side(table, side, mesh);
+    out.energy = out.momentum = out.angular_momentum = false;
+    if (!table.is_text(side)) {
+      double const p = table.number(side);
+      out.loads.pressures[side] = [p](double) { return p; };
+      continue;
+    }
+    auto const tape =
+        std::make_shared<Evaluated>(Evaluated{parsed(table.text(side), {"t"}, table.text_place(side))});
+    out.loads.pressures[side] = [tape](double t) {
+      double p;
+      (*tape)(&t, &p);
+      return p;
+    };
+  }
+}
+
 template <int d>
 void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>& out) {
   SceneTable const table = file.section("system.load.motion");
@@ -126,6 +151,26 @@ void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>&
 }
 
 }  // namespace
+
+template <int d>
+std::string MediumLoads<d>::pull_of_gravity(std::array<double, d> const& x) const {
+  if (!gravity) return "";
+  auto const slope = loads.potentials.front().gradient(x);
+  double size = 0;
+  for (double const one : slope) size += one * one;
+  size = std::sqrt(size);
+  if (!(size > 0)) return "gravity does not pull at the centre of the body";
+  std::string along;
+  for (double const one : slope)
+    along += fmt::format("{}{:.4g}", along.empty() ? "" : ", ", one == 0 ? 0 : -one / size);
+  return fmt::format("gravity pulls along ({}) with {:.6g} at the centre of the body", along, size);
+}
+/// Along a line.
+template struct MediumLoads<1>;
+/// In the plane.
+template struct MediumLoads<2>;
+/// In space.
+template struct MediumLoads<3>;
 
 bool has_loads(SceneFile const& file) {
   return !file.section("system.load").keys().empty() || !file.section("system.obstacle").keys().empty();
@@ -145,14 +190,15 @@ MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh) 
   load.allow({"gravity", "pressure", "traction", "motion"});
   obstacle.allow({"potential"});
   if (load.has("gravity")) out.loads.potentials.push_back(read_potential<d>(load, "gravity"));
+  out.gravity = load.has("gravity");
   if (obstacle.has("potential")) out.loads.potentials.push_back(read_potential<d>(obstacle, "potential"));
   if (!out.loads.potentials.empty()) out.momentum = out.angular_momentum = false;
-  if (load.has("pressure")) {
+  if (load.has("pressure") && !load.is_table("pressure")) {
     out.loads.outside_pressure = load.number("pressure");
     // The pressure of a closed surface adds up to nothing, that of a part of one does not.
     for (auto const& [name, does] : mesh.sides) out.momentum = out.momentum && does == "free";
   }
-  read_tractions(file, mesh, out), read_motions(file, mesh, out);
+  read_tractions(file, mesh, out), read_pressures(file, mesh, out), read_motions(file, mesh, out);
   return out;
 }
 /// Along a line.
@@ -165,11 +211,14 @@ template MediumLoads<3> read_medium_loads<3>(SceneFile const&, MediumMesh const&
 std::vector<Parameter> load_parameters() {
   return {
       {"system.load", "a table", "no loads",
-       "What acts on the body: gravity, a potential per mass as a formula in x, y, z, whose force is minus "
+       "What acts on the body. gravity: a potential per mass as a formula in x, y, z, whose force is minus "
        "its "
-       "gradient; pressure, that of the outside; traction.SIDE, the force per reference area on a side, "
-       "which "
-       "keeps its direction; motion.SIDE, formulas in X, Y, Z and t of where that side is.",
+       "gradient, so that 9.81*y pulls down along y, and -9.81*y up. pressure: that of the outside; or "
+       "pressure.SIDE, a number or a formula in t, on one side alone, which it follows. traction.SIDE: the "
+       "force "
+       "per reference area on a side, which keeps its direction. motion.SIDE: formulas in X, Y, Z and t of "
+       "where "
+       "that side is.",
        "", "{ gravity = \"0.1*y\" }"},
       {"system.obstacle", "a table", "none",
        "An obstacle as a potential per mass that rises towards its inside: potential, a formula in x, y, z.",

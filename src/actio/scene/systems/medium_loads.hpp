@@ -18,6 +18,10 @@ struct MediumLoads {
   bool energy = true;            ///< whether energy is conserved
   bool momentum = true;          ///< whether linear momentum is
   bool angular_momentum = true;  ///< whether angular momentum is
+  bool gravity = false;          ///< whether the first potential is that of gravity
+
+  /// Where gravity pulls at a place, in words: "gravity pulls along (0, -1) with 9.81 ..."; empty without it.
+  std::string pull_of_gravity(std::array<double, d> const& x) const;
 };
 
 /// `[system.load]`, `[system.obstacle]` and what the mesh says of sides.

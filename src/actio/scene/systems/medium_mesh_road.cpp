@@ -31,10 +31,17 @@ class MeshMotion final : public MediumMotion<d> {
 
   MeshMotion(MeshRoad<d> const& road, double step)
       : medium_(road.mesh, stored_energy_of<d>(road.material), start_of<d>(road.start),
-                {step, road.order, road.conserve}, road.loads.sides, road.loads.loads),
-        cells_(medium_.mesh()) {}
+                {step, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
+        cells_(medium_.mesh()),
+        fluid_(road.material.record->fluid) {}
 
-  void advance(long count) override { medium_.step(count); }
+  void advance(long count) override {
+    try {
+      medium_.step(count);
+    } catch (BodyCellInverts const& error) {
+      end_inside_out(error, medium_.time(), fluid_);
+    }
+  }
   void remember(CheckpointStream& stream) override {
     auto state = medium_.remember();
     stream(state);
@@ -46,11 +53,13 @@ class MeshMotion final : public MediumMotion<d> {
   std::vector<Place> velocities() const override { return medium_.velocities(); }
   double mass(std::size_t node) const override { return medium_.masses()[node]; }
   BodyEnergies energies() const override { return medium_.energies(); }
+  double dissipated() const override { return medium_.dissipated(); }
   double longest_step() const { return medium_.largest_step(); }
 
  private:
   MediumOnMesh<d> medium_;
   MeshCells<d> cells_;
+  bool fluid_;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ struct MeshRoad {
   MediumLoads<d> loads;                ///< what acts on it
   int order = 2;                       ///< of the steps: 2 or 4
   Conserve conserve = Conserve::form;  ///< what they keep
+  ArtificialViscosity viscosity = {};  ///< what spreads shocks
 
   /// The longest step for which small motions about the start are stable, from above within a per cent.
   double longest_step() const;

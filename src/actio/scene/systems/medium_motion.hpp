@@ -99,7 +99,15 @@ class MediumMotion : public Motion {
   virtual std::vector<Place> velocities() const = 0;  ///< of the nodes, length/time
   virtual double mass(std::size_t node) const = 0;    ///< of a node
   virtual BodyEnergies energies() const = 0;          ///< now
+  virtual double dissipated() const { return 0; }     ///< by viscosity, energy
 };
+
+/// A step that would turn a cell inside out ends the run: it is told with the time, and of a fluid why that
+/// is to be expected.
+[[noreturn]] inline void end_inside_out(Error const& error, double time, bool fluid) {
+  throw Error(std::string(error.what()) + "; the state is that at t = " + show(time) +
+              (fluid ? ": a fluid resists no shear, and cells that are sheared for long tangle" : ""));
+}
 
 /// The cells of a mesh.
 template <int d>

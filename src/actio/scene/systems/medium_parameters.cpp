@@ -1,4 +1,4 @@
-// The records of the keys of [system], [initial] and [method] of a medium.
+// The records of the keys of [system] and [initial] of a medium.
 #include "actio/scene/systems/medium_input.hpp"
 #include "actio/scene/systems/medium_material.hpp"
 
@@ -35,6 +35,14 @@ std::vector<Parameter> of_system(bool fluid) {
              : "{ name = \"neo_hookean\", mu = 1, kappa = 2 }"},
       {"system.density", "a text, a formula in X, Y, Z, or a positive real", "1",
        "The mass per reference volume.", "", "\"1\""},
+      {"system.metric",
+       "a text",
+       "\"euclidean\"",
+       "The metric of the space that the body moves in: euclidean. The spaces of curved metrics are not "
+       "there.",
+       "",
+       "\"euclidean\"",
+       {"euclidean"}},
       {"system.boundary", "a table of texts", "every side is free",
        "What each side of the body does, by its name: left, right, bottom, top, front and back of a box "
        "where "
@@ -61,12 +69,6 @@ std::vector<Parameter> of_start() {
 std::vector<Parameter> medium_parameters(bool fluid) {
   auto all = of_system(fluid);
   for (auto& key : of_start()) all.push_back(std::move(key));
-  all.push_back(
-      {"method.step", "a number > 0", "four tenths of the longest stable step, or less",
-       "The time that a step takes, a whole number of times in the time between two rows, or two "
-       "snapshots. By default it is at most four tenths of the longest for which small motions about "
-       "the start are stable.",
-       "time", "0.01"});
   return all;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace actio::scene {
 namespace {
@@ -96,52 +95,33 @@ double circulation_along(Observed<d>& seen, MaterialLoop<d> const& loop) {
   return sum;
 }
 
-/// The row of nodes from one end of a box to the other along direction k, at the lower ends of the others.
 template <int d>
-MaterialLoop<d> row_around(MediumMesh const& mesh, int k) {
-  std::size_t stride = 1;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(k); ++a)
-    stride *= static_cast<std::size_t>(mesh.cells[a] + !mesh.periodic[a]);
-  auto const n = static_cast<std::size_t>(mesh.cells[static_cast<std::size_t>(k)]);
-  MaterialLoop<d> loop;
-  for (std::size_t i = 0; i <= n; ++i) loop.stops.push_back({i % n * stride, {}});
-  auto const at = static_cast<std::size_t>(k);
-  loop.stops.back().beyond[at] = mesh.upper[at] - mesh.lower[at];
-  return loop;
-}
-
-/// The longest chain of facets that belong to one cell each, in the order in which they look outwards.
-MaterialLoop<2> boundary_loop(MediumCells<2> const& cells) {
-  std::map<std::pair<int, int>, int> count;
-  std::map<int, int> next;
-  for (int const pass : {0, 1})
-    for (std::size_t c = 0; c < cells.cells(); ++c)
-      for (int f = 0; f < facet_count(cells.shape()); ++f) {
-        auto const& corners = facet_corners(cells.shape(), f);
-        auto const cell = cells.cell(c);
-        int const a = cell.nodes[static_cast<std::size_t>(corners[0])],
-                  b = cell.nodes[static_cast<std::size_t>(corners[1])];
-        if (pass == 0)
-          ++count[std::minmax(a, b)];
-        else if (count[std::minmax(a, b)] == 1)
-          next[a] = b;
+void define_circulation(QuantityGraph& graph, Seen<d> const& seen,
+                        std::vector<MaterialLoop<d>> const& loops) {
+  std::vector<std::string> ends;
+  for (auto const& loop : loops) ends.push_back(loop.name.empty() ? "" : "_" + loop.name);
+  if (ends.empty()) ends = {""};
+  graph.define(
+      "circulation", ends,
+      [seen, loops](auto, double* out) {
+    for (auto const& loop : loops) *out++ = circulation_along(*seen, loop);
+      },
+      [seen, loops](auto, double const*, std::size_t which) {
+    auto const& x = seen->places();
+    auto const& stops = loops[which].stops;
+    double fastest = 0, length = 0;
+    for (std::size_t k = 1; k < stops.size(); ++k) {
+      auto const &a = stops[k - 1], &b = stops[k];
+      double edge = 0;
+      for (int i = 0; i < d; ++i) {
+        double const along = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
+        edge += along * along;
       }
-  MaterialLoop<2> longest;
-  while (!next.empty()) {
-    MaterialLoop<2> loop;
-    int const first = next.begin()->first;
-    int at = first;
-    do {
-      loop.stops.push_back({static_cast<std::size_t>(at), {}});
-      auto const step = next.find(at);
-      if (step == next.end()) break;
-      at = step->second;
-      next.erase(step);
-    } while (at != first);
-    loop.stops.push_back({static_cast<std::size_t>(first), {}});
-    if (loop.stops.size() > longest.stops.size()) longest = std::move(loop);
-  }
-  return longest;
+      length += std::sqrt(edge);
+    }
+    seen->for_nodes([&](double, auto const&, auto const& u) { fastest = std::max(fastest, length_of(u)); });
+    return fastest * length;
+  });
 }
 
 std::vector<Quantity> sums_of_body(bool fluid) {
@@ -157,6 +137,14 @@ std::vector<Quantity> sums_of_body(bool fluid) {
        "",
        {},
        true},
+      {"dissipated",
+       Kind::scalar,
+       "The energy that method.viscosity has taken since the start: energy and this together are constant to "
+       "the square of the step. Zero without viscosity.",
+       "\\int_0^t\\!\\int q\\,|\\dot J|",
+       "energy",
+       "",
+       {}},
       {"momentum",
        Kind::vector,
        "The linear momentum: conserved to rounding where every side is free or periodic and no load acts.",
@@ -176,8 +164,10 @@ std::vector<Quantity> sums_of_body(bool fluid) {
        true},
       {"circulation",
        Kind::scalar,
-       std::string("The circulation of the velocity along the outermost closed row of nodes of a body in the "
-                   "plane, counterclockwise; in a periodic box along the row that goes once around it. ") +
+       std::string(
+           "The circulation of the velocity along each of system.loops; where these are left out along "
+           "the outermost closed row of nodes of a body in the plane, counterclockwise, or the row that "
+           "goes once around a periodic box. ") +
            (fluid ? "In the continuum the motion conserves it; on a mesh it does so to the order of the "
                     "scheme."
                   : "A solid does not conserve it."),
@@ -215,24 +205,8 @@ std::vector<Quantity> medium_quantities(bool fluid) {
 }
 
 template <int d>
-MaterialLoop<d> outermost_loop(MediumCells<d> const& cells, MediumMesh const& mesh) {
-  for (std::size_t k = 0; k < mesh.periodic.size(); ++k)
-    if (mesh.periodic[k]) return row_around<d>(mesh, static_cast<int>(k));
-  if constexpr (d == 2)
-    return boundary_loop(cells);
-  else
-    return {};
-}
-/// \copydoc outermost_loop
-template MaterialLoop<1> outermost_loop(MediumCells<1> const&, MediumMesh const&);
-/// \copydoc outermost_loop
-template MaterialLoop<2> outermost_loop(MediumCells<2> const&, MediumMesh const&);
-/// \copydoc outermost_loop
-template MaterialLoop<3> outermost_loop(MediumCells<3> const&, MediumMesh const&);
-
-template <int d>
-void define_medium(QuantityGraph& graph, MediumView<d> const& medium, MaterialLoop<d> const& loop,
-                   double step) {
+void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
+                   std::vector<MaterialLoop<d>> const& loops, double step) {
   auto const seen = std::make_shared<Observed<d>>(medium);
   MediumMotion<d> const& motion = *medium.motion;
   graph.define(
@@ -241,24 +215,9 @@ void define_medium(QuantityGraph& graph, MediumView<d> const& medium, MaterialLo
     BodyEnergies const e = motion.energies();
     return e.kinetic + std::abs(e.stored) + std::abs(e.loads);
       });
+  graph.define("dissipated", {""}, [&motion](auto, double* out) { *out = motion.dissipated(); });
   define_momenta<d>(graph, seen);
-  graph.define(
-      "circulation", {""}, [seen, loop](auto, double* out) { *out = circulation_along(*seen, loop); },
-      [seen, loop](auto, double const*, std::size_t) {
-    auto const& x = seen->places();
-    double fastest = 0, length = 0;
-    for (std::size_t k = 1; k < loop.stops.size(); ++k) {
-      auto const &a = loop.stops[k - 1], &b = loop.stops[k];
-      double edge = 0;
-      for (int i = 0; i < d; ++i) {
-        double const along = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
-        edge += along * along;
-      }
-      length += std::sqrt(edge);
-    }
-    seen->for_nodes([&](double, auto const&, auto const& u) { fastest = std::max(fastest, length_of(u)); });
-    return fastest * length;
-      });
+  define_circulation<d>(graph, seen, loops);
   graph.define("noether_balance", {""}, [seen, step](auto, double* out) {
     *out = noether_residual(seen->medium(), seen->places(), seen->velocities(), step);
   });
@@ -267,10 +226,13 @@ void define_medium(QuantityGraph& graph, MediumView<d> const& medium, MaterialLo
   });
 }
 /// \copydoc define_medium
-template void define_medium(QuantityGraph&, MediumView<1> const&, MaterialLoop<1> const&, double);
+template void define_medium(QuantityGraph&, MediumView<1> const&, std::vector<MaterialLoop<1>> const&,
+                            double);
 /// \copydoc define_medium
-template void define_medium(QuantityGraph&, MediumView<2> const&, MaterialLoop<2> const&, double);
+template void define_medium(QuantityGraph&, MediumView<2> const&, std::vector<MaterialLoop<2>> const&,
+                            double);
 /// \copydoc define_medium
-template void define_medium(QuantityGraph&, MediumView<3> const&, MaterialLoop<3> const&, double);
+template void define_medium(QuantityGraph&, MediumView<3> const&, std::vector<MaterialLoop<3>> const&,
+                            double);
 
 }  // namespace actio::scene

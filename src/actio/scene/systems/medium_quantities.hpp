@@ -3,7 +3,7 @@
 
 #include "actio/scene/system.hpp"
 #include "actio/scene/systems/medium_fields.hpp"
-#include "actio/scene/systems/medium_input.hpp"
+#include "actio/scene/systems/medium_loops.hpp"
 
 namespace actio::scene {
 
@@ -11,24 +11,10 @@ namespace actio::scene {
 /// @param fluid  of a fluid the circulation is conserved
 std::vector<Quantity> medium_quantities(bool fluid);
 
-/// A closed row of nodes: the circulation is taken along it.
-template <int d>
-struct MaterialLoop {
-  /// A node, and how far beyond its place the loop passes, in a periodic box; length.
-  struct Stop {
-    std::size_t node;                ///< which one
-    std::array<double, d> beyond{};  ///< of its place
-  };
-  std::vector<Stop> stops;  ///< the last one is the first one, a period further or not
-};
-/// The outermost closed row of nodes of a body in the plane, counterclockwise; along a direction of a
-/// periodic box the row that goes once around it. Empty where there is none.
-template <int d>
-MaterialLoop<d> outermost_loop(MediumCells<d> const& cells, MediumMesh const& mesh);
-
 /// How they come from its motion.
+/// @param loops  for the circulation; none where it is not asked for
 template <int d>
-void define_medium(QuantityGraph& graph, MediumView<d> const& medium, MaterialLoop<d> const& loop,
-                   double step);
+void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
+                   std::vector<MaterialLoop<d>> const& loops, double step);
 
 }  // namespace actio::scene

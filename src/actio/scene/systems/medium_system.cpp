@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actio/scene/systems/medium_crossing.hpp"
 #include "actio/scene/systems/medium_fast_road.hpp"
 #include "actio/scene/systems/medium_memory.hpp"
 #include "actio/scene/systems/medium_mesh_road.hpp"
+#include "actio/scene/systems/medium_method.hpp"
 #include "actio/scene/systems/medium_quantities.hpp"
 #include "actio/scene/systems/medium_snapshots.hpp"
-#include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/vorticity_memory.hpp"
 
 namespace actio::scene {
@@ -82,46 +83,16 @@ std::vector<std::array<double, d>> examined_start(SceneFile const& file, MediumS
   return x;
 }
 
-/// Rows and snapshots of a medium are at its steps.
-void require_rows_at_steps(Request const& request, double step) {
-  if (request.schedule.met_by(step) || !request.schedule.between_steps()) return;
-  double const nearest = request.schedule.step_up_to(step);
-  request.file.section("run").fail("between_steps",
-                                   "between_steps: the rows and snapshots of a medium are at its steps" +
-                                       (nearest > 0 ? fmt::format("; a step of {} meets them", nearest)
-                                                    : std::string("; these times have no step in common")));
-}
-
-/// The step of the scene, at most the longest stable one.
-double step_of(Request const& request, double longest) {
-  SceneTable method = request.file.section("method");
-  if (!method.has("step") && request.schedule.common_divisor() == 0)
-    throw SceneError(
-        request.file.section("run").place(),
-        "the times of rows and snapshots have no divisor in common, and those of a medium are at "
-        "its steps; run.every has them at multiples of one time");
-  double const step = read_step(method, request.schedule, 2 / longest, 0.8);
-  // The largest frequency is known from below, within a per cent.
-  if (step > 0.99 * longest)
-    fail_for_long_step(method, request.schedule, StepTooLong("medium", step, 0.99 * longest),
-                       fmt::format("steps of length {} are not stable", step));
-  require_rows_at_steps(request, step);
-  return step;
-}
-
 template <int d>
 void finish(Simulation& simulation, Request const& request, std::unique_ptr<MediumMotion<d>> motion,
             MediumView<d> view, MediumMesh const& mesh, double cells) {
   view.motion = motion.get();
   bool const circulates = std::find(request.quantities.begin(), request.quantities.end(), "circulation") !=
                           request.quantities.end();
-  MaterialLoop<d> const loop = circulates ? outermost_loop(motion->cells(), mesh) : MaterialLoop<d>{};
-  if (circulates && loop.stops.empty())
-    request.file.section("output").fail(
-        "quantities",
-        "quantities: circulation is that of bodies in the plane and of periodic boxes; this body "
-        "has no outermost closed row of nodes");
-  define_medium(simulation.quantities, view, loop, simulation.step);
+  auto const loops = circulates || !loop_names(request.file).empty()
+                         ? read_loops(request.file, motion->cells(), mesh)
+                         : std::vector<MaterialLoop<d>>{};
+  define_medium(simulation.quantities, view, loops, simulation.step);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_medium(request, view);
   simulation.steps_at_once = std::max(1L, static_cast<long>(5e-3 / (cells * 1e-8)));
@@ -141,6 +112,21 @@ std::function<double(std::array<double, d> const&)> density_of(std::shared_ptr<M
   };
 }
 
+/// When characteristics cross, of a plane wave, where that is before the end.
+template <int d>
+void tell_crossing(Simulation& simulation, Request const& request, MediumMesh const& mesh,
+                   Material const& material, MediumStart& start) {
+  auto const crossing = crossing_of_characteristics<d>(mesh, start, *stored_energy_of<d>(material));
+  if (!crossing || crossing->time > request.schedule.until()) return;
+  bool const spread = request.file.section("method").has("viscosity");
+  simulation.remarks.push_back(
+      fmt::format("characteristics {} t = {:.6g}{}: a shock {}, which {}",
+                  crossing->exact ? "cross at" : "may cross from", crossing->time,
+                  crossing->exact ? "" : " on", crossing->exact || spread ? "follows" : "would follow",
+                  spread ? "method.viscosity spreads over a few cells"
+                         : "this scheme does not resolve (method.viscosity spreads one over a few cells)"));
+}
+
 /// By fused steps, where the scene is one for them.
 /// @return whether it is
 template <class Box>
@@ -156,7 +142,8 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   simulation.bytes = require_memory(request.file, mesh, true, request);
   double const longest =
       road->longest_step(examined_start<d>(request.file, *start, BoxCells<Box>(*box), mesh));
-  simulation.step = step_of(request, longest);
+  simulation.step = medium_step(request, longest);
+  tell_crossing<d>(simulation, request, mesh, material, *start);
   simulation.shortcuts.emplace_back(
       fmt::format("a box of equal cells of one density in {} without loads: fused steps",
                   d == 2 ? "the plane" : "space"));
@@ -166,17 +153,37 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   return true;
 }
 
+/// Where and how strongly gravity pulls, since a potential tells it by its slope alone.
+template <int d>
+void tell_gravity(Simulation& simulation, MediumLoads<d> const& loads,
+                  std::vector<std::array<double, d>> const& x) {
+  std::array<double, d> centre{};
+  for (auto const& place : x)
+    for (std::size_t a = 0; a < d; ++a) centre[a] += place[a] / static_cast<double>(x.size());
+  std::string told = loads.pull_of_gravity(centre);
+  if (!told.empty()) simulation.remarks.push_back(std::move(told));
+}
+
 template <int d>
 void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh const& mesh,
-                     Material const& material, MethodChoice const& choice, bool energy,
+                     Material const& material, MediumMethod const& method,
                      std::shared_ptr<MediumStart> const& start) {
-  MeshRoad<d> const road{mesh.make(),     material,
-                         start,           read_medium_loads<d>(request.file, mesh),
-                         choice.number(), energy ? Conserve::energy : Conserve::form};
-  examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh);
-  simulation.step = step_of(request, road.longest_step());
+  MeshRoad<d> const road{
+      mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
+      method.order, method.conserve, method.viscosity};
+  tell_gravity<d>(simulation, road.loads,
+                  examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh));
+  simulation.step = medium_step(request, road.longest_step());
+  if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, road.motion(simulation.step),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count());
+}
+
+/// Media move in Euclidean space.
+void require_euclidean(SceneTable system) {
+  if (!system.has("metric")) system.set("metric", "euclidean");
+  if (system.is_text("metric") && system.text("metric") == "euclidean") return;
+  system.fail("metric", "metric: media move in Euclidean space, \"euclidean\"; curved spaces are not there");
 }
 
 /// What the motion conserves under these sides and loads.
@@ -185,7 +192,9 @@ std::vector<Quantity> conserved_here(bool fluid, SceneFile const& file, MediumMe
   MediumLoads<d> const loads = read_medium_loads<d>(file, mesh);
   auto all = medium_quantities(fluid);
   for (auto& quantity : all) {
-    if (quantity.name == "energy") quantity.conserved = loads.energy;
+    if (quantity.name == "energy")
+      quantity.conserved = loads.energy && !file.section("method").has("viscosity");
+    if (quantity.name == "circulation" && !loop_names(file).empty()) quantity.kind = Quantity::Kind::list;
     if (quantity.name == "momentum") quantity.conserved = loads.momentum;
     if (quantity.name == "angular_momentum") quantity.conserved = loads.angular_momentum;
   }
@@ -194,21 +203,10 @@ std::vector<Quantity> conserved_here(bool fluid, SceneFile const& file, MediumMe
 
 }  // namespace
 
-std::vector<Method> medium_methods() {
-  return {
-      {"multisymplectic",
-       {"2", "4"},
-       "The discrete Hamilton principle on space-time, with lumped masses and a deformation gradient at "
-       "each corner of a cell: explicit. It conserves the multisymplectic form, linear and angular "
-       "momentum; the energy oscillates with the square of the step. Composed of substeps order 4 in time.",
-       "claim_10_0_variational_discretisation"}};
-}
-
 Simulation prepare_medium(bool fluid, Request const& request) {
-  SceneTable system = request.file.section("system"), method = request.file.section("method");
-  MethodChoice const choice = read_method(method, medium_methods());
-  if (!method.has("conserve")) method.set("conserve", "form");
-  bool const energy = method.choice("conserve", "conserved form", {"form", "energy"}) == "energy";
+  SceneTable system = request.file.section("system");
+  MediumMethod const method = read_medium_method(request.file);
+  require_euclidean(system);
   Material const material = read_material(system, fluid);
   MediumMesh const mesh = read_medium_mesh(request.file);
   auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
@@ -217,33 +215,25 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   Simulation simulation(d == 1   ? conserved_here<1>(fluid, request.file, mesh)
                         : d == 2 ? conserved_here<2>(fluid, request.file, mesh)
                                  : conserved_here<3>(fluid, request.file, mesh));
-  bool const plain_steps = choice.number() == 2 && !energy && start->uniform && !has_loads(request.file);
+  bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
   if (plain_steps && (prepare_fast<FastBox2d>(simulation, request, mesh, fluid, material, start) ||
                       prepare_fast<FastBox3d>(simulation, request, mesh, fluid, material, start)))
     return simulation;
   simulation.bytes = require_memory(request.file, mesh, false, request);
   if (d == 1)
-    prepare_on_mesh<1>(simulation, request, mesh, material, choice, energy, start);
+    prepare_on_mesh<1>(simulation, request, mesh, material, method, start);
   else if (d == 2)
-    prepare_on_mesh<2>(simulation, request, mesh, material, choice, energy, start);
+    prepare_on_mesh<2>(simulation, request, mesh, material, method, start);
   else
-    prepare_on_mesh<3>(simulation, request, mesh, material, choice, energy, start);
+    prepare_on_mesh<3>(simulation, request, mesh, material, method, start);
   return simulation;
 }
 
 std::vector<Parameter> medium_scene_parameters(bool fluid) {
   auto all = medium_parameters(fluid);
   for (auto& key : load_parameters()) all.push_back(std::move(key));
-  all.push_back(
-      {"method.conserve",
-       "a text",
-       "\"form\"",
-       "What steps conserve besides linear and angular momentum: the multisymplectic form, explicitly, "
-       "where the energy oscillates with the square of the step; or the energy, by a discrete gradient, "
-       "which is implicit and gives up the form.",
-       "",
-       "\"energy\"",
-       {"form", "energy"}});
+  all.push_back(loops_parameter());
+  for (auto& key : medium_method_parameters()) all.push_back(std::move(key));
   return all;
 }
 

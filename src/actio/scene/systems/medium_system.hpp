@@ -6,8 +6,6 @@
 
 namespace actio::scene {
 
-/// The multisymplectic scheme with its orders.
-std::vector<Method> medium_methods();
 /// All keys of [system], [loads] and [method] of a fluid, or of an elastic body.
 std::vector<Parameter> medium_scene_parameters(bool fluid);
 /// The motion that a scene asks for: by fused steps where its box allows them, else on a mesh.

@@ -1,0 +1,32 @@
+// How a medium of a scene is stepped: `[method]`, and its step within what is stable.
+#pragma once
+
+#include "actio/multisymplectic/body_start.hpp"
+#include "actio/scene/system.hpp"
+
+namespace actio::scene {
+
+/// The multisymplectic scheme with its orders.
+std::vector<Method> medium_methods();
+
+/// `[method]` without the step.
+struct MediumMethod {
+  int order = 2;                       ///< of the steps: 2 or 4
+  Conserve conserve = Conserve::form;  ///< what they keep
+  ArtificialViscosity viscosity = {};  ///< what spreads shocks
+  /// Whether steps are those of the fast road.
+  bool plain() const { return order == 2 && conserve == Conserve::form && !viscosity.any(); }
+};
+/// Reads it, and writes defaults back.
+/// @throws SceneError  where a key is refused
+MediumMethod read_medium_method(SceneFile const& file);
+
+/// The step of the scene, by default four tenths of the longest stable one.
+/// @param longest  stable step, from above within a per cent
+/// @throws SceneError, NumericsError  where it is longer, or does not meet rows and snapshots
+double medium_step(Request const& request, double longest);
+
+/// The records of the keys of [method] of a medium.
+std::vector<Parameter> medium_method_parameters();
+
+}  // namespace actio::scene
