@@ -97,13 +97,8 @@ std::vector<Vector3d> polhode(Throw const& thrown) {
   return momenta;
 }
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv,
-                        "a spinning book: its momentum runs round a sphere as seen from the book, and stands "
-                        "still as seen from space");
-  program.say("moments of inertia, kg m^2: ", I[0], ", ", I[1], ", ", I[2]);
-
-  // Throws about all axes, and one nearly about the middle axis.
+// 6. Throws about all axes, and one nearly about the middle axis: the largest changes of all of them.
+Throw throw_about_all_axes(book::Program& program) {
   auto sphere = book::Sphere(38, 24).axes({"1 height", "2 width", "3 pages"});
   Throw worst;
   auto const draw = [&](Vector3d const& direction, std::string const& label, int colour) {
@@ -121,15 +116,22 @@ int main(int argc, char** argv) {
                   "The momentum of a thrown book in the body frame: five throws with the same amount of "
                   "momentum, so all on one sphere, the coadjoint orbit. Each follows a level of the energy. "
                   "About the middle axis nothing stays near: that book turns over.");
+  return worst;
+}
 
-  // The same throw along the three equations.
+// 7. The same throw along the three equations.
+struct Compared {
+  Throw right, whole, wrong;
+  double apart = 0;   // attitudes of the first two
+  double lowest = 1;  // the momentum about the middle axis, over its amount
+};
+Compared throw_about_the_middle(book::Program& program) {
   Vector3d const middle(0.01, 1, 0.01);
-  Throw const right = follow(reduced, middle), whole = follow(unreduced, middle),
-              wrong = follow(wrong_side, middle);
-  double apart = 0, lowest = 1;
+  Compared all{follow(reduced, middle), follow(unreduced, middle), follow(wrong_side, middle)};
+  auto const& [right, whole, wrong, apart, lowest] = all;
   for (std::size_t k = 0; k < right.path.size(); ++k) {
-    apart = std::max(apart, (right.path[k].R - whole.path[k].R).norm());
-    lowest = std::min(lowest, Pi_of(right.path[k]).components[1] / amount);
+    all.apart = std::max(apart, (right.path[k].R - whole.path[k].R).norm());
+    all.lowest = std::min(lowest, Pi_of(right.path[k]).components[1] / amount);
   }
   program.table("three", {"equation", "|Pi| changes by", "energy changes by", "mu changes by"},
                 {{"Euler-Poincaré, left", book::number(right.orbit), book::number(right.energy),
@@ -139,12 +141,22 @@ int main(int argc, char** argv) {
                  {"Euler-Poincaré, right: the wrong side", book::number(wrong.orbit),
                   book::number(wrong.energy), book::number(wrong.space)}},
                 "One throw about the middle axis: largest relative changes");
+  return all;
+}
+
+int main(int argc, char** argv) {
+  book::Program program(argc, argv,
+                        "a spinning book: its momentum runs round a sphere as seen from the book, and stands "
+                        "still as seen from space");
+  program.say("moments of inertia, kg m^2: ", I[0], ", ", I[1], ", ", I[2]);
+  Throw const worst = throw_about_all_axes(program);
+  auto const [right, whole, wrong, apart, lowest] = throw_about_the_middle(program);
   program.figure("space", worst.space, "largest change of the spatial momentum, relative");
   program.figure("apart", apart, "reduced and unreduced motion, largest distance of the attitudes");
   program.figure("wrong_side", wrong.space, "change of the spatial momentum with the sign of the other side");
 
-  // A step has an error of about (dt Omega)^5/120, and all of them may add up; a hundredth off the unstable
-  // axis a motion is a hundred times as sensitive.
+  // 8. What must be so. A step has an error of about (dt Omega)^5/120, and all of them may add up; a
+  // hundredth off the unstable axis a motion is a hundred times as sensitive.
   double const allowed = duration / dt * std::pow(dt * amount / I[0], 5) / 120;
   program.claim(book::measured(worst.orbit) < allowed && book::measured(worst.energy) < allowed,
                 "the body momentum stays on its sphere and on its level of the energy");

@@ -107,13 +107,8 @@ Film take_pictures(Reduced const& reduced, double step, int count) {
   return film;
 }
 
-int main(int argc, char** argv) {
-  book::Program program(
-      argc, argv,
-      "a charged ball photographed in a magnetic field: (3.10) from (3.2), and the precession "
-      "of its momentum");
-  // The theorem.
-  auto const trials = try_the_theorem();
+// 7. The theorem, on the three sequences.
+void show_the_theorem(book::Program& program, std::vector<Trial> const& trials) {
   std::vector<std::vector<std::string>> rows;
   for (auto const& [name, c] : trials)
     rows.push_back({name, book::number(size(c[0]), 2), book::number(size(c[1]), 2),
@@ -127,9 +122,12 @@ int main(int argc, char** argv) {
   program.claim(book::measured(same) < 1e-14, "on any sequence the four conditions are one covector");
   program.claim(book::measured(size(trials[1].conditions[0])) > 0.01, "which is not zero by itself");
   program.claim(book::measured(size(trials[2].conditions[3])) > 0.01, "without invariance (3.10) fails");
+}
 
-  // The precession, over one revolution about the field.
-  double const revolution = 2 * M_PI * ball_inertia / ball_field.norm();
+// 8. The precession: the order of the attitude after one revolution about the field, and the first pictures,
+//    with the sign of (3.25) as it must be and as it is printed.
+double const revolution = 2 * M_PI * ball_inertia / ball_field.norm();
+double order_of_the_attitude(book::Program& program) {
   std::vector<double> steps, errors;
   std::vector<std::vector<std::string>> orders;
   for (int n = 21; n <= 336; n *= 2) {
@@ -139,10 +137,14 @@ int main(int argc, char** argv) {
     steps.push_back(step), errors.push_back(error);
     orders.push_back({book::number(step), book::number(error, 2)});
   }
-  double const order = book::exponent(steps, errors);
   program.table("order", {"step, s", "error of the attitude"}, orders,
                 "After one revolution of the momentum about the field.");
-
+  return book::exponent(steps, errors);
+}
+struct Momenta {
+  std::vector<Vector<double, 3>> right, wrong;
+};
+Momenta show_the_precession(book::Program& program) {
   auto const printed = [](auto const& f) { return ball_in_field()(log(f) / h) * h; };
   int const count = 16;
   auto const right = take_pictures(l, h, count).momenta, wrong = take_pictures(printed, h, count).momenta;
@@ -156,6 +158,18 @@ int main(int argc, char** argv) {
                       .dots(wrong, "(3.25) as printed", {.colour = 2})
                       .svg(),
                   "The direction of the momentum in the first 16 pictures.");
+  return {right, wrong};
+}
+
+int main(int argc, char** argv) {
+  book::Program program(
+      argc, argv,
+      "a charged ball photographed in a magnetic field: (3.10) from (3.2), and the precession "
+      "of its momentum");
+  auto const trials = try_the_theorem();
+  show_the_theorem(program, trials);
+  double const order = order_of_the_attitude(program);
+  auto const [right, wrong] = show_the_precession(program);
   double const height = std::abs(right.back()[2] / mu0.components[2] - 1);
   program.figure("order", order, book::number(order, 3), "order of the attitude, fitted");
   program.figure("height", height, "change of the momentum along the field, relative");
