@@ -258,10 +258,11 @@ class GmshSections {
   template <class T>
   int tag(char const* what) {
     T const value = file_.number<T>(what);
-    if (value < 1 || value > T(std::numeric_limits<int>::max()))
-      file_.fail(std::string("the tag of a ") + what + " lies between 1 and 2^31, and is " +
-                 std::to_string(value));
+    if (value < 1 || value > T(std::numeric_limits<int>::max())) fail_tag(what, std::to_string(value));
     return int(value);
+  }
+  [[noreturn]] void fail_tag(std::string const& what, std::string const& value) const {
+    file_.fail("the tag of a " + what + " lies between 1 and 2^31, and is " + value);
   }
 };
 
