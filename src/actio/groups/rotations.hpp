@@ -8,6 +8,21 @@
 
 namespace actio {
 
+namespace detail {
+/// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
+template <class M>
+M restored_rotation(M const& a) {
+  using S = typename M::Scalar;
+  M excess = a.transpose() * a;
+  excess.diagonal().array() -= S(1);
+  double const distance = to_double(magnitude(excess));
+  if (!(distance < 0.1))
+    throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1",
+                        distance, 0.1);
+  return a - a * excess / S(2);
+}
+}  // namespace detail
+
 /// SO(n).
 template <int n>
 struct SO : Matrices<n, n*(n - 1) / 2> {
@@ -122,15 +137,7 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   /// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
   /// @throws OutsideDomain  where \f$R^T R\f$ is not even near 1
   template <Real S>
-  static Matrix<S, n, n> restore(Matrix<S, n, n> const& a) {
-    Matrix<S, n, n> excess = a.transpose() * a;
-    excess.diagonal().array() -= S(1);
-    double const distance = to_double(magnitude(excess));
-    if (!(distance < 0.1))
-      throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1",
-                          distance, 0.1);
-    return a - a * excess / S(2);
-  }
+  static Matrix<S, n, n> restore(Matrix<S, n, n> const& a) { return detail::restored_rotation(a); }
 };
 
 }  // namespace actio

@@ -53,13 +53,7 @@ struct SO<Dynamic> {
   /// @throws OutsideDomain  where \f$R^T R\f$ is not even near 1
   template <Real S>
   static Matrix<S, Dynamic, Dynamic> restore(Matrix<S, Dynamic, Dynamic> const& a) {
-    Matrix<S, Dynamic, Dynamic> excess = a.transpose() * a;
-    excess.diagonal().array() -= S(1);
-    double const distance = to_double(magnitude(excess));
-    if (!(distance < 0.1))
-      throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1",
-                          distance, 0.1);
-    return a - a * excess / S(2);
+    return detail::restored_rotation(a);
   }
 };
 
