@@ -133,9 +133,7 @@ int main(int argc, char** argv) {
   any = add("gas, any exponent", FastFluid{PolytropicGas{1, 1.37}}, peers::GasStress{1, 1.37}, 0);
   add("neo-Hookean, logarithm", neo_hookean(1, 1), peers::NeoHookeanStress{1, 1}, 0);
   program.table(
-      "plane",
-      {"medium", "one thread", "two threads", "Eigen loop", "Eigen loop / one thread", "operations",
-       "their floor", "one thread / floor"},
+      "plane", {"medium", "one thread", "two", "Eigen", "Eigen / one", "operations", "floor", "one / floor"},
       rows,
       "Media in the plane: nanoseconds for a cell and step. The floor is that of the operations, if all "
       "were fused in pairs.");

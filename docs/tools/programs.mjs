@@ -2,6 +2,8 @@
 import { escapeHtml, labelled, number, prose } from './lib.mjs';
 import { measured, originClass, originNote, originText } from './release.mjs';
 
+// A column of figures, of which some may be missing.
+const figures = (rows, i) => rows.every(r => numeric(r[i]) || r[i] === '') && rows.some(r => numeric(r[i]));
 const numeric = s => /^[-+−]?(\d|\.\d)/.test(String(s).trim());
 const power = (mantissa, exponent) => `${mantissa.replace('-', '−')}·10<sup>${String(Number(exponent)).replace('-', '−')}</sup>`;
 /// The text of a cell. Where one of its numbers is a power of ten, so are the others that are as small or as large.
@@ -19,7 +21,7 @@ const captionText = (caption, report) => [prose(caption ?? ''), originNote(repor
 
 /// @param report  where it comes from
 export function reportTable(t, caption, report = {}) {
-  const head = (t.header ?? []).map((h, i) => `<th${(t.rows ?? []).every(r => numeric(r[i])) ? ' class="num"' : ''}>${prose(h)}</th>`).join('');
+  const head = (t.header ?? []).map((h, i) => `<th${figures(t.rows ?? [], i) ? ' class="num"' : ''}>${prose(h)}</th>`).join('');
   const rows = (t.rows ?? []).map(r => `<tr>${r.map(c => `<td${numeric(c) ? ` class="num${String(c).trim().includes(' ') ? ' words' : ''}"` : ''}>${cellText(c)}</td>`).join('')}</tr>`).join('');
   const text = captionText(caption ?? t.caption, report);
   return `<div class="${`report-table ${originClass(report)}`.trim()}"><table><thead><tr>${head}</tr></thead><tbody>${rows}</tbody></table>${text ? `<div class="caption">${text}</div>` : ''}</div>`;
