@@ -31,20 +31,8 @@ class BodyForces {
   /// @return the least Jacobian; where it is not positive the forces are not complete
   LeastJacobian forces(std::vector<double> const& x, double t, std::vector<double>& f) const {
     f.assign(x.size(), 0);
-    LeastJacobian least;
-    double at[8][d], on[8][d];
-    for (int cell = 0; cell < body.cells(); ++cell) {
-      body.gather(x, cell, at);
-      clear(on);
-      for (int p = 0; p < body.points_per_cell; ++p) {
-        auto const& point = body.at(cell, p);
-        Gradient const F = body.gradient(at, p, point);
-        if (!note(F, cell, least)) return least;
-        body.add_forces(weighed_stress(F, point), p, point, on);
-      }
-      body.scatter(on, cell, f);
-    }
-    loads.add_forces(body, x, t, f);
+    LeastJacobian const least = body.with_kind([&](auto kind) { return forces_inside(kind, x, f); });
+    if (least.jacobian > 0) loads.add_forces(body, x, t, f);
     return least;
   }
   /// The forces along a way from places x that do the work which the energy loses, and keep momenta.
@@ -57,24 +45,9 @@ class BodyForces {
   LeastJacobian discrete_forces(std::vector<double> const& x, std::vector<double> const& rest,
                                 std::vector<double> const& way, double t, std::vector<double>& f) const {
     f.assign(x.size(), 0);
-    LeastJacobian least;
-    double from[8][d], beyond[8][d], along[8][d], on[8][d];
-    for (int cell = 0; cell < body.cells(); ++cell) {
-      body.gather(x, cell, from), body.gather(rest, cell, beyond, false),
-          body.gather(way, cell, along, false);
-      clear(on);
-      for (int p = 0; p < body.points_per_cell; ++p) {
-        auto const& point = body.at(cell, p);
-        Gradient const change = body.gradient(along, p, point),
-                       F0 = (body.edges(from, p) + body.edges(beyond, p)) * point.inverse_edges,
-                       F1 = F0 + change;
-        if (!note(F1, cell, least)) return least;
-        auto const energy = [&](Gradient const& F) { return weighed_energy(F, point); };
-        auto const stress = [&](Gradient const& F) { return weighed_stress(F, point); };
-        body.add_forces(discrete_stress<d>(energy, stress, F0, change), p, point, on);
-      }
-      body.scatter(on, cell, f);
-    }
+    LeastJacobian const least =
+        body.with_kind([&](auto kind) { return discrete_forces_inside(kind, x, rest, way, f); });
+    if (!(least.jacobian > 0)) return least;
     std::vector<double> end = x;
     for (std::size_t k = 0; k < end.size(); ++k) end[k] += way[k];
     loads.add_discrete_forces(body, x, end, t, f);
@@ -143,6 +116,47 @@ class BodyForces {
  private:
   Law law_;
 
+  template <class Kind>
+  LeastJacobian forces_inside(Kind kind, std::vector<double> const& x, std::vector<double>& f) const {
+    LeastJacobian least;
+    double at[8][d], on[8][d];
+    for (int cell = 0; cell < body.cells(); ++cell) {
+      body.gather(kind, x, cell, at);
+      clear(on);
+      for (int p = 0; p < Kind::points; ++p) {
+        auto const& point = body.at(cell, p);
+        Gradient const F = body.gradient(kind, at, p, point);
+        if (!note(F, cell, least)) return least;
+        body.add_forces(kind, weighed_stress(F, point), p, point, on);
+      }
+      body.scatter(kind, on, cell, f);
+    }
+    return least;
+  }
+  template <class Kind>
+  LeastJacobian discrete_forces_inside(Kind kind, std::vector<double> const& x,
+                                       std::vector<double> const& rest, std::vector<double> const& way,
+                                       std::vector<double>& f) const {
+    LeastJacobian least;
+    double from[8][d], beyond[8][d], along[8][d], on[8][d];
+    for (int cell = 0; cell < body.cells(); ++cell) {
+      body.gather(kind, x, cell, from);
+      body.gather(kind, rest, cell, beyond, false), body.gather(kind, way, cell, along, false);
+      clear(on);
+      for (int p = 0; p < Kind::points; ++p) {
+        auto const& point = body.at(cell, p);
+        Gradient const change = body.gradient(kind, along, p, point),
+                       F0 = (body.edges(kind, from, p) + body.edges(kind, beyond, p)) * point.inverse_edges;
+        if (!note(F0 + change, cell, least)) return least;
+        auto const energy = [&](Gradient const& F) { return weighed_energy(F, point); };
+        auto const stress = [&](Gradient const& C) { return weighed_green_stress(C, point); };
+        body.add_forces(kind, discrete_stress<d>(energy, stress, F0, change), p, point, on);
+      }
+      body.scatter(kind, on, cell, f);
+    }
+    return least;
+  }
+
   static void clear(double (&on)[8][d]) {
     for (auto& corner : on)
       for (double& one : corner) one = 0;
@@ -162,6 +176,12 @@ class BodyForces {
     Gradient P = law_->stress(F) * point.weight;
     if (loads.outside_pressure() != 0) P += cofactors(F) * pressure_on(point);
     return P;
+  }
+  Gradient weighed_green_stress(Gradient const& C, CellPoint<d> const& point) const {
+    Gradient S = law_->green_stress(C) * point.weight;
+    if (loads.outside_pressure() != 0)
+      S += cofactors(C) * (pressure_on(point) / std::sqrt(small_determinant(C)));
+    return S;
   }
   static Gradient cofactor_rate(Gradient const& F, Gradient const& change) {
     return derivative_along([](auto const& moved) { return cofactors(moved); }, F, change).rate;

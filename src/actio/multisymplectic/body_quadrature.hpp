@@ -66,6 +66,21 @@ struct HatQuadrature {
 };
 }  // namespace detail
 
+/// What is known of cells when a program is compiled: simplices with one point, or boxes with one at each
+/// corner.
+template <int d, bool is_simplex>
+struct CellKind {
+  static constexpr int corners = is_simplex ? d + 1 : 1 << d;  ///< of a cell
+  static constexpr int points = is_simplex ? 1 : 1 << d;       ///< of a cell
+  /// The corners at both ends of edge k of a point.
+  static constexpr std::array<int, 2> ends(int point, int k) {
+    if constexpr (is_simplex)
+      return {0, k + 1};
+    else
+      return {point & ~(1 << k), point | (1 << k)};
+  }
+};
+
 /// The points of all cells of a mesh, and the masses of its nodes.
 template <int d>
 class BodyQuadrature {
@@ -93,39 +108,56 @@ class BodyQuadrature {
     shifts(mesh);
   }
 
-  /// The corners at both ends of edge k of a point of a cell.
-  std::array<int, 2> ends(int point, int k) const {
-    if (simplex) return {0, k + 1};
-    return {point & ~(1 << k), point | (1 << k)};
+  /// Calls f with the \ref CellKind of the cells, so that loops over corners have a length that is known.
+  template <class F>
+  auto with_kind(F const& f) const {
+    return simplex ? f(CellKind<d, true>{}) : f(CellKind<d, false>{});
   }
   /// Where corners of a cell are, given the places of all nodes.
   /// @param periods  whether a corner beyond a seam is moved by its period: not for velocities
+  template <class Kind>
+  void gather(Kind, std::vector<double> const& x, int cell, double (*out)[d], bool periods = true) const {
+    std::size_t const first = std::size_t(cell) * Kind::corners;
+    for (int b = 0; b < Kind::corners; ++b)
+      std::copy_n(x.data() + std::size_t(d) * nodes[first + b], d, out[b]);
+    if (!periods || wraps.empty()) return;
+    for (int b = 0; b < Kind::corners; ++b)
+      for (int a = 0; a < d; ++a)
+        if (wraps[first + b] >> a & 1) out[b][a] += period[a];
+  }
+  /// \copydoc gather
   void gather(std::vector<double> const& x, int cell, double (*out)[d], bool periods = true) const {
-    for (int b = 0; b < corners; ++b) {
-      double const* from = x.data() + std::size_t(d) * nodes[std::size_t(cell) * corners + b];
-      for (int a = 0; a < d; ++a) out[b][a] = from[a];
-      if (periods && !wraps.empty())
-        for (int a = 0; a < d; ++a)
-          if (wraps[std::size_t(cell) * corners + b] >> a & 1) out[b][a] += period[a];
-    }
+    with_kind([&](auto kind) { gather(kind, x, cell, out, periods); });
   }
   /// The edges of a point of a cell, as columns.
-  Matrix<double, d, d> edges(double const (*at)[d], int point) const {
+  template <class Kind>
+  static Matrix<double, d, d> edges(Kind, double const (*at)[d], int point) {
     Matrix<double, d, d> a;
     for (int k = 0; k < d; ++k) {
-      auto const [low, up] = ends(point, k);
+      auto const [low, up] = Kind::ends(point, k);
       for (int i = 0; i < d; ++i) a(i, k) = at[up][i] - at[low][i];
     }
     return a;
   }
+  /// \copydoc edges
+  Matrix<double, d, d> edges(double const (*at)[d], int point) const {
+    return with_kind([&](auto kind) { return edges(kind, at, point); });
+  }
   /// The deformation gradient at a point of a cell.
+  template <class Kind>
+  static Matrix<double, d, d> gradient(Kind kind, double const (*at)[d], int point, CellPoint<d> const& of) {
+    return edges(kind, at, point) * of.inverse_edges;
+  }
+  /// \copydoc gradient
   Matrix<double, d, d> gradient(double const (*at)[d], int point, CellPoint<d> const& of) const {
     return edges(at, point) * of.inverse_edges;
   }
   /// Adds to the corners of a cell what the stress times \f$-A^{-T}\f$ does to them.
-  void add_forces(Matrix<double, d, d> const& P, int point, CellPoint<d> const& of, double (*f)[d]) const {
+  template <class Kind>
+  static void add_forces(Kind, Matrix<double, d, d> const& P, int point, CellPoint<d> const& of,
+                         double (*f)[d]) {
     for (int k = 0; k < d; ++k) {
-      auto const [low, up] = ends(point, k);
+      auto const [low, up] = Kind::ends(point, k);
       for (int i = 0; i < d; ++i) {
         double pull = 0;
         for (int j = 0; j < d; ++j) pull += P(i, j) * of.inverse_edges(k, j);
@@ -133,10 +165,20 @@ class BodyQuadrature {
       }
     }
   }
+  /// \copydoc add_forces
+  void add_forces(Matrix<double, d, d> const& P, int point, CellPoint<d> const& of, double (*f)[d]) const {
+    with_kind([&](auto kind) { add_forces(kind, P, point, of, f); });
+  }
   /// Adds what the corners of a cell have to the nodes.
+  template <class Kind>
+  void scatter(Kind, double const (*f)[d], int cell, std::vector<double>& to) const {
+    std::size_t const first = std::size_t(cell) * Kind::corners;
+    for (int b = 0; b < Kind::corners; ++b)
+      for (int a = 0; a < d; ++a) to[std::size_t(d) * nodes[first + b] + a] += f[b][a];
+  }
+  /// \copydoc scatter
   void scatter(double const (*f)[d], int cell, std::vector<double>& to) const {
-    for (int b = 0; b < corners; ++b)
-      for (int a = 0; a < d; ++a) to[std::size_t(d) * nodes[std::size_t(cell) * corners + b] + a] += f[b][a];
+    with_kind([&](auto kind) { scatter(kind, f, cell, to); });
   }
   /// How many cells there are.
   int cells() const { return static_cast<int>(points.size()) / points_per_cell; }

@@ -73,10 +73,8 @@ class BodySteps {
   /// @throws NotConverged  where the iteration does not reach rounding
   LeastJacobian implicit_step(BodyState& s, double h, double t0, double t1) const {
     std::size_t const n = s.x.size();
-    std::vector<double> way(n), f(n), r(n), good, delta;
-    for (std::size_t k = 0; k < n; ++k) way[k] = h * s.v[k];
-    put_moved_ways(s, way, t1);
-    good = way;
+    std::vector<double> way(n), f(n), r(n), good(n, 0.0), delta;
+    double const guessed = guess(s, h, t0, t1, way, f);
     std::vector<double> history;
     double const eps = std::numeric_limits<double>::epsilon(), size_of_body = extent(s.x);
     bool newton = false;
@@ -95,6 +93,11 @@ class BodySteps {
         return least;
       }
       history.push_back(size);
+      // Beyond the explicit steps' limit a guess by one of these may lead away.
+      if (round == 0 && size > 0.5 * guessed) {
+        straight_way(s, h, t1, way);
+        continue;
+      }
       if (size > last && newton) {
         for (double& one : delta) one *= 0.5;
       } else {
@@ -158,6 +161,30 @@ class BodySteps {
     held.for_moved([&](int node) {
       for (int a = 0; a < d; ++a) s.x_rest[std::size_t(d) * node + a] = 0;
     });
+  }
+  /// The way \f$hv\f$.
+  void straight_way(BodyState const& s, double h, double t1, std::vector<double>& way) const {
+    for (std::size_t k = 0; k < way.size(); ++k) way[k] = h * s.v[k];
+    put_moved_ways(s, way, t1);
+  }
+  /// A way to begin with: \f$hv+\tfrac{h^2}2a\f$ with the acceleration half of the way to \f$hv\f$, off by the
+  /// fourth power of h, for the price of an explicit step.
+  /// @return the largest modulus of \f$\tfrac{h^2}2a\f$
+  double guess(BodyState const& s, double h, double t0, double t1, std::vector<double>& way,
+               std::vector<double>& room) const {
+    straight_way(s, h, t1, way);
+    std::vector<double> middle = s.x;
+    for (std::size_t k = 0; k < way.size(); ++k) middle[k] += 0.5 * way[k];
+    if (!(forces.forces(middle, 0.5 * (t0 + t1), room).jacobian > 0)) return 0;
+    accelerate(room);
+    double most = 0;
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      double const more = h * h / 2 * room[k];
+      if (!is_finite(more)) continue;
+      way[k] += more, most = std::max(most, std::abs(more));
+    }
+    put_moved_ways(s, way, t1);
+    return most;
   }
   /// The way of moved sides, from where they are.
   void put_moved_ways(BodyState const& s, std::vector<double>& way, double t) const {

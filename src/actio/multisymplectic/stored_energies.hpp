@@ -111,6 +111,31 @@ Matrix<T, d, d> stress_of(FastStVenantKirchhoff const& medium, Matrix<T, d, d> c
   return F * S;
 }
 
+/// \f$2\,\partial W/\partial C = U'J\,C^{-1}\f$ of a fluid, given \f$C = F^TF\f$.
+template <class Volume, int d>
+Matrix<double, d, d> green_stress_of(FastFluid<Volume> const& medium, Matrix<double, d, d> const& C) {
+  double const J = std::sqrt(small_determinant(C));
+  return cofactors(C) * (medium.volume.slope(J) / J);
+}
+/// \f$2\,\partial W/\partial C = \mu+U'J\,C^{-1}\f$ of a neo-Hookean solid.
+template <class Volume, int d>
+Matrix<double, d, d> green_stress_of(FastNeoHookean<Volume> const& medium, Matrix<double, d, d> const& C) {
+  double const J = std::sqrt(small_determinant(C));
+  Matrix<double, d, d> S = cofactors(C) * (medium.volume.slope(J) / J);
+  for (int i = 0; i < d; ++i) S(i, i) += medium.mu;
+  return S;
+}
+/// \f$2\,\partial W/\partial C = \lambda\Tr E+2\mu E\f$ of St Venant and Kirchhoff's solid,
+/// \f$E = \tfrac12(C-1)\f$.
+template <int d>
+Matrix<double, d, d> green_stress_of(FastStVenantKirchhoff const& medium, Matrix<double, d, d> const& C) {
+  Matrix<double, d, d> S = C * medium.mu;
+  double trace = -d;
+  for (int i = 0; i < d; ++i) trace += C(i, i);
+  for (int i = 0; i < d; ++i) S(i, i) += medium.lambda / 2 * trace - medium.mu;
+  return S;
+}
+
 /// \f$W\f$ of a reader's own law: a callable on deformation gradients over any scalar.
 template <class Law, class T, int d>
   requires std::invocable<Law const&, Matrix<T, d, d> const&>
@@ -122,6 +147,39 @@ template <class Law, class T, int d>
   requires std::invocable<Law const&, Matrix<T, d, d> const&>
 Matrix<T, d, d> stress_of(Law const& law, Matrix<T, d, d> const& F) {
   return derivative(law, F).gradient();
+}
+
+namespace detail {
+/// The upper triangle R with positive diagonal and \f$R^TR = C\f$.
+template <int d>
+Matrix<double, d, d> cholesky_upper(Matrix<double, d, d> const& C) {
+  auto R = Matrix<double, d, d>::Zero();
+  for (int j = 0; j < d; ++j)
+    for (int i = 0; i <= j; ++i) {
+      double sum = C(i, j);
+      for (int k = 0; k < i; ++k) sum -= R(k, i) * R(k, j);
+      R(i, j) = i == j ? std::sqrt(sum) : sum / R(i, i);
+    }
+  return R;
+}
+/// \f$R^{-1}P\f$ for an upper triangle R.
+template <int d>
+Matrix<double, d, d> upper_solved(Matrix<double, d, d> const& R, Matrix<double, d, d> P) {
+  for (int j = 0; j < d; ++j)
+    for (int i = d - 1; i >= 0; --i) {
+      for (int k = i + 1; k < d; ++k) P(i, j) -= R(i, k) * P(k, j);
+      P(i, j) /= R(i, i);
+    }
+  return P;
+}
+}  // namespace detail
+
+/// \f$2\,\partial W/\partial C\f$ of any law that turns do not change: the symmetric part of
+/// \f$R^{-1}\,\partial W/\partial F(R)\f$, where R is the upper triangle with \f$R^TR = C\f$.
+template <class Medium, int d>
+Matrix<double, d, d> green_stress_of(Medium const& medium, Matrix<double, d, d> const& C) {
+  auto const R = detail::cholesky_upper(C), half = detail::upper_solved(R, stress_of(medium, R));
+  return (half + half.transpose()) * 0.5;
 }
 
 /// A medium whose stored energy per reference volume is \f$\rho^pW(F)\f$, where its mass density is
@@ -142,6 +200,11 @@ T energy_of(Weighed<Medium> const& weighed, Matrix<T, d, d> const& F) {
 template <class Medium, class T, int d>
 Matrix<T, d, d> stress_of(Weighed<Medium> const& weighed, Matrix<T, d, d> const& F) {
   return stress_of(weighed.medium, F);
+}
+/// \f$2\,\partial W/\partial C\f$ of the medium.
+template <class Medium, int d>
+Matrix<double, d, d> green_stress_of(Weighed<Medium> const& weighed, Matrix<double, d, d> const& C) {
+  return green_stress_of(weighed.medium, C);
 }
 /// A gas with pressure \f$K(\rho/J)^\gamma\f$: \f$\rho^\gamma\tfrac K{\gamma-1}J^{1-\gamma}\f$ per reference
 /// volume, of one entropy wherever its density varies.
@@ -183,6 +246,8 @@ struct StoredEnergy {
   virtual double energy(Gradient const& F) const = 0;
   /// \f$\partial W/\partial F\f$.
   virtual Gradient stress(Gradient const& F) const = 0;
+  /// \f$2\,\partial W/\partial C\f$, given \f$C = F^TF\f$, whose determinant is positive.
+  virtual Gradient green_stress(Gradient const& C) const = 0;
   /// The rate of \f$\partial W/\partial F\f$ along a change of F.
   virtual Gradient stress_rate(Gradient const& F, Gradient const& change) const = 0;
 };
@@ -201,6 +266,7 @@ struct StoredEnergyOf final : StoredEnergy<d> {
   }
   double energy(Gradient const& F) const override { return energy_of(medium, F); }
   Gradient stress(Gradient const& F) const override { return stress_of(medium, F); }
+  Gradient green_stress(Gradient const& C) const override { return green_stress_of(medium, C); }
   Gradient stress_rate(Gradient const& F, Gradient const& change) const override {
     return derivative_along([&](auto const& moved) { return stress_of(medium, moved); }, F, change).rate;
   }
