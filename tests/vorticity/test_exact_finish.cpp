@@ -22,6 +22,14 @@ SkewHermitian<> random_state(int n, int most) {
   return matrix_of(f);
 }
 
+/// \f$|W|^2\f$, summed to more digits than are asked for.
+double square_of(SkewHermitian<> const& w) {
+  long double sum = 0;
+  for (auto const* part : {&w.real, &w.imaginary})
+    for (double const x : part->reshaped()) sum += static_cast<long double>(x) * x;
+  return static_cast<double>(sum);
+}
+
 /// Counts whole products in single precision, and all in double.
 struct CountedProducts : ProductsBy<CountedProducts> {
   mutable int in_single = 0, in_double = 0;
@@ -170,18 +178,88 @@ BOOST_AUTO_TEST_CASE(a_flow_that_is_smooth_in_time_needs_no_round) {
 }
 
 BOOST_AUTO_TEST_CASE(what_single_precision_is_off_by_does_not_add_up) {
-  int const n = 16, steps = 3000;
+  int const n = 16, steps = 10000;
   SphereLaplacian const laplacian(n);
   SkewHermitian<> const start = random_state(n, 9);
   TurningFrame const calm = calmest_frame(QuantizedSphere(n), laplacian, start);
-  for (auto const conserved : {Conserved::lie_poisson, Conserved::all_invariants}) {
+  // The largest eigenvalue of A is about a seventh.
+  double const h =
+      0.15 * 2 * QuantizedSphere(n).hbar() / FastVorticityStep<>::spectral_radius(laplacian.solve(start));
+  Eigen::VectorXd const casimirs = vorticity_casimirs(start, 8), values = vorticity_values(start);
+  for (auto const conserved :
+       {Conserved::lie_poisson, Conserved::energy_casimir, Conserved::all_invariants}) {
     SkewHermitian<> w = start;
-    FastVorticityStep<> fast(laplacian, conserved, 0.01, calm);
+    FastVorticityStep<> fast(laplacian, conserved, h, calm);
     for (int k = 0; k < steps; ++k) fast.advance(w);
-    // A random walk of roundings, times four.
-    BOOST_TEST(std::abs(inner_product(w, w) / inner_product(start, start) - 1) <=
-               4 * std::sqrt(steps) * std::numeric_limits<double>::epsilon());
+    // A random walk: a step rounds each entry twice, and so its mirror image, with an error below half a unit
+    // that is evenly spread. Four of its standard deviations, and as much for what the products round.
+    double const fourth = w.real.array().pow(4).sum() + w.imaginary.array().pow(4).sum(),
+                 half_unit = std::numeric_limits<double>::epsilon() / 2,
+                 walk = 2 * half_unit / std::sqrt(3.0) * std::sqrt(2 * 2.0 * steps * fourth) /
+                        inner_product(w, w);
+    BOOST_TEST_MESSAGE("C_2 changes by " << square_of(w) / square_of(start) - 1 << ", a random walk by "
+                                         << walk);
+    BOOST_TEST(std::abs(square_of(w) / square_of(start) - 1) <= 8 * walk);
+    // C_k in units of the same sum of the moduli: odd ones may nearly vanish.
+    Eigen::VectorXd const now = vorticity_casimirs(w, 8);
+    for (Eigen::Index k = 0; k < now.size(); ++k) {
+      double const unit = 4 * M_PI / n * values.cwiseAbs().array().pow(double(k) + 2).sum();
+      BOOST_TEST(std::abs(now[k] - casimirs[k]) <= 1e-13 * unit);
+    }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_commutator_with_a_few_diagonals_is_the_commutator) {
+  int const n = 9;
+  SkewHermitian<> const x = random_state(n, 8), full = random_state(n, 7);
+  for (int most : {0, 2, n - 1}) {
+    SkewBand<double> band{Eigen::ArrayXXd::Zero(most + 1, n), Eigen::ArrayXXd::Zero(most + 1, n)};
+    SkewHermitian<> y(n), found;
+    for (int c = 0; c < n; ++c)
+      for (int d = 0; d <= most && c + d < n; ++d) {
+        band.real(d, c) = y.real(c + d, c) = full.real(c + d, c);
+        band.imaginary(d, c) = y.imaginary(c + d, c) = full.imaginary(c + d, c);
+      }
+    mirror_lower(y);
+    banded_commutator(band, x, found);
+    mirror_lower(found);
+    // Sums of 4n products.
+    double const rounding = 4 * n * std::numeric_limits<double>::epsilon();
+    BOOST_TEST(norm(found - commutator(y, x)) <= rounding * norm(y) * norm(x));
+    BOOST_TEST(std::abs(norm(band) - norm(y)) <= rounding * norm(y));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_move_along_the_orbit_takes_momentum_back_and_keeps_the_squares) {
+  int const n = 16;
+  QuantizedSphere const sphere(n);
+  SphereHarmonics fourfold(n);
+  fourfold(1, 0) = 1, fourfold(4, 4) = {1, 0.5}, fourfold(6, 4) = {-0.7, 1};
+  Eigen::Matrix3d const axes = Eigen::Matrix3d::Identity();
+  // Of a flow with a fourfold axis the derivative in turns about it has nothing on a few diagonals.
+  for (bool symmetric : {false, true})
+    for (int axis : {0, 2}) {
+      SkewHermitian<> const start = symmetric ? matrix_of(fourfold) : random_state(n, 9);
+      SkewHermitian<float> const rounded = start.cast<float>();
+      // By a Y of about this size.
+      double const size = 1e-3;
+      Eigen::Vector3d change = Eigen::Vector3d::Zero();
+      change[axis] = size * norm(spin_commutator(sphere, axis, start));
+      OrbitMove<> move(sphere, {axes.col(0), axes.col(1), axes.col(2)});
+      SingleCayley products;
+      move.find(products, nullptr, rounded, change, 1, 1);
+      SkewHermitian<> w = start;
+      move.move(products, rounded, w);
+      BOOST_TEST(move.is_banded() == !(symmetric && axis == 2));
+      BOOST_TEST(move.length() <= 10 * size);
+      // The first order; of the second, what Y changes is by its size smaller.
+      Eigen::Vector3d const left = spin_components(sphere, start) - spin_components(sphere, w) - change;
+      BOOST_TEST(left.norm() <= 10 * move.length() * change.norm());
+      // The squares have no part of second order in the move, nor of third; the bound is between the fourth
+      // order and sums of single precision on the one side and the second order on the other.
+      double const moved = norm(w - start) / norm(start);
+      BOOST_TEST(std::abs(square_of(w) / square_of(start) - 1) <= 0.02 * moved * moved);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_step_goes_on_bit_for_bit_from_what_was_kept) {

@@ -51,7 +51,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   VorticityReport advance(SkewHermitian<>& w);
 
   /// Forgets the steps that were made: the next one begins as if it were the first.
-  void forget() { past_.clear(), factors_.setZero(), radius_ = 0; }
+  void forget() { past_.clear(), factors_.setZero(), radius_ = {}; }
 
   using Factors = PastStep::Factors;  ///< of what A is moved by
   using Past = PastStep;              ///< what the first guess of the next step needs of one that was made
@@ -60,7 +60,8 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// Goes on as from these.
   void go_on_from(std::deque<Past> past) {
     past_ = std::move(past), factors_.setZero();
-    radius_ = past_.empty() ? 0 : past_.front().radius, age_ = past_.empty() ? 0 : past_.front().age;
+    radius_ = {};
+    if (!past_.empty()) radius_ = {past_.front().radius, past_.front().age};
   }
 
   /// The largest modulus of an eigenvalue of A: `lanczos_radius`.
@@ -77,8 +78,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   static constexpr double longest_move_ = 3e-8;        ///< along the orbit, relative to |A|
   /// Of |W|: beyond, squares of what is found in single precision are no numbers of it.
   static constexpr double smallest_size_ = 1e-7, largest_size_ = 1e12;
-  static constexpr int steps_to_wait_ = 16;    ///< after a guess that was not good enough
-  static constexpr int steps_of_radius_ = 16;  ///< for which an estimate of the radius is taken as good
+  static constexpr int steps_to_wait_ = 16;  ///< after a guess that was not good enough
 
   /// Those along which the angular momentum of the end is taken back.
   typename StepSetting<Stream>::Axes moved_axes() const {
@@ -117,15 +117,12 @@ class FastVorticityStep : public StepSetting<Stream> {
   }
   void remember(SkewHermitian<> const& displacement, SkewHermitian<> const& increment,
                 Factors const& factors) {
-    Past newest;
-    // The memory of the oldest serves again.
-    if (static_cast<int>(past_.size()) >= std::max(1, extrapolated_steps))
-      newest = std::move(past_.back()), past_.pop_back();
-    newest.displacement.real = displacement.real, newest.displacement.imaginary = displacement.imaginary;
+    Past newest = make_room(past_, std::max(1, extrapolated_steps));
+    newest.displacement = displacement;
     newest.increment.real = increment.real.template cast<float>();
     newest.increment.imaginary = increment.imaginary.template cast<float>();
     newest.factors = factors, newest.first_change = first_change_, newest.wait = wait_;
-    newest.radius = radius_, newest.age = ++age_;
+    newest.radius = radius_.ratio, newest.age = ++radius_.age;
     past_.push_front(std::move(newest));
   }
 
@@ -145,7 +142,7 @@ class FastVorticityStep : public StepSetting<Stream> {
     ++report.iterations;
     first_change_ = report.residual = relative_distance(a_, next_);
     if (!(first_change_ <= tolerance)) return false;
-    finish_.transform().factor(a_, radius_of_displacement());
+    finish_.transform().factor(a_, radius_.bound(a_));
     return true;
   }
 
@@ -155,7 +152,7 @@ class FastVorticityStep : public StepSetting<Stream> {
     single_.real = w.real.template cast<float>(), single_.imaginary = w.imaginary.template cast<float>();
     double before = std::numeric_limits<double>::infinity();
     for (;;) {
-      double const radius = radius_of_displacement();
+      double const radius = radius_.bound(a_);
       if (!(radius < 1)) return false;
       finish_.transform().factor(a_, radius);
       finish_.find_middle(w, single_, of_energy(), middle_, average_);
@@ -171,14 +168,6 @@ class FastVorticityStep : public StepSetting<Stream> {
       // good enough for the finish.
       if (change <= last_change_) return true;
     }
-  }
-
-  /// A bound of the eigenvalues of A; its ratio to |A| changes slowly.
-  double radius_of_displacement() {
-    double const size = norm(a_);
-    if (radius_ == 0 || age_ >= steps_of_radius_)
-      radius_ = size == 0 ? 1 : spectral_radius(a_) / size, age_ = 0;
-    return std::max(1.05 * radius_ * size, 1e-6);
   }
 
   /// The A that belongs to the middle.
@@ -204,11 +193,11 @@ class FastVorticityStep : public StepSetting<Stream> {
     double found;
     for (int tries = 0; !((found = finish_.evaluate(w, a_, middle_)) <= largest_residual_ * size); ++tries) {
       if (tries == 4) return false;
-      radius_ *= 1.2;
-      finish_.transform().factor(a_, radius_of_displacement());
+      radius_.ratio *= 1.2;
+      finish_.transform().factor(a_, radius_.bound(a_));
       finish_.find_middle(w, single_, of_energy(), middle_, average_);
     }
-    if (found > smallest_residual_ * size) finish_.better_middle();
+    if (found > smallest_residual_ * size) finish_.better_middle(a_, radius_.age);
     return true;
   }
 
@@ -223,10 +212,7 @@ class FastVorticityStep : public StepSetting<Stream> {
     Eigen::VectorXd change(first + static_cast<Eigen::Index>(axes.size()));
     double scale = 0;
     average_.real = 0.5 * (w.real + end_.real), average_.imaginary = 0.5 * (w.imaginary + end_.imaginary);
-    if (!energy) {
-      average_.real += finish_.remainder().real, average_.imaginary += finish_.remainder().imaginary;
-      std::swap(average_, middle_);
-    }
+    if (!energy) average_ += finish_.remainder(), std::swap(average_, middle_);
     stream_.solve(energy ? average_ : middle_, p_);
     this->subtract_turning(middle_, momentum_.norm(), p_);
     next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
@@ -247,10 +233,11 @@ class FastVorticityStep : public StepSetting<Stream> {
       stream_of_end_.real = (eps_ * p_.real).template cast<float>();
       stream_of_end_.imaginary = (eps_ * p_.imaginary).template cast<float>();
     }
-    Eigen::VectorXd const move =
-        move_.find(finish_.transform(), energy ? &stream_of_end_ : nullptr, single_, change, scale);
     // The third power of the move is left out.
-    bool const is_short = move_.length() <= longest_move_ * norm(next_);
+    double const longest = longest_move_ * norm(next_);
+    Eigen::VectorXd const move =
+        move_.find(finish_.transform(), energy ? &stream_of_end_ : nullptr, single_, change, scale, longest);
+    bool const is_short = move_.length() <= longest;
     if (corrected_.count() != 0 || !is_short) factors_.head(move.size()) += 0.5 * move;
     if (!is_short) return false;
     if (corrected_.count() != 0) move_displacement(w);
@@ -269,8 +256,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   Factors factors_ = Factors::Zero();
   double first_change_ = 1;  ///< of A in this step, by the first of its rounds
   int wait_ = 0;             ///< steps for which the guess is not tried as the solution
-  double radius_ = 0;        ///< the largest eigenvalue of A over |A|
-  int age_ = 0;              ///< steps since it was estimated
+  FollowedRadius radius_;    ///< the largest eigenvalue of A
   std::deque<Past> past_;    ///< the newest first
 };
 

@@ -9,9 +9,10 @@
 // the size of a rounding in single precision, U r U^* may be found in single precision, and the spectrum of
 // W_1 is that of W_0 to the rounding of double precision.
 //
-// What would add up over many steps is kept small: r once more by what it does to itself (better_middle),
-// since the error of the transform has made r and multiplies it.
+// What would add up over many steps is kept small (better_middle).
 #pragma once
+
+#include <cmath>
 
 #include "actio/vorticity/single_cayley.hpp"
 
@@ -62,10 +63,14 @@ class IsospectralFinish {
   }
   /// The middle Wt + r in the place of Wt: C and r become C + [A, r] and [A, r] + A r A.
   ///
-  /// What the transform is off by has made r, and makes the end wrong by its product with r: always to the
-  /// same side, so that it would add up.
-  void better_middle() {
-    cayley_.evaluate(residual_, twice_, square_);
+  /// The transform has made an r that holds [W_0, dA], with what A was rounded by. A product of that r with
+  /// the same rounded A makes the squares of W grow by |[dA, W_0]|^2: always to the same side, so that it
+  /// would add up. So A is rounded afresh here, otherwise in each step.
+  /// @param number  another one in each of some steps that follow one another
+  void better_middle(SkewHermitian<Real> const& a, int number) {
+    // Multiples of the golden section lie evenly, and none of the first is near a power of two.
+    double const golden = 0.6180339887498949 * (number + 1);
+    cayley_.evaluate(a, 0.5 + 0.5 * (golden - std::floor(golden)), residual_, twice_, square_);
     residual_.real = twice_.real + square_.real, residual_.imaginary = twice_.imaginary + square_.imaginary;
     mirror_lower(residual_), mirror_lower(twice_);
     commutator_.real += twice_.real.template cast<Real>();

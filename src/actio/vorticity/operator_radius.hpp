@@ -1,6 +1,7 @@
 // How large a skew-Hermitian matrix is, as an operator and beside another one, in O(N^2) operations.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "actio/vorticity/dense_matrices.hpp"
@@ -39,6 +40,21 @@ double lanczos_radius(SkewHermitian<Real> const& a) {
       .cwiseAbs()
       .maxCoeff();
 }
+
+/// The largest eigenvalue of a matrix that changes slowly: its ratio to the norm is estimated now and then.
+struct FollowedRadius {
+  double ratio = 0;  ///< of an estimate to the norm; zero where there is none
+  int age = 0;       ///< steps since it was made
+
+  /// A bound of the eigenvalues of the next matrix.
+  template <class Real>
+  double bound(SkewHermitian<Real> const& a) {
+    constexpr int steps_of_estimate = 16;  // for which it is taken as good
+    double const size = norm(a);
+    if (ratio == 0 || age >= steps_of_estimate) ratio = size == 0 ? 1 : lanczos_radius(a) / size, age = 0;
+    return std::max(1.05 * ratio * size, 1e-6);
+  }
+};
 
 /// \f$|X-Y|/|Y|\f$ by what is on and below the diagonals, the diagonals counted as the rest; |X| where Y
 /// vanishes.

@@ -21,6 +21,15 @@ struct PastStep {
   int age = 0;                     ///< steps since it was made
 };
 
+/// Leaves less than so many steps.
+/// @return  a step whose memory may be used again: the oldest, where there were as many
+inline PastStep make_room(std::deque<PastStep>& past, int most) {
+  if (static_cast<int>(past.size()) < most) return {};
+  PastStep oldest = std::move(past.back());
+  past.pop_back();
+  return oldest;
+}
+
 /// Calls `use(step, weight)` for each of the steps before, the newest first: the weights are those of the
 /// polynomial in time through all of them, one step further.
 template <class Use>

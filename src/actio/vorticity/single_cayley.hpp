@@ -90,8 +90,16 @@ class SingleCayley {
   }
   /// \f$[A, X]\f$ and \f$AXA\f$ of a skew-Hermitian X, on and below their diagonals, with the A of which K
   /// is.
-  void evaluate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e) {
-    both_sides(a_, x, a_, f, e);
+  /// @param factor  A is rounded to single precision times this number, and the results are divided by it:
+  ///                where it is no power of two, the roundings are others than those of K
+  void evaluate(SkewHermitian<> const& a, double factor, SkewHermitian<float> const& x,
+                SkewHermitian<float>& f, SkewHermitian<float>& e) {
+    // The squares that led to K are done with.
+    Split& left = x_;
+    left.real = (factor * a.real).cast<float>(), left.imaginary = (factor * a.imaginary).cast<float>();
+    left.sum = left.real + left.imaginary;
+    both_sides(left, x, a_, f, e);
+    f *= static_cast<float>(1 / factor), e *= static_cast<float>(1 / factor);
   }
 
   /// \f$[Y, X]\f$ of skew-Hermitian matrices, on and below its diagonal, in single precision.

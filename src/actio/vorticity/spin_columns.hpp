@@ -2,7 +2,9 @@
 // is sums over their entries, and they need not be stored.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "actio/vorticity/quantized_sphere.hpp"
 
@@ -24,19 +26,21 @@ class SpinColumns {
   }
   std::size_t count() const { return axes_.size(); }  ///< of the axes
 
-  /// A part of a column: the entries from the diagonal on.
+  /// A part of a column: entries from the diagonal on.
   struct Piece {
     Eigen::VectorBlock<Column> real;       ///< of the real part
     Eigen::VectorBlock<Column> imaginary;  ///< of the imaginary part
   };
   /// Calls `use(c, pieces)` for each column.
+  /// @param depth  the most entries that a piece is to have
   template <class Use>
-  void over(SkewHermitian<Real> const& w, Use const& use) const {
+  void over(SkewHermitian<Real> const& w, Use const& use,
+            Eigen::Index depth = std::numeric_limits<Eigen::Index>::max()) const {
     Sums real(n_), imaginary(n_);
     std::vector<Column> memory(2 * axes_.size(), Column(n_));
     std::vector<Piece> pieces;
     for (Eigen::Index c = 0; c < n_; ++c) {
-      auto const rows = n_ - c;
+      auto const rows = std::min<Eigen::Index>(depth, n_ - c);
       real.collect(ladder_, w.real, c, rows), imaginary.collect(ladder_, w.imaginary, c, rows);
       pieces.clear();
       for (std::size_t a = 0; a < axes_.size(); ++a) {
@@ -59,8 +63,9 @@ class SpinColumns {
       auto const n = m.rows();
       auto const column = m.col(c).array();
       // From the row after, and from the row before.
-      vertical.head(rows - 1) = ladder.segment(c + 1, rows - 1) * column.tail(rows - 1);
+      auto const after_it = std::min(rows, n - c - 1);
       vertical[rows - 1] = 0;
+      vertical.head(after_it) = ladder.segment(c + 1, after_it) * column.segment(c + 1, after_it);
       up_to_down.head(rows) = vertical.head(rows);
       Eigen::Index const first = c == 0 ? 1 : 0;
       auto const above =
@@ -68,17 +73,17 @@ class SpinColumns {
       vertical.segment(first, rows - first) += above, up_to_down.segment(first, rows - first) -= above;
       horizontal.head(rows).setZero(), left_to_right.head(rows).setZero();
       if (c > 0)
-        horizontal.head(rows) = ladder[c] * m.col(c - 1).tail(rows).array(),
+        horizontal.head(rows) = ladder[c] * m.col(c - 1).segment(c, rows).array(),
         left_to_right.head(rows) = horizontal.head(rows);
       if (c + 1 == n) return;
-      auto const after = ladder[c + 1] * m.col(c + 1).tail(rows).array();
+      auto const after = ladder[c + 1] * m.col(c + 1).segment(c, rows).array();
       horizontal.head(rows) += after, left_to_right.head(rows) -= after;
     }
   };
   /// The sum over the coordinate axes, of those that e has a part along.
   void combine(Eigen::Vector3d const& axis, Sums const& real, Sums const& imaginary,
                SkewHermitian<Real> const& w, Eigen::Index c, Piece& piece) const {
-    auto const rows = n_ - c;
+    auto const rows = piece.real.size();
     Eigen::Array<Real, 3, 1> const e = axis.cast<Real>().array();
     piece.real.setZero(), piece.imaginary.setZero();
     if (e[0] != 0) {
@@ -91,8 +96,8 @@ class SpinColumns {
     }
     if (e[2] != 0) {
       auto const apart = e[2] * index_.head(rows);
-      piece.real += apart * w.imaginary.col(c).tail(rows).array();
-      piece.imaginary -= apart * w.real.col(c).tail(rows).array();
+      piece.real += apart * w.imaginary.col(c).segment(c, rows).array();
+      piece.imaginary -= apart * w.real.col(c).segment(c, rows).array();
     }
     piece.real[0] = 0;  // on the diagonal
   }
