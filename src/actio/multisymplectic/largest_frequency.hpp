@@ -18,7 +18,7 @@ namespace actio::detail {
 /// unit eigenvector.
 /// @param a  the diagonal
 /// @param b  beside the diagonal, positive; one fewer are used than there are in a
-inline std::pair<double, double> largest_of_tridiagonal(std::vector<double> const& a,
+inline std::pair<double, double> top_of_lanczos_matrix(std::vector<double> const& a,
                                                         std::vector<double> const& b) {
   std::size_t const n = a.size();
   double low = -HUGE_VAL, up = -HUGE_VAL;
@@ -70,7 +70,7 @@ double largest_frequency(Mass const& mass, std::vector<double> u, Apply const& a
     a.push_back(product(u, next));
     for (std::size_t k = 0; k < u.size(); ++k) next[k] -= a.back() * u[k];
     size = std::sqrt(product(next, next));
-    auto const [value, last] = largest_of_tridiagonal(a, b);
+    auto const [value, last] = top_of_lanczos_matrix(a, b);
     largest = value;
     if (!(size * last > 0.01 * value)) break;
     b.push_back(size);
