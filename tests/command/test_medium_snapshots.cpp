@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_table_has_the_nodes_with_what_was_asked) {
   for (std::size_t k = 0; k < 32; ++k) {
     BOOST_TEST(nodes["X"][k] == static_cast<double>(k % 8) / 8);
     BOOST_TEST(nodes["x"][k] == nodes["X"][k]);
-    BOOST_TEST(nodes["u"][k] == 1);
+    BOOST_TEST(std::abs(nodes["u"][k] - 1) <= 1e-15);  // what it kicks half a step ahead is taken back
     BOOST_TEST(std::abs(nodes["jacobian"][k] - 1) <= 1e-15);
     // Under a shear g the stress is mu g across and mu g^2 along; a node has the means of both its sides.
     double const h = 0.125, X = nodes["X"][k], pi = std::acos(-1.0);

@@ -18,6 +18,11 @@ Medium swinging_disc() {
   out.until = "1", out.output = "snapshots = []\nsnapshot_every = 0.1\nplots = true\n";
   return out;
 }
+/// A cube of six tetrahedra around a diagonal, in the format of Gmsh.
+char const* const cube_of_tetrahedra =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n5 0 0 1\n6 1 0 1\n"
+    "7 0 1 1\n8 1 1 1\n$EndNodes\n$Elements\n6\n1 4 2 0 1 1 2 4 8\n2 4 2 0 1 1 6 2 8\n3 4 2 0 1 1 4 3 8\n"
+    "4 4 2 0 1 1 3 7 8\n5 4 2 0 1 1 5 6 8\n6 4 2 0 1 1 7 5 8\n$EndElements\n";
 /// What its page has of it.
 std::string medium_in_page(Folder const& folder) {
   std::string const page = contents(folder / "out/plots/index.html");
@@ -56,7 +61,8 @@ BOOST_AUTO_TEST_CASE(the_page_plays_bodies_of_each_dimension) {
     std::string mesh, initial, view;
     int faces;
   };
-  // The ball has three by three facets on each side of its cube, a box in space 2 (3 4 + 4 2 + 2 3) facets.
+  // The ball has three by three facets on each side of its cube, a box in space 2 (3 4 + 4 2 + 2 3) facets, a
+  // cube of tetrahedra two on each side.
   for (auto const& [mesh, initial, view, faces] :
        {Played{"shape = \"box\", lower = [0], upper = [1], cells = [8], periodic = [true]",
                "placement = [\"X + 0.02*sin(2*pi*X)\"]", "PlaneMediumView", 8},
@@ -68,8 +74,11 @@ BOOST_AUTO_TEST_CASE(the_page_plays_bodies_of_each_dimension) {
          "SpaceMediumView", 54},
         {"shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1], cells = [2, 3, 4], periodic = [true, true, "
          "true]",
-         "velocity = [\"0.1\", \"0\", \"0\"]", "SpaceMediumView", 52}}) {
+         "velocity = [\"0.1\", \"0\", \"0\"]", "SpaceMediumView", 52},
+        {"shape = \"file\", file = \"cube.msh\"", "velocity = [\"0.1*Y\", \"0\", \"0\"]", "SpaceMediumView",
+         12}}) {
     Folder const folder;
+    folder.write("cube.msh", cube_of_tetrahedra);
     Medium scene = swinging_disc();
     scene.mesh = mesh, scene.initial = initial;
     run_in(folder, scene);

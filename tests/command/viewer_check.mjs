@@ -106,9 +106,9 @@ for (const [k, { name, rows }] of (player?.motion.trajectories ?? []).entries())
     const ends = run.quantities.find((q) => q.name === name).components.map((c) => c.label);
     player.motion.at(player.motion.times[row]).momenta[k].forEach((x, i) => { if (Math.abs(x - run.motion.columns[`${name}_${ends[i]}`][row]) > 1e-12 * Math.abs(x)) fail(`row ${row}: ${name} is ${x}`); });
   }
-// The places of a medium stay in their box, and faces in the plane that are its cells are as many times larger
-// than at the start as their colours say, as far as both are resolved: places in 65535 steps of the box,
-// colours in 255.
+// A surface is closed: its vector areas have the sum zero. The places of a medium stay in their box, and
+// faces in the plane that are its cells are as many times larger than at the start as their colours say, as
+// far as both are resolved: places in 65535 steps of the box, colours in 255.
 function holdMedium(medium) {
   const jacobian = medium.fields.find(({ name }) => name === 'jacobian'), first = medium.at(medium.from), steps = medium.upper.map((x, a) => (x - medium.lower[a]) / 65535);
   const area = (places, f) => {
@@ -119,7 +119,17 @@ function holdMedium(medium) {
   medium.times.forEach((t, i) => {
     const { places } = medium.at(t);
     places.forEach((x, k) => { const a = k % medium.dimension; if (!(x >= medium.lower[a] - steps[a] && x <= medium.upper[a] + steps[a])) fail(`t = ${t}: a place outside the box`); });
-    for (let f = 0; medium.dimension === 2 && run.medium.cells === run.medium.of_cells && f < medium.count; ++f) {
+    if (run.medium.cells !== run.medium.of_cells) return;
+    const sum = [0, 0, 0];
+    let whole = 0;
+    for (let f = 0; medium.dimension === 3 && f < medium.count; ++f) {
+      const [a, b, c, d] = [0, 1, 2, 3].map((k) => medium.corner(places, f, k)), [u, v] = [c.map((x, i) => x - a[i]), d.map((x, i) => x - b[i])];
+      const normal = [0, 1, 2].map((i) => u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
+      normal.forEach((x, i) => { sum[i] += x; });
+      whole += Math.hypot(...normal);
+    }
+    if (!(Math.hypot(...sum) <= 1e-12 * whole)) fail(`t = ${t}: the surface is open: ${sum} of ${whole}`);
+    for (let f = 0; medium.dimension === 2 && f < medium.count; ++f) {
       const then = area(first.places, f), now = area(places, f), round = Math.sqrt(Math.max(then, now)) * 4 * Math.max(...steps), least = Math.min(then, now);
       if (!(then > 0)) fail(`face ${f} has the area ${then}`);
       const bound = (now / then) * (2 * round / least + (jacobian.high - jacobian.low) / 255 / J(0, f)) + (jacobian.high - jacobian.low) / 255 / J(0, f) + 1e-12;

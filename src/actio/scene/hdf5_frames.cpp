@@ -223,7 +223,7 @@ std::vector<double> Hdf5Frames::read(std::string const& name, std::size_t frame)
       std::find_if(fields_.begin(), fields_.end(), [&](auto const& f) { return f.name == name; });
   OpenFrames open(path_);
   Session const& h5 = open.library();
-  open.open(H5F_ACC_RDONLY);
+  open.open(H5F_ACC_RDONLY | H5F_ACC_SWMR_READ);  // it may be written meanwhile
   hid_t const set = open.open(*field);
   open.frames_of(set, *field);
   auto size = extent_of(*field, true, true);
@@ -240,14 +240,6 @@ std::vector<double> Hdf5Frames::read(std::string const& name, std::size_t frame)
   open.close();
   if (!read) throw FileError(hdf5::damage(path_, name, frame, frame + 1));
   return out;
-}
-
-std::size_t Hdf5Frames::frames() const {
-  OpenFrames open(path_);
-  open.open(H5F_ACC_RDONLY);
-  hsize_t const frames = open.frames_of(open.open(fields_.back()), fields_.back());
-  open.close();
-  return frames;
 }
 
 }  // namespace actio::scene

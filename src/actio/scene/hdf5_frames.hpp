@@ -53,8 +53,6 @@ class Hdf5Frames {
            bool durable) const;
   /// The numbers of a field at a frame.
   std::vector<double> read(std::string const& field, std::size_t frame) const;
-  /// How many whole frames there are.
-  std::size_t frames() const;
 
  private:
   std::string path_;

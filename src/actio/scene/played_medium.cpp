@@ -42,6 +42,12 @@ std::array<int, n> sorted(std::array<int, n> all) {
   return all;
 }
 
+/// What is the same for all that have these corners: those of a triangle are three.
+std::array<int, 4> key_of(std::array<int, 4> corners) {
+  if (corners[3] == corners[2]) corners[3] = -1;
+  return sorted(corners);
+}
+
 /// An edge or a facet of a cell: what tells it from others, and its points in their order.
 template <std::size_t n>
 struct Counted {
@@ -156,7 +162,7 @@ DrawnMesh with_points(DrawnMesh const& mesh, std::vector<int> const& instead) {
     }
     if (around.size() < 3) continue;
     if (around.size() == 3) around.push_back(around[2]);
-    if (!there.insert(sorted(std::array{around[0], around[1], around[2], around[3]})).second) continue;
+    if (!there.insert(key_of({around[0], around[1], around[2], around[3]})).second) continue;
     out.faces.push_back({{kept(around[0]), kept(around[1]), kept(around[2]), kept(around[3])}, face.cell});
   }
   std::set<std::array<int, 2>> edges;
@@ -218,7 +224,7 @@ DrawnMesh DrawnMesh::of(int dimension, std::vector<PlayedMedium::Point> points, 
     for (auto const& facet : facets_of(each)) {
       std::array<int, 4> points_of;
       for (std::size_t k = 0; k < 4; ++k) points_of[k] = corner(c, facet[k]);
-      facets.push_back({sorted(points_of), points_of, c});
+      facets.push_back({key_of(points_of), points_of, c});
     }
   for (auto const& facet : of_one_cell(std::move(facets))) out.faces.push_back({facet.points, facet.cell});
   out.outline = sharp_edges(out);

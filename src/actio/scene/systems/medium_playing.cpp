@@ -130,7 +130,7 @@ std::shared_ptr<PlayedMedium const> play_medium(MediumView<d> const& medium, std
         size.frames > 1 ? (k * (times.size() - 1) + (size.frames - 1) / 2) / (size.frames - 1) : 0;
     MediumFrame<d> const frame = read(number);
     if (frame.places.size() != medium.motion->cells().nodes())
-      throw FileError("a snapshot has " + std::to_string(frame.places.size()) +
+      throw FileError("snapshot " + std::to_string(number) + " has " + std::to_string(frame.places.size()) +
                       " nodes, where the scene has " + std::to_string(medium.motion->cells().nodes()));
     played->times.push_back(times[number]);
     add_frame(*played, medium, mesh, frame);
