@@ -106,6 +106,23 @@ BOOST_AUTO_TEST_CASE(fused_steps_are_plain_ones_to_rounding_in_the_plane_and_in_
     }
 }
 
+// The fastest motions of flat cells are those across them: a step is stable that is not longer than sound takes
+// to pass one. What is told is 0.99 of what is found.
+BOOST_AUTO_TEST_CASE(the_longest_stable_step_is_the_time_in_which_sound_passes_a_cell) {
+  Medium flat;
+  flat.kind = "elastic_body", flat.material = "name = \"saint_venant_kirchhoff\", lambda = 2, mu = 0.5";
+  flat.method = "step = 1", flat.until = "1", flat.every = "1";
+  for (std::string const box : {"lower = [0, 0], upper = [70, 4], cells = [7, 4]",
+                                "lower = [0, 0, 0], upper = [70, 70, 4], cells = [7, 7, 4]"})
+    for (std::string const road : {"", "obstacle = { potential = \"0\" }\n"}) {
+      flat.mesh = "shape = \"box\", " + box, flat.system = road;
+      Folder const folder;
+      auto const told = actio({"run", folder.write("medium.toml", flat.text()), "--dry-run"});
+      double const longest = number_after(told.err, "the longest that would do is ");
+      BOOST_TEST(std::abs(longest * std::sqrt(3.0) / 0.99 - 1) <= 0.01, box << road << ": " << longest);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_box_in_space_begins_soon_and_takes_the_memory_that_was_told) {
   Folder const folder;
   Medium large = moving(samples.back(), true);
