@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(fused_steps_are_plain_ones_to_rounding_in_the_plane_and_in_
     }
 }
 
-// The fastest motions of flat cells are those across them: a step is stable that is not longer than sound takes
-// to pass one. What is told is 0.99 of what is found.
+// The fastest motions of flat cells are those across them: a step is stable that is not longer than sound
+// takes to pass one. What is told is 0.99 of what is found.
 BOOST_AUTO_TEST_CASE(the_longest_stable_step_is_the_time_in_which_sound_passes_a_cell) {
   Medium flat;
   flat.kind = "elastic_body", flat.material = "name = \"saint_venant_kirchhoff\", lambda = 2, mu = 0.5";
