@@ -394,6 +394,21 @@ BOOST_AUTO_TEST_CASE(next_to_a_steady_turn_the_setting_back_disturbs_nothing) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(long_steps_next_to_the_separatrix_are_evaluated_from_the_start) {
+  auto const body = body_of({0.6, 0.8, 1}, {1e-3, 1, 2e-3});
+  BOOST_TEST(body.near_separatrix());
+  for (double const h : {16.0, -16.0}) {
+    BOOST_TEST(std::abs(h) * body.pace() > 4);
+    FreeSteps motion(body, h);
+    for (int k = 1; k <= 3; ++k) {
+      motion.advance(k);
+      int const taken = k * (k + 1) / 2;
+      BOOST_TEST((momentum_of(motion.state()) == momentum_of(body.at(taken * h))));
+      BOOST_TEST((motion.state().attitude.value == body.at(taken * h).attitude.value));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(steps_and_one_evaluation_agree) {
   for (Vector3d const& I :
        {Vector3d(0.6, 0.8, 1), Vector3d(1, 0.8, 0.6), Vector3d(0.8, 1, 0.6), Vector3d(1, 1, 1),

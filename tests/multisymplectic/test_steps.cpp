@@ -145,6 +145,18 @@ BOOST_AUTO_TEST_CASE(a_density_that_couples_neighbours_is_solved_by_going_throug
   BOOST_TEST(step(LinearWave<double>{1}, mesh, explicit_section).sweeps == 2);
 }
 
+BOOST_AUTO_TEST_CASE(steps_of_unequal_length_begin_where_the_last_velocities_lead) {
+  // Where everything moves uniformly that is the solution: the first sweep finds nothing to correct, and the
+  // second sees that. From another place this density takes more of them.
+  SpaceTimeMesh<double, 1> const mesh(
+      {0, 0.125, 0.5, 1}, {6}, all_sides<1>(Side::periodic),
+      StraightBox<double, 1>{Matrix<double, 1, 1>(0.0), Matrix<double, 1, 1>(1.0)});
+  auto section = restricted(
+      mesh, [](Matrix<double, 2, 1> const& x) { return Matrix<double, 1, 1>(2 * x[0] + 1); }, 2);
+  while (section.last() + 1 < mesh.levels())
+    BOOST_TEST(step(DraggedWave<double>{1, 0.3}, mesh, section).sweeps == 2);
+}
+
 BOOST_AUTO_TEST_CASE(a_first_step_starts_with_the_momentum_of_the_density) {
   Draw draw(11);
   SpaceTimeMesh<Q, 2> const mesh({Q(0), ratio<Q>(1, 20)}, {2, 2}, all_sides<2>(Side::free),

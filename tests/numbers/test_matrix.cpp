@@ -103,6 +103,12 @@ BOOST_AUTO_TEST_CASE(matrices_of_different_sizes_are_not_equal) {
     BOOST_TEST(!(a == Matrix<double>(Matrix<double>::Zero(rows, columns))));
 }
 
+BOOST_AUTO_TEST_CASE(numbers_of_a_row_and_of_a_column_are_counted_alike) {
+  Matrix<double, 2, 3> a{{1, 2, 3}, {4, 5, 6}};
+  for (int j = 0; j < 3; ++j) BOOST_TEST(a.row(1)[j] == a(1, j));
+  for (int i = 0; i < 2; ++i) BOOST_TEST(a.col(2)[i] == a(i, 2));
+}
+
 BOOST_AUTO_TEST_CASE(a_part_of_a_temporary_matrix_is_a_copy) {
   auto const made = [] { return Matrix<double, 3, 3>::Identity(); };
   auto const column = made().col(1);
