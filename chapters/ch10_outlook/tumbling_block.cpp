@@ -98,11 +98,13 @@ int main(int argc, char** argv) {
   };
   auto const middle = run.band.begin() + static_cast<std::ptrdiff_t>(run.band.size() / 2);
   double const early = widest(run.band.begin(), middle), late = widest(middle, run.band.end());
-  program.picture("flight", flight(),
-                  "The block at six moments of its flight: every fourth line of its mesh.");
+  program.picture(
+      "flight", flight(),
+      "The block at six moments, three quarters of a unit of time apart: every fourth line of its mesh.");
   auto plot = book::Plot("time", "relative change of the energy");
   plot.curve(run.times, run.band, "step " + book::number(step)).curve(half.times, half.band, "half of it");
-  program.picture("energy", plot.svg(), "The energy stays in a band, with half the step in a quarter of it.");
+  program.picture("energy", plot.svg(),
+                  "The energy stays in a band; with half the step the band is a quarter as wide.");
   program.table("kept", {"step", "energy", "linear momentum", "angular momentum"},
                 {{book::number(step), book::number(run.energy, 2), book::number(run.momentum, 2),
                   book::number(run.angular, 2)},

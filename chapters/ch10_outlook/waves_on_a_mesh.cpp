@@ -1,7 +1,7 @@
 // A wave in a gas and in a solid, stepped by the multisymplectic scheme: how far it is from the exact one.
 //
 // What is shown. The simple waves of chapter 6 are exact motions until they break, and may run oblique to the
-// mesh. The leapfrog of section 10B.4 follows them with an error of second order in the mesh width, space and
+// mesh. The leapfrog of section 10B.3 follows them with an error of second order in the mesh width, space and
 // time refined together; the slope is that of five meshes. Read first. ch06_simple_wave.
 //
 //   q  stretch along the direction d of the wave      c  speed of sound at this stretch
@@ -69,14 +69,13 @@ struct SimpleWave {
 // 3. A run on n x n cells of a box that holds one wave length in both directions.
 template <class Law>
 auto run(int n, double time) {
-  using Wave = SimpleWave<Law>;
   using enum FastSide;
-  FastBox2d const box{
-      {n, n}, {length / d[0] / n, length / d[1] / n}, {periodic, periodic}, {periodic, periodic}};
+  Place const spacing{length / d[0] / n, length / d[1] / n};
+  FastBox2d const box{{n, n}, spacing, {periodic, periodic}, {periodic, periodic}};
   // A third of the time in which sound crosses a cell.
   int const steps = static_cast<int>(std::ceil(time * n / 2.5));
-  auto const place = [](Place const& X) { return Wave::at(X, 0); };
-  FastMedium2d fast(Law::medium(), box, time / steps, 1, place, Wave::velocity);
+  auto const place = [](Place const& X) { return SimpleWave<Law>::at(X, 0); };
+  FastMedium2d fast(Law::medium(), box, time / steps, 1, place, SimpleWave<Law>::velocity);
   fast.step(steps);
   return fast;
 }
@@ -128,9 +127,10 @@ int main(int argc, char** argv) {
   int const n = 24;
   auto const coarse = run<Gas>(n, gas_time);
   auto const x = coarse.places();
+  double const edge = coarse.box().spacing[0];
   std::vector<double> s, q, s_exact, q_exact;
   for (int i = 0; i + 1 < n; ++i) {
-    double const edge = coarse.box().spacing[0], along = (x[i + 1][0] - x[i][0]) / edge;
+    double const along = (x[i + 1][0] - x[i][0]) / edge;
     s.push_back((i + 0.5) * edge * d[0]);
     q.push_back(1 + (along - 1) / (d[0] * d[0]));  // phi_x = 1 + d_1^2 (q - 1)
   }
@@ -141,9 +141,7 @@ int main(int argc, char** argv) {
   auto plot = book::Plot("s, along the wave", "stretch");
   plot.curve(s_exact, q_exact, "exact").dots(s, q, "24 cells");
   program.picture("stretch", plot.svg(), "The wave in the gas after six tenths of the time to its breaking.");
-
-  // The error of a scheme of second order has even powers of the width alone: between these meshes the next
-  // one moves the slope by some hundredths at most.
+  // The error has even powers of the width alone: the next one moves the slope by some hundredths at most.
   program.claim(
       book::measured(std::abs(gas_order - 2)) < 0.05 && book::measured(std::abs(solid_order - 2)) < 0.05,
       "the error falls with the square of the mesh width");
