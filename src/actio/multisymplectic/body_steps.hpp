@@ -112,7 +112,7 @@ class BodySteps {
   }
 
   /// The largest frequency of small motions about places x, per time: from below, within half a per cent
-  /// (\ref detail::largest_frequency). Cost: about forty forces on all nodes.
+  /// (`detail::largest_frequency`). Cost: about forty forces on all nodes.
   double largest_frequency(std::vector<double> const& x) const {
     std::vector<double> start(x.size());
     std::minstd_rand random(1);
