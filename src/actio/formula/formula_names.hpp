@@ -23,6 +23,17 @@ inline std::optional<Operation> function_called(std::string_view name) {
   return std::nullopt;
 }
 
+/// `; did you mean 'X'?`: the name that differs by the case of letters alone, else for words of two letters
+/// and more the nearest; nothing where there is none.
+inline std::string meant_name(std::string_view word, std::vector<std::string> const& known) {
+  auto const lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
+  for (auto const& name : known)
+    if (std::equal(name.begin(), name.end(), word.begin(), word.end(),
+                   [&](char a, char b) { return lower(a) == lower(b); }))
+      return "; did you mean '" + name + "'?";
+  return word.size() < 2 ? "" : did_you_mean(word, known);
+}
+
 /// Names of numbers, and which entry of a tape each is.
 class FormulaNames {
  public:
@@ -68,7 +79,7 @@ class FormulaNames {
     std::string const known = briefly(all);
     for (auto const& function : functions()) all.push_back(function);
     throw FormulaError(name.position,
-                       "unknown name " + quoted + did_you_mean(name.text, all) + " (known: " + known + ")");
+                       "unknown name " + quoted + meant_name(name.text, all) + " (known: " + known + ")");
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "actio/formula/formula_names.hpp"
 #include "actio/numbers/nearest_name.hpp"
 
 namespace actio::scene {
@@ -110,8 +111,8 @@ class Inspection {
     while (is_letter(at(end)) || is_digit(at(end))) ++end;
     std::string const word = text_.substr(at_, end - at_);
     if (std::find(known_.begin(), known_.end(), word) == known_.end())
-      fail_at(at_, fmt::format("unknown name '{}'{} (known: {})", shown(word), did_you_mean(word, known_),
-                               listed(known_)));
+      fail_at(at_, fmt::format("unknown name '{}'{} (known: {})", shown(word),
+                               actio::detail::meant_name(word, known_), listed(known_)));
     at_ = end;
   }
 
@@ -196,9 +197,9 @@ double Expression::operator()(std::span<double const> point) {
   std::string where;
   for (std::size_t i = 0; i < variables_.size(); ++i)
     where += fmt::format("{}{} = {}", i ? ", " : "", variables_[i], point[i]);
-  place_.fail(
-      text_, 0,
-      fmt::format("a finite value is expected, found {}{}{}", value, where.empty() ? "" : " at ", where));
+  place_.fail(text_, 0,
+              fmt::format("a finite value is expected, found {}{}{}",
+                          value != value ? std::abs(value) : value, where.empty() ? "" : " at ", where));
 }
 
 bool Expression::uses(std::string const& variable) const {

@@ -57,6 +57,17 @@ void refuse_of_others(Place const& place, std::string const& word, std::string c
                                         shown(word), others, system.name, listed(names(system))));
 }
 
+/// That a key which is always a table is one; where it is not, its example is told.
+void require_table(SceneFile const& file, Parameter const& key) {
+  std::string const name = name_of(key.key);
+  SceneTable const table = file.section(table_of(key.key));
+  // One without an example has a reader that tells one.
+  if (!key.expects.starts_with("a table") || key.example == "{}" || !table.has(name) || table.is_table(name))
+    return;
+  table.fail(name, fmt::format("{0}: a table is expected, for example {0} = {1}, found {2}", name,
+                               key.example, table.found(name)));
+}
+
 }  // namespace
 
 std::vector<Parameter> keys_of(System const& system) {
@@ -122,6 +133,7 @@ std::vector<KeyOfSystems> all_keys() {
 void allow_keys(SceneFile const& file, System const& system) {
   auto const keys = keys_of(system);
   auto const tables = tables_of(keys);
+  for (auto const& key : keys) require_table(file, key);
   for (auto const& table : tables) {
     // The key that leads to a table within is allowed by its own record.
     file.section(table).allow(keys_in(keys, table),

@@ -167,7 +167,7 @@ class Run {
     while (k < columns.size() && std::isfinite(row_[k])) ++k;
     throw NumericsError(fmt::format("{}: {} is {} at t = {}, where a finite number is needed",
                                     scene_.file.section("method").place("step").text(), columns[k - 1],
-                                    row_[k], t));
+                                    std::isnan(row_[k]) ? std::abs(row_[k]) : row_[k], t));
   }
 
   /// From time to time: progress, rows for the watcher, and a checkpoint.

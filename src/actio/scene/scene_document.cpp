@@ -5,13 +5,24 @@
 #include "actio/numbers/nearest_name.hpp"
 
 namespace actio::scene::detail {
+namespace {
+
+/// The table that a node is.
+/// @throws SceneError  where it is something else, at its place
+toml::table* as_table(toml::node& node, std::string const& key, std::string const& file) {
+  if (toml::table* const table = node.as_table()) return table;
+  throw SceneError(place_of(node.source(), file),
+                   fmt::format("{}: a table is expected, found {}", shown(key), described(node)));
+}
+
+}  // namespace
 
 toml::table* SceneDocument::table(Path const& path) {
   toml::table* table = &root;
   for (auto const& key : path) {
     toml::node* const node = table->get(key);
-    table = node ? node->as_table() : nullptr;
-    if (!table) return nullptr;
+    if (!node) return nullptr;
+    table = as_table(*node, key, name);
   }
   return table;
 }
@@ -23,7 +34,7 @@ toml::table& SceneDocument::made(Path const& path) {
   toml::table* table = &root;
   for (auto const& key : path) {
     if (!table->get(key)) table->insert(key, toml::table{});
-    table = table->get(key)->as_table();
+    table = as_table(*table->get(key), key, name);
   }
   return *table;
 }

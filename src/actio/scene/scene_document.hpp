@@ -21,6 +21,7 @@ struct SceneDocument {
   std::vector<Path> defaults;  ///< what was written back, in that order
 
   /// The table at a path; null where there is none.
+  /// @throws SceneError  where something on the way is no table, at its place
   toml::table* table(Path const& path);
   /// The value of a key of a table; null where there is none.
   toml::node const* value(Path const& path, std::string const& key);

@@ -65,6 +65,10 @@ class SceneTable {
                                    std::string const& see = "") const;
   /// A list of texts.
   std::vector<std::string> texts(std::string const& key) const;
+  /// A list of formulas: texts, or finite numbers, which are theirs to the last digit.
+  std::vector<std::string> formulas(std::string const& key) const;
+  /// A formula: a text, or a finite number.
+  std::string formula(std::string const& key) const;
   /// A list of finite numbers; `size` of them, or any number where it is negative.
   std::vector<double> numbers(std::string const& key, long size = -1) const;
   /// A list of `size` times true or false.
@@ -84,7 +88,9 @@ class SceneTable {
   bool is_text(std::string const& key) const;
   /// Whether the value is a table.
   bool is_table(std::string const& key) const;
-  /// The table that the value is.
+  /// What a value is, for complaints: `'fast' (a text)`, `a list of 2`.
+  std::string found(std::string const& key) const;
+  /// The table that the value is. Where it is something else, what is read from it is refused at its place.
   SceneTable inside(std::string const& key) const;
 
   /// Writes a default, for the copy of the scene.
@@ -135,7 +141,7 @@ class SceneFile {
                          std::vector<std::string> const& overrides = {});
 
   /// One of the tables at the top, or one within as `initial.attitude`; empty where it is not in the file.
-  /// @throws SceneError  where one at the top is no table
+  /// @throws SceneError  where one at the top is no table; where one within is none, once it is read from
   SceneTable section(std::string const& name) const;
   /// Refuses every section but these.
   void allow(std::vector<std::string> const& sections) const;

@@ -24,7 +24,18 @@ toml::table read_override(std::string const& argument, std::string const& name) 
   std::string_view const value = std::string_view(argument).substr(equals + 1);
   if (is_bare_word(value) && value != "true" && value != "false" && value != "nan" && value != "inf")
     return detail::parse_toml(argument.substr(0, equals) + "=\"" + std::string(value) + "\"", name);
-  return detail::parse_toml(argument, name);
+  try {
+    return detail::parse_toml(argument, name);
+  } catch (SceneError const& error) {
+    // What is neither a number nor anything else of TOML was meant as a text.
+    char const first = value.empty() ? '\0' : value.front();
+    if (value.find_first_of("\"'") != std::string_view::npos || first == '\0' || first == '{') throw;
+    throw SceneError(
+        error.place,
+        std::string(error.what()).substr(printable(error.place.text()).size() + 2) +
+            (first == '[' ? "; texts in a list need quotes, for example [\"jacobian\"]"
+                          : "; a text that is more than a word needs quotes, for example KEY='\"9.81*y\"'"));
+  }
 }
 
 /// Moves what is in `from`, with its places, over what is in `into`.

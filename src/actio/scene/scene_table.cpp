@@ -111,6 +111,10 @@ bool SceneTable::is_table(std::string const& key) const {
   toml::node const* const node = document_->value(path_, key);
   return node && node->is_table();
 }
+std::string SceneTable::found(std::string const& key) const {
+  toml::node const* const node = document_->value(path_, key);
+  return node ? detail::described(*node) : "nothing";
+}
 SceneTable SceneTable::inside(std::string const& key) const {
   auto path = path_;
   path.push_back(key);

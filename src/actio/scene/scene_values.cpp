@@ -64,6 +64,15 @@ Eigen::MatrixXd matrix_in(toml::node const& node, Place const& place, std::strin
   return out;
 }
 
+/// A formula: a text, or a number, which is one without variables.
+std::string formula_in(toml::node const& node, Place const& place, std::string const& key) {
+  if (auto const* const text = node.as_string()) return text->get();
+  if (!node.is_number())
+    throw SceneError(
+        place, fmt::format("{}: a formula is expected, a text or a number, found {}", key, described(node)));
+  return fmt::format("{}", finite_number(node, place, key));
+}
+
 /// `; write 2` for 2.0, which is a whole number in another dress.
 std::string without_point(toml::node const& node) {
   auto const* const real = node.as_floating_point();
@@ -123,6 +132,16 @@ std::vector<std::string> SceneTable::texts(std::string const& key) const {
     out.push_back(text->get());
   }
   return out;
+}
+std::vector<std::string> SceneTable::formulas(std::string const& key) const {
+  std::vector<std::string> out;
+  for (auto const& item :
+       list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of formulas"))
+    out.push_back(formula_in(item, place_of(item.source(), document_->name), key));
+  return out;
+}
+std::string SceneTable::formula(std::string const& key) const {
+  return formula_in(value_of(*document_, path_, key, *this), place(key), key);
 }
 std::vector<std::string> SceneTable::choices(std::string const& key, std::string const& what,
                                              std::vector<std::string> const& allowed,

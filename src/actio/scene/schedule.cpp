@@ -153,11 +153,12 @@ StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const
       method.fail("step",
                   fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
     if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
-    method.fail("step", fmt::format("step: {} are at multiples of the step, and t = {} is {} steps of {} "
-                                    "(which run.between_steps = true reaches by a shorter "
-                                    "step){}",
-                                    schedule.has_others() ? "rows and snapshots" : "rows", t, ratio, step,
-                                    step_that_would_do(schedule, step)));
+    method.fail("step",
+                fmt::format("step: {} are at multiples of the step, and t = {} is {:.12g} steps of {} "
+                            "(which run.between_steps = true reaches by a shorter "
+                            "step){}",
+                            schedule.has_others() ? "rows and snapshots" : "rows", t, ratio, step,
+                            step_that_would_do(schedule, step)));
   }
 }
 

@@ -7,6 +7,13 @@
 
 namespace actio::scene {
 
+/// Whether a power gamma of the volume of a cell is far from the ends of double precision, whatever the cell
+/// is compressed or stretched to by a factor of sixteen.
+template <class Box>
+bool has_power(Box const& box, double gamma) {
+  return gamma * (std::abs(std::log2(box.measure())) + 4) < 900;
+}
+
 /// Of a fluid of the library. Null where the fast road does not know it.
 template <class Box>
 std::unique_ptr<FastRoad<Box::dimension>> fluid_on_fast_road(Material const& material, Box const& box,
@@ -17,6 +24,7 @@ std::unique_ptr<FastRoad<Box::dimension>> fluid_on_fast_road(Material const& mat
     return fast_road_of(FastFluid{PolytropicByRoots<1, 2>{c[0] / 2 * density}}, box, density);
   if (name == "polytropic_gas" && c[1] == 2)
     return fast_road_of(FastFluid{PolytropicByRoots<1, 2>{c[0] * density}}, box, density);
+  if (!has_power(box, c[1])) return nullptr;
   if (name == "polytropic_gas")
     return fast_road_of(FastFluid{GasLaw{c[0] * std::pow(density, c[1] - 1), c[1], 0}}, box, density);
   if (name == "tait")

@@ -7,6 +7,7 @@
 #include "actio/multisymplectic/fast_medium.hpp"
 #include "actio/scene/systems/medium_fast_road.hpp"
 #include "actio/scene/systems/medium_laws.hpp"
+#include "actio/scene/systems/medium_watch.hpp"
 
 namespace actio::scene {
 
@@ -19,6 +20,20 @@ struct FluidLaw<FastFluid<Volume>> {
   using type = Volume;  ///< of its Jacobian
 };
 
+/// The longest step for which small motions about these places are stable, from above within a per cent.
+template <class Medium, class Box>
+double longest_step_of(Medium const& medium, Box const& box,
+                       std::vector<std::array<double, Box::dimension>> const& x) {
+  std::vector<actio::detail::VectorOf<Box, double>> places;
+  places.reserve(x.size());
+  for (auto const& p : x) places.push_back(actio::detail::as_vector(p));
+  auto const cell = actio::detail::cell_on(medium, box.spacing);
+  // Of a large box the window around its stiffest part, which is three per cent above at most.
+  if (box.count() > (Box::dimension == 2 ? 20000 : 5000))
+    return 0.98 * actio::detail::bound_of_stable_steps(box, cell, places);
+  return 2 / actio::detail::largest_frequency(box, cell, places);
+}
+
 /// A medium on a box in the plane or in space.
 template <class Medium, class Box>
 class FastMotion final : public MediumMotion<Box::dimension> {
@@ -30,21 +45,29 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   FastMotion(Medium const& medium, Box const& box, double density, double step, MediumStart& start)
       : cells_(box),
         density_(density),
+        law_(medium),
+        watch_(step, 128),
         medium_(medium, box, step, density, at(start.placement), at(start.velocity), options(box)) {}
 
   void advance(long count) override {
-    try {
-      medium_.step(count);
-    } catch (CellInverts const& error) {
-      end_inside_out(
-          error, medium_.time(), requires { typename FluidLaw<Medium>::type; });
+    while (count > 0) {
+      long const some = std::min(count, watch_.next());
+      try {
+        medium_.step(some);
+      } catch (CellInverts const& error) {
+        end_inside_out(
+            error, medium_.time(), requires { typename FluidLaw<Medium>::type; });
+      }
+      count -= some;
+      watch_.made(some, *this, medium_.time(),
+                  [this] { return longest_step_of(law_, cells_.box(), medium_.places()); });
     }
   }
   void remember(CheckpointStream& stream) override {
     auto state = medium_.state();
     std::span<Place> places(state.places), velocities(state.velocities);
     stream(state.steps, places, velocities);
-    if (stream.reading()) medium_.go_on_from(state);
+    if (stream.reading()) medium_.go_on_from(state), watch_.begin_anew();
   }
   long steps() const override { return medium_.steps(); }
   MediumCells<d> const& cells() const override { return cells_; }
@@ -79,6 +102,8 @@ class FastMotion final : public MediumMotion<Box::dimension> {
 
   BoxCells<Box> cells_;
   double density_;
+  Medium law_;
+  StepWatch<d> watch_;
   FastMedium<Medium, Box> medium_;
 };
 
@@ -92,14 +117,7 @@ class FastRoadOf final : public FastRoad<Box::dimension> {
   FastRoadOf(Medium const& medium, Box const& box, double density)
       : medium_(medium), box_(box), density_(density) {}
   double longest_step(std::vector<std::array<double, d>> const& x) const override {
-    std::vector<actio::detail::VectorOf<Box, double>> places;
-    places.reserve(x.size());
-    for (auto const& p : x) places.push_back(actio::detail::as_vector(p));
-    auto const cell = actio::detail::cell_on(medium_, box_.spacing);
-    // Of a large box the window around its stiffest part, which is three per cent above at most.
-    if (box_.count() > (d == 2 ? 20000 : 5000))
-      return 0.98 * actio::detail::bound_of_stable_steps(box_, cell, places);
-    return 2 / actio::detail::largest_frequency(box_, cell, places);
+    return longest_step_of(medium_, box_, x);
   }
   std::unique_ptr<MediumMotion<d>> motion(double step, std::shared_ptr<MediumStart> start) const override {
     return std::make_unique<FastMotion<Medium, Box>>(medium_, box_, density_, step, *start);

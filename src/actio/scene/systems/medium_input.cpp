@@ -25,8 +25,9 @@ std::vector<int> read_cells(SceneTable const& mesh, std::size_t count) {
   std::vector<int> out;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (!(numbers[k] >= 1 && numbers[k] <= 1e9) || numbers[k] != std::floor(numbers[k]))
-      throw SceneError(mesh.place("cells", k),
-                       fmt::format("cells: a whole number of at least 1 is expected, found {}", numbers[k]));
+      throw SceneError(
+          mesh.place("cells", k),
+          fmt::format("cells: a whole number from 1 to 1000000000 is expected, found {}", numbers[k]));
     out.push_back(static_cast<int>(numbers[k]));
   }
   return out;
@@ -51,7 +52,9 @@ void read_box(SceneTable& mesh, MediumMesh& out) {
           mesh.place("upper", k),
           fmt::format("upper: a number greater than {} is expected, found {}", out.lower[k], out.upper[k]));
     if (out.periodic[k] && out.cells[k] < 2)
-      throw SceneError(mesh.place("cells", k), "cells: along a periodic direction there are at least 2");
+      throw SceneError(
+          mesh.place("cells", k),
+          fmt::format("cells: along a periodic direction there are at least 2, found {}", out.cells[k]));
   }
 }
 
@@ -67,7 +70,8 @@ void read_round(SceneTable& mesh, MediumMesh& out) {
                                    out.inner));
   out.cells = read_cells(mesh, 2);
   if (out.shape == "annulus" && out.cells[1] < 3)
-    throw SceneError(mesh.place("cells", 1), "cells: around an annulus there are at least 3");
+    throw SceneError(mesh.place("cells", 1),
+                     fmt::format("cells: around an annulus there are at least 3, found {}", out.cells[1]));
 }
 
 void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
@@ -75,6 +79,8 @@ void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
   mesh.allow({"shape", "file"});
   fs::path path = mesh.text("file");
   if (path.is_relative()) path = fs::absolute(fs::path(scene.name()).parent_path() / path).lexically_normal();
+  if (std::error_code none; fs::is_directory(path, none))
+    mesh.fail("file", fmt::format("file: a mesh of Gmsh is expected, {} is a folder", path.string()));
   try {
     out.read = std::make_shared<BodyMesh const>(gmsh_mesh(path.string()));
   } catch (Error const& error) {
@@ -100,7 +106,12 @@ std::vector<std::string> side_names(MediumMesh const& mesh) {
 
 void read_sides(SceneFile const& file, MediumMesh& out) {
   auto const names = side_names(out);
-  SceneTable table = file.section("system.boundary");
+  SceneTable table = file.section("system.boundary"), system = file.section("system");
+  if (system.has("boundary") && !system.is_table("boundary"))
+    system.fail(
+        "boundary",
+        fmt::format("boundary: a table of sides is expected, for example boundary.{} = \"fixed\", found {}",
+                    names.empty() ? "left" : names.front(), system.found("boundary")));
   for (auto const& key : table.keys())
     if (std::find(names.begin(), names.end(), key) == names.end())
       table.fail(
@@ -173,7 +184,7 @@ PlaceFormula::PlaceFormula(SceneTable table, std::string const& key,
                            std::vector<std::string> const& otherwise)
     : variables_(axes().begin(), axes().begin() + static_cast<long>(otherwise.size())) {
   if (!table.has(key)) table.set(key, otherwise);
-  auto const texts = table.texts(key);
+  auto const texts = table.formulas(key);
   if (texts.size() != otherwise.size())
     table.fail(key, fmt::format("{}: {} formulas in {} are expected, one for each dimension, found {}", key,
                                 otherwise.size(), listed(variables_), texts.size()));

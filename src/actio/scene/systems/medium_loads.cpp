@@ -38,6 +38,11 @@ struct Evaluated {
 template <int d>
 SpacePotential<d> read_potential(SceneTable const& table, std::string const& key) {
   using Place = std::array<double, d>;
+  if (!table.is_text(key))
+    table.fail(
+        key, fmt::format(
+                 "{0}: a potential, a formula in {1}, is expected, for example {0} = \"9.81*{2}\", found {3}",
+                 key, listed(first_names({"x", "y", "z"}, d)), "xyz"[d - 1], table.found(key)));
   std::string const text = table.text(key);
   Tape const value = parsed(text, first_names({"x", "y", "z"}, d), table.text_place(key));
   std::vector<int> all(d);
@@ -76,7 +81,7 @@ PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side
   using Place = std::array<double, d>;
   auto variables = first_names({"X", "Y", "Z"}, d);
   variables.emplace_back("t");
-  auto const texts = table.texts(side);
+  auto const texts = table.formulas(side);
   if (texts.size() != d)
     table.fail(side, fmt::format("motion: {} formulas in {} are expected, found {}", d, listed(variables),
                                  texts.size()));
@@ -94,6 +99,16 @@ PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side
           [at](Place const& X, double t) { return at(X, t, 1); }};
 }
 
+/// The table of sides that a key of [system.load] is.
+/// @throws SceneError  where it is something else, with an example
+SceneTable table_of_sides(SceneFile const& file, std::string const& key, std::string const& example) {
+  SceneTable const load = file.section("system.load");
+  if (load.has(key) && !load.is_table(key))
+    load.fail(key, fmt::format("{0}: a table with a side is expected, for example {0}.{1}, found {2}", key,
+                               example, load.found(key)));
+  return load.inside(key);
+}
+
 void require_known_side(SceneTable const& table, std::string const& side, MediumMesh const& mesh) {
   std::vector<std::string> names;
   for (auto const& [name, does] : mesh.sides) names.push_back(name);
@@ -104,7 +119,7 @@ void require_known_side(SceneTable const& table, std::string const& side, Medium
 
 template <int d>
 void read_tractions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>& out) {
-  SceneTable const table = file.section("system.load.traction");
+  SceneTable const table = table_of_sides(file, "traction", "right = [0, 1]");
   for (auto const& side : table.keys()) {
     require_known_side(table, side, mesh);
     auto const force = table.numbers(side, d);
@@ -139,7 +154,7 @@ void read_pressures(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
 
 template <int d>
 void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>& out) {
-  SceneTable const table = file.section("system.load.motion");
+  SceneTable const table = table_of_sides(file, "motion", "left = [\"X\", \"Y + 0.1*sin(t)\"]");
   for (auto const& side : table.keys()) {
     require_known_side(table, side, mesh);
     if (mesh.sides.at(side) != "free")

@@ -35,7 +35,8 @@ std::vector<NamedMaterial> fluids() {
 
 std::vector<NamedMaterial> solids() {
   MaterialConstant const mu{"mu", "shear modulus", 0, "1"};
-  MaterialConstant const lambda{"lambda", "Lame's first modulus", -1e300, "1"};
+  constexpr double any = -1e300;
+  MaterialConstant const lambda{"lambda", "Lame's first modulus, more than -2 mu/d", any, "1"};
   return {
       {"saint_venant_kirchhoff",
        "The solid of St Venant and Kirchhoff: linear in the Green strain E. It does not resist collapse, and "
@@ -45,19 +46,21 @@ std::vector<NamedMaterial> solids() {
        {lambda, mu}},
       {"neo_hookean",
        "A neo-Hookean solid of d dimensions, free of stress at rest, with a quadratic energy of the volume; "
-       "Lame's first modulus at rest is kappa.",
+       "Lame's first modulus at rest is kappa, more than -2 mu/d.",
        "\\rho W = \\tfrac\\mu2(\\mathrm{tr}\\,C - d - 2\\ln J) + \\tfrac\\kappa2(J-1)^2",
        false,
-       {mu, {"kappa", "modulus of the volume", 0, "2"}}},
+       {mu, {"kappa", "modulus of the volume", any, "2"}}},
       {"mooney_rivlin",
        "The solid of Mooney and Rivlin of d dimensions, free of stress at rest, with I_1 = tr C and I_2 = "
-       "((tr C)^2 - tr C^2)/2; its shear modulus at rest is 2 (c1 + (d - 2) c2).",
+       "((tr C)^2 - tr C^2)/2. For d > 1 its shear modulus at rest is mu = 2 (c1 + (d - 2) c2) > 0 and "
+       "Lame's "
+       "first modulus lambda + 4 c2 > -2 mu/d; on a line c2 does nothing, and the modulus is 4 c1 + lambda.",
        "\\rho W = c_1(I_1-d) + c_2(I_2-\\tfrac{d(d-1)}2) - 2(c_1+(d-1)c_2)\\ln J + "
        "\\tfrac\\lambda2(\\ln J)^2",
        false,
        {{"c1", "modulus of the first invariant", 0, "0.4"},
-        {"c2", "modulus of the second invariant", -1e300, "0.1"},
-        lambda}},
+        {"c2", "modulus of the second invariant", any, "0.1"},
+        {"lambda", "modulus of the logarithm of the volume", any, "1"}}},
   };
 }
 
@@ -130,6 +133,30 @@ Material read_material(SceneTable const& system, bool fluid) {
     out.constants.push_back(value);
   }
   return out;
+}
+
+void require_stable_material(SceneTable const& system, Material const& material, int d) {
+  if (material.record->fluid) return;
+  SceneTable const table = system.inside("material");
+  auto const& c = material.constants;
+  std::string const& name = material.record->name;
+  bool const mooney = name == "mooney_rivlin", neo = name == "neo_hookean";
+  double const mu = mooney ? 2 * (c[0] + std::max(0, d - 2) * c[1]) : neo ? c[0] : c[1];
+  double const more = mooney && d > 1 ? 4 * c[1] : 0, first = neo ? c[1] : mooney ? c[2] + more : c[0];
+  // What is stored at rest is a minimum where a change of shape takes energy, and so does one of volume.
+  if (!(mu > 0))
+    table.fail(
+        "c2", fmt::format("c2: the shear modulus at rest, 2 (c1 + c2), must be positive, and it is {}; c2 is "
+                          "greater than -c1 = {}, found {}",
+                          mu, -c[0], c[1]));
+  if (first > -2 * mu / d) return;
+  std::string const key = neo ? "kappa" : "lambda";
+  table.fail(
+      key,
+      fmt::format("{}: Lame's first modulus at rest{} must be greater than -2 mu/{} = {}, or the solid is "
+                  "unstable; found {}, greater than {} would do",
+                  key, more != 0 ? " lambda + 4 c2 = " + fmt::format("{}", first) : "", d, -2 * mu / d,
+                  first - more, -2 * mu / d - more));
 }
 
 template <int d>

@@ -22,6 +22,11 @@ struct Material {
 ///   should be
 Material read_material(SceneTable const& system, bool fluid);
 
+/// That a body of d dimensions at rest is stable: the shear modulus \f$\mu\f$ of a solid is positive, and
+/// Lame's first one more than \f$-2\mu/d\f$, so that a change of volume takes energy.
+/// @throws SceneError  where it is not, with the modulus and the bound
+void require_stable_material(SceneTable const& system, Material const& material, int d);
+
 /// Its stored energy in d dimensions, 1, 2 or 3.
 template <int d>
 std::shared_ptr<StoredEnergy<d> const> stored_energy_of(Material const& material);

@@ -1,5 +1,8 @@
 #include "actio/scene/systems/medium_mesh_road.hpp"
 
+#include "actio/scene/systems/medium_walls.hpp"
+#include "actio/scene/systems/medium_watch.hpp"
+
 namespace actio::scene {
 namespace {
 
@@ -33,19 +36,28 @@ class MeshMotion final : public MediumMotion<d> {
       : medium_(road.mesh, stored_energy_of<d>(road.material), start_of<d>(road.start),
                 {step, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
         cells_(medium_.mesh()),
-        fluid_(road.material.record->fluid) {}
+        fluid_(road.material.record->fluid),
+        watch_(step, 32, road.conserve == Conserve::form),
+        walls_(road.loads, road.mesh, medium_.places()) {}
 
   void advance(long count) override {
-    try {
-      medium_.step(count);
-    } catch (BodyCellInverts const& error) {
-      end_inside_out(error, medium_.time(), fluid_);
+    while (count > 0) {
+      long const some = std::min(count, walls_.any() ? 1 : watch_.next());
+      try {
+        medium_.step(some);
+      } catch (BodyCellInverts const& error) {
+        end_inside_out(error, medium_.time(), fluid_);
+      }
+      count -= some;
+      if (walls_.any()) walls_.look(medium_.places(), medium_.time_step(), medium_.time());
+      watch_.made(some, *this, medium_.time(), [this] { return medium_.largest_step(); });
     }
   }
   void remember(CheckpointStream& stream) override {
     auto state = medium_.remember();
     stream(state);
-    if (stream.reading()) medium_.restore(state);
+    if (!stream.reading()) return;
+    medium_.restore(state), walls_.begin(medium_.places()), watch_.begin_anew();
   }
   long steps() const override { return medium_.steps(); }
   MediumCells<d> const& cells() const override { return cells_; }
@@ -60,6 +72,8 @@ class MeshMotion final : public MediumMotion<d> {
   MediumOnMesh<d> medium_;
   MeshCells<d> cells_;
   bool fluid_;
+  StepWatch<d> watch_;
+  WallWatch<d> walls_;
 };
 
 }  // namespace

@@ -26,23 +26,40 @@ ArtificialViscosity read_viscosity(SceneTable const& method, bool plain) {
 
 /// Rows and snapshots of a medium are at its steps.
 void require_rows_at_steps(Request const& request, double step) {
-  if (request.schedule.met_by(step) || !request.schedule.between_steps()) return;
-  double const nearest = request.schedule.step_up_to(step);
-  request.file.section("run").fail("between_steps",
-                                   "between_steps: the rows and snapshots of a medium are at its steps" +
-                                       (nearest > 0 ? fmt::format("; a step of {} meets them", nearest)
-                                                    : std::string("; these times have no step in common")));
+  Schedule const& schedule = request.schedule;
+  if (schedule.met_by(step)) return;
+  double const below = schedule.step_up_to(step), above = schedule.step_from(step);
+  std::string near = below > 0 ? fmt::format("; a step of {} meets them", below)
+                               : std::string("; these times have no step in common");
+  if (above > 0 && above != below) near += fmt::format("{} {}", below > 0 ? ", or" : "; a step of", above);
+  if (schedule.between_steps())
+    request.file.section("run").fail(
+        "between_steps", "between_steps: the rows and snapshots of a medium are at its steps" + near);
+  request.file.section("method").fail("step",
+                                      fmt::format("step: the rows and snapshots of a medium are at multiples "
+                                                  "of the step, and these are not at those of {}{}",
+                                                  step, near));
+}
+
+/// Where rows and snapshots have no divisor in common: the last row beside multiples of run.every is told
+/// with times that would do.
+[[noreturn]] void fail_without_divisor(Request const& request) {
+  SceneTable const run = request.file.section("run");
+  std::string const why = "have no divisor in common, and rows and snapshots of a medium are at its steps";
+  double const until = request.schedule.until();
+  if (!run.has("every"))
+    run.fail(run.has("at") ? "at" : "until",
+             "the times of rows and snapshots " + why + "; run.every has them at multiples of one time");
+  double const every = run.number("every"), parts = std::floor(until / every);
+  run.fail("until", fmt::format("until = {} and every = {} {}; until = {:.12g} or {:.12g} would do", until,
+                                every, why, parts * every, (parts + 1) * every));
 }
 
 }  // namespace
 
 double medium_step(Request const& request, double longest) {
   SceneTable method = request.file.section("method");
-  if (!method.has("step") && request.schedule.common_divisor() == 0)
-    throw SceneError(
-        request.file.section("run").place(),
-        "the times of rows and snapshots have no divisor in common, and those of a medium are at "
-        "its steps; run.every has them at multiples of one time");
+  if (!method.has("step") && request.schedule.common_divisor() == 0) fail_without_divisor(request);
   double const step = read_step(method, request.schedule, 2 / longest, 0.8);
   // The largest frequency is known from below, within a per cent.
   if (step > 0.99 * longest)
@@ -67,7 +84,7 @@ MediumMethod read_medium_method(SceneFile const& file) {
   MediumMethod out;
   out.order = read_method(method, medium_methods()).number();
   if (!method.has("conserve")) method.set("conserve", "form");
-  if (method.choice("conserve", "conserved form", {"form", "energy"}) == "energy")
+  if (method.choice("conserve", "value of conserve", {"form", "energy"}) == "energy")
     out.conserve = Conserve::energy;
   out.viscosity = read_viscosity(method, out.plain());
   return out;
@@ -80,6 +97,8 @@ std::vector<Parameter> medium_method_parameters() {
        "snapshots. By default it is at most four tenths of the longest for which small motions about "
        "the start are stable.",
        "time", "0.01"},
+      {"run.between_steps", "true or false", "false",
+       "Rows and snapshots of a medium are at its steps: true is refused where they are not.", "", "false"},
       {"method.conserve",
        "a text",
        "\"form\"",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "actio/scene/systems/medium_crossing.hpp"
+#include "actio/scene/systems/medium_examination.hpp"
 #include "actio/scene/systems/medium_fast_road.hpp"
 #include "actio/scene/systems/medium_memory.hpp"
 #include "actio/scene/systems/medium_mesh_road.hpp"
@@ -30,63 +31,11 @@ double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, 
   return needed;
 }
 
-/// In a periodic box what places differ from X by, and velocities, are the same beyond a period.
-template <int d>
-void require_periodic(SceneTable const& initial, char const* key, PlaceFormula& formula,
-                      std::array<double, d> const& X, std::array<double, d> const& here,
-                      MediumMesh const& mesh) {
-  for (std::size_t k = 0; k < mesh.periodic.size(); ++k) {
-    if (!mesh.periodic[k] || X[k] != mesh.lower[k]) continue;
-    std::array<double, d> beyond = X, there;
-    beyond[k] = mesh.upper[k];
-    formula(beyond, there.data());
-    double const period = mesh.upper[k] - mesh.lower[k];
-    for (std::size_t a = 0; a < d; ++a) {
-      double const jump = there[a] - here[a] - (a == k && std::string(key) == "placement" ? period : 0);
-      if (std::abs(jump) > 1e-9 * (period + std::abs(here[a])))
-        throw SceneError(
-            initial.place(key, a),
-            fmt::format("{}: in a box that is periodic along {}, {} is periodic along it; here it "
-                        "jumps by {} from {} = {} to {}",
-                        key, "XYZ"[k],
-                        std::string(key) == "placement" ? "placement minus the identity" : "the velocity",
-                        jump, "XYZ"[k], mesh.lower[k], mesh.upper[k]));
-    }
-  }
-}
-
-/// Places of the nodes at the start, which are where the formulas have them, velocities as well.
-/// @throws SceneError  where one is not finite, a cell is inside out, or a seam is not closed
-template <int d>
-std::vector<std::array<double, d>> examined_start(SceneFile const& file, MediumStart& start,
-                                                  MediumCells<d> const& cells, MediumMesh const& mesh) {
-  SceneTable const initial = file.section("initial");
-  std::vector<std::array<double, d>> x;
-  x.reserve(cells.nodes());
-  for (std::size_t k = 0; k < cells.nodes(); ++k) {
-    auto const X = cells.reference(k);
-    std::array<double, d> place, rate;
-    start.placement(X, place.data()), start.velocity(X, rate.data());
-    require_periodic<d>(initial, "placement", start.placement, X, place, mesh);
-    require_periodic<d>(initial, "velocity", start.velocity, X, rate, mesh);
-    x.push_back(place);
-  }
-  auto const [least, cell] = least_jacobian(cells, x);
-  if (!(least > 0)) {
-    std::string where;
-    auto const X = cells.reference(static_cast<std::size_t>(cells.cell(cell).nodes[0]));
-    for (std::size_t a = 0; a < d; ++a) where += fmt::format("{}{}", a ? ", " : "", X[a]);
-    initial.fail("placement", fmt::format("placement: the Jacobian must be positive, and it is {} in {} at X "
-                                          "= ({})",
-                                          least, cells.name(cell), where));
-  }
-  return x;
-}
-
 template <int d>
 void finish(Simulation& simulation, Request const& request, std::unique_ptr<MediumMotion<d>> motion,
             MediumView<d> view, MediumMesh const& mesh, double cells) {
   view.motion = motion.get();
+  require_finite_energies(request.file, motion->energies());
   bool const circulates = std::find(request.quantities.begin(), request.quantities.end(), "circulation") !=
                           request.quantities.end();
   auto const loops = circulates || !loop_names(request.file).empty()
@@ -140,8 +89,11 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   auto const road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
   if (!road) return false;
   simulation.bytes = require_memory(request.file, mesh, true, request);
-  double const longest =
-      road->longest_step(examined_start<d>(request.file, *start, BoxCells<Box>(*box), mesh));
+  BoxCells<Box> const cells(*box);
+  auto const begin = examined_start<d>(request.file, *start, cells, mesh);
+  for (auto& told : drifting_sides<d>(mesh, cells, begin)) simulation.remarks.push_back(std::move(told));
+  double const longest = road->longest_step(begin.places);
+  require_reachable_end(request.file, longest, request.schedule.until());
   simulation.step = medium_step(request, longest);
   tell_crossing<d>(simulation, request, mesh, material, *start);
   simulation.shortcuts.emplace_back(
@@ -164,6 +116,23 @@ void tell_gravity(Simulation& simulation, MediumLoads<d> const& loads,
   if (!told.empty()) simulation.remarks.push_back(std::move(told));
 }
 
+/// What is wrong with a side or with the mass of a cell is told at its key.
+template <int d>
+double longest_step_of(SceneFile const& file, MeshRoad<d> const& road) {
+  try {
+    return road.longest_step();
+  } catch (NotABodyMesh const& error) {
+    for (auto const& [name, side] : road.loads.sides)
+      if (std::string(error.what()).starts_with("side '" + name + "'"))
+        file.section("system.boundary").fail(name, std::string("boundary: ") + error.what());
+    throw;
+  } catch (OutsideDomain const& error) {
+    if (std::string(error.what()).starts_with("density"))
+      file.section("system").fail("density", error.what());
+    throw;
+  }
+}
+
 template <int d>
 void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh const& mesh,
                      Material const& material, MediumMethod const& method,
@@ -171,9 +140,14 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
   MeshRoad<d> const road{
       mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
       method.order, method.conserve, method.viscosity};
-  tell_gravity<d>(simulation, road.loads,
-                  examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh));
-  simulation.step = medium_step(request, road.longest_step());
+  auto const begin = examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh);
+  for (auto& told :
+       examined_loads<d>(request.file, mesh, road.mesh, road.loads, begin, request.schedule.until()))
+    simulation.remarks.push_back(std::move(told));
+  tell_gravity<d>(simulation, road.loads, begin.places);
+  double const longest = longest_step_of(request.file, road);
+  require_reachable_end(request.file, longest, request.schedule.until());
+  simulation.step = medium_step(request, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, road.motion(simulation.step),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count());
@@ -209,6 +183,7 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   require_euclidean(system);
   Material const material = read_material(system, fluid);
   MediumMesh const mesh = read_medium_mesh(request.file);
+  require_stable_material(system, material, mesh.dimension);
   auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
 
   int const d = mesh.dimension;

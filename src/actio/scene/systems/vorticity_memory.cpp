@@ -46,6 +46,11 @@ double bytes_of_machine() {
     std::ifstream in(path);
     if (double limit = 0; in >> limit && limit > 0) bytes = std::min(bytes, limit);
   }
+  // What others use is not there.
+  std::ifstream memory("/proc/meminfo");
+  for (std::string word; memory >> word;)
+    if (double available = 0; word == "MemAvailable:" && memory >> available && available > 0)
+      bytes = std::min(bytes, 1024 * available);
   for (auto const which : {RLIMIT_AS, RLIMIT_DATA})
     if (rlimit limit{}; ::getrlimit(which, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
       bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));

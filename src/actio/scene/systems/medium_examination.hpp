@@ -1,0 +1,51 @@
+// Whether a medium of a scene can begin as it is written: its start, its density, its sides and its loads,
+// each with the others. What is wrong is told at its key, before anything moves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "actio/scene/systems/medium_loads.hpp"
+#include "actio/scene/systems/medium_motion.hpp"
+
+namespace actio::scene {
+
+/// Places and velocities of the nodes at the start, which are where the formulas have them.
+template <int d>
+struct ExaminedStart {
+  std::vector<std::array<double, d>> places;      ///< \f$\phi(X)\f$, length
+  std::vector<std::array<double, d>> velocities;  ///< \f$\dot\phi(X)\f$, length/time
+};
+
+/// Placement, velocity and density at the nodes.
+/// @throws SceneError  where one is not finite, a cell is inside out, a density is negative, or a seam is not
+///   closed
+template <int d>
+ExaminedStart<d> examined_start(SceneFile const& file, MediumStart& start, MediumCells<d> const& cells,
+                                MediumMesh const& mesh);
+
+/// Loads and sides, given the start: potentials have finite gradients at the nodes and close across seams,
+/// forces act on sides that they can move, motions begin where the placement is, and sides that share a node
+/// agree there.
+/// @param until  the end of the run
+/// @return what is no fault and still not what one would expect: sides that move by their start
+/// @throws SceneError  where they are not so, with what was found and what would do
+template <int d>
+std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, BodyMesh const& body,
+                                        MediumLoads<d> const& loads, ExaminedStart<d> const& start,
+                                        double until);
+
+/// The sides of a box that are fixed to a velocity which is not zero, in words.
+template <int d>
+std::vector<std::string> drifting_sides(MediumMesh const& box, MediumCells<d> const& cells,
+                                        ExaminedStart<d> const& start);
+
+/// That the numbers of a run can be computed: the stable step is not so short that the end is out of reach,
+/// and energies are finite.
+/// @param longest  the longest stable step
+/// @throws SceneError  with the value and the bound
+void require_reachable_end(SceneFile const& file, double longest, double until);
+/// \copydoc require_reachable_end
+void require_finite_energies(SceneFile const& file, BodyEnergies const& energies);
+
+}  // namespace actio::scene

@@ -1,0 +1,95 @@
+// Whether the steps of a medium are still stable while it moves: the longest stable step is that of the
+// state, and falls where cells are squeezed, sheared or stretched.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "actio/scene/systems/medium_motion.hpp"
+
+namespace actio::scene {
+
+/// Looks at the deformation every few steps, and finds the longest stable step anew, which costs as much as
+/// some forty steps, where cells are deformed further than they were when it was found last. It changes no
+/// step.
+template <int d>
+class StepWatch {
+ public:
+  /// @param step       of time
+  /// @param most       steps from look to look
+  /// @param on         false: steps are stable whatever their length, and nothing is looked at
+  StepWatch(double step, long most, bool on = true) : step_(step), most_(most), on_(on) {}
+
+  /// How many steps may be made before the next look.
+  long next() const { return on_ ? std::max(1L, due_ - since_) : std::numeric_limits<long>::max(); }
+  /// So many steps were made.
+  /// @param limit  a callable without arguments: the longest stable step now
+  /// @throws Error  where the step is longer, with both, the time and the cell that is deformed most
+  template <class Limit>
+  void made(long count, MediumMotion<d> const& motion, double time, Limit const& limit) {
+    if (!on_ || (since_ += count) < due_) return;
+    since_ = 0, unsought_ += due_;
+    Deformation const now = deformation(motion);
+    // A quarter of the strain that would halve a cell, at the rate of now.
+    due_ = static_cast<long>(std::clamp(0.25 / (now.rate * step_), 1.0, static_cast<double>(most_)));
+    if (!(now.squeeze > squeeze_ * (1 + slack_) || now.stretch > stretch_ * (1 + slack_)) && unsought_ < 4096)
+      return;
+    squeeze_ = std::max(squeeze_, now.squeeze), stretch_ = std::max(stretch_, now.stretch), unsought_ = 0;
+    double const longest = limit();
+    slack_ = std::clamp(std::log(longest / step_) / 8, 0.002, 0.1);
+    if (step_ <= longest) return;
+    throw Error("medium: the step " + show(step_) + " is no longer stable at t = " + show(time) +
+                ": the longest stable step has fallen to " + show(longest) + ", most deformed is " +
+                motion.cells().name(now.cell) + " with the Jacobian " + show(now.jacobian) + "; a step of " +
+                show(longest / 2) + " would go on from there");
+  }
+  /// The state is another one.
+  void begin_anew() { *this = StepWatch(step_, most_, on_); }
+
+ private:
+  struct Deformation {
+    double squeeze = 0;    // the largest square of the inverse of F
+    double stretch = 0;    // the largest square of F
+    double rate = 0;       // the fastest strain, per time
+    std::size_t cell = 0;  // with the largest squeeze
+    double jacobian = 1;   // of it
+  };
+  static double square(Matrix<double, d, d> const& A) {
+    double sum = 0;
+    for (int k = 0; k < d * d; ++k) sum += A.data()[k] * A.data()[k];
+    return sum;
+  }
+  static Deformation deformation(MediumMotion<d> const& motion) {
+    MediumCells<d> const& cells = motion.cells();
+    auto const x = motion.places(), v = motion.velocities();
+    Deformation out;
+    std::array<double, d> at[8], from[8], rate[8];
+    for (std::size_t c = 0; c < cells.cells(); ++c) {
+      auto const cell = cells.cell(c);
+      cells.gather(cell, x, at), cells.gather_reference(cell, from);
+      for (int b = 0; b < corner_count(cells.shape()); ++b)
+        rate[b] = v[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)])];
+      for (int p = 0; p < cells.points(); ++p) {
+        Matrix<double, d, d> const reference = cells.edges(from, p), present = cells.edges(at, p);
+        Matrix<double, d, d> const back = reference * inverse_matrix(present);
+        double const squeeze = square(back);
+        if (squeeze > out.squeeze)
+          out.squeeze = squeeze, out.cell = c,
+          out.jacobian = small_determinant(present) / small_determinant(reference);
+        out.stretch = std::max(out.stretch, square(present * inverse_matrix(reference)));
+        Matrix<double, d, d> const L = cells.edges(rate, p) * inverse_matrix(present);
+        out.rate = std::max(out.rate, 0.25 * square(L + L.transpose()));
+      }
+    }
+    out.rate = std::sqrt(out.rate);
+    return out;
+  }
+
+  double step_;
+  long most_;
+  bool on_;
+  long due_ = 1, since_ = 0, unsought_ = 0;
+  double squeeze_ = 0, stretch_ = 0, slack_ = 0;
+};
+
+}  // namespace actio::scene
