@@ -78,6 +78,17 @@ std::vector<Long> const& long_scenes() {
        "1.4 }\n[initial]\nplacement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]\n[method]\nstep = "
        "0.01\n[run]\nuntil = 500\nevery = 1\n[output]\nquantities = [\"energy\", \"momentum\", "
        "\"min_jacobian\"]\n"},
+      {"elastic_body, a box in space by fused steps",
+       "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1], "
+       "cells = [9, 8, 7], periodic = [true, false, false] }\nmaterial = { name = \"neo_hookean\", mu = 1, "
+       "kappa = 2 }\n[initial]\nvelocity = [\"0.3*sin(2*pi*X)\", \"0.2*Z\", \"-0.2*Y\"]\n[method]\nstep = "
+       "0.02\n[run]\nuntil = 40\nevery = 0.4\n[output]\nquantities = [\"energy\", \"momentum\"]\n"},
+      {"barotropic_fluid with viscosity",
+       "[system]\nkind = \"barotropic_fluid\"\nmesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], "
+       "cells = [9, 8], periodic = [true, true] }\nmaterial = { name = \"polytropic_gas\", K = 1, gamma = "
+       "1.4 }\n[initial]\nvelocity = [\"0.3*sin(2*pi*X)\", \"0\"]\n[method]\nstep = 0.01\nviscosity = { "
+       "linear = 0.5, quadratic = 2 }\n[run]\nuntil = 50\nevery = 0.5\n[output]\nquantities = "
+       "[\"energy\", \"dissipated\"]\n"},
       {"elastic_body on a disc that falls, order 4",
        "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"disc\", radius = 1, cells = [2, 4] "
        "}\nmaterial = { name = \"neo_hookean\", mu = 1, kappa = 2 }\nload = { gravity = \"0.1*y\" "

@@ -108,7 +108,7 @@ std::vector<Parameter> medium_method_parameters() {
        "",
        "\"energy\"",
        {"form", "energy"}},
-      {"method.viscosity", "a table of numbers >= 0", "none",
+      {"method.viscosity", "a table", "none",
        "The viscosity of von Neumann and Richtmyer, which spreads a shock over a few cells: where a cell of "
        "extent l is compressed, a pressure of the present density times l r (quadratic l r + linear c) acts "
        "on "
