@@ -319,18 +319,17 @@ void require_reachable_end(SceneFile const& file, double longest, double until) 
 
 void require_finite_energies(SceneFile const& file, BodyEnergies const& energies) {
   if (std::isfinite(energies.total())) return;
-  bool const moves = !std::isfinite(energies.kinetic);
-  SceneTable const table = file.section(moves || std::isfinite(energies.loads) ? "initial" : "system");
-  std::string const key = moves ? "velocity" : std::isfinite(energies.loads) ? "placement" : "load";
-  double const found = moves                           ? energies.kinetic
-                       : std::isfinite(energies.loads) ? energies.stored
-                                                       : energies.loads;
-  table.fail(key,
-             fmt::format("{}: the {} energy at the start is {}, where a number up to 1.8e308 is needed", key,
-                         moves           ? "kinetic"
-                         : key == "load" ? "loads'"
-                                         : "stored",
-                         std::isnan(found) ? std::abs(found) : found));
+  // Forces that are none make velocities that are none: what is stored comes first.
+  bool const stored = !std::isfinite(energies.stored), loaded = !stored && !std::isfinite(energies.loads);
+  std::string const key = stored ? "placement" : loaded ? "load" : "velocity";
+  double const found = stored ? energies.stored : loaded ? energies.loads : energies.kinetic;
+  file.section(loaded ? "system" : "initial")
+      .fail(key,
+            fmt::format("{}: the {} energy at the start is {}, where a number up to 1.8e308 is needed", key,
+                        stored   ? "stored"
+                        : loaded ? "loads'"
+                                 : "kinetic",
+                        std::isnan(found) ? std::abs(found) : found));
 }
 
 /// Along a line.

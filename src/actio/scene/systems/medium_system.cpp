@@ -187,6 +187,12 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
 
   int const d = mesh.dimension;
+  auto const& asked = request.quantities;
+  if (auto const turns = std::find(asked.begin(), asked.end(), "angular_momentum");
+      d == 1 && turns != asked.end())
+    throw SceneError(
+        request.file.section("output").place("quantities", static_cast<std::size_t>(turns - asked.begin())),
+        "quantities: angular_momentum is that of bodies in the plane or in space");
   Simulation simulation(d == 1   ? conserved_here<1>(fluid, request.file, mesh)
                         : d == 2 ? conserved_here<2>(fluid, request.file, mesh)
                                  : conserved_here<3>(fluid, request.file, mesh));
