@@ -320,9 +320,10 @@ void require_reachable_end(SceneFile const& file, double longest, double until) 
 void require_finite_energies(SceneFile const& file, BodyEnergies const& energies) {
   if (std::isfinite(energies.total())) return;
   // Forces that are none make velocities that are none: what is stored comes first.
-  bool const stored = !std::isfinite(energies.stored), loaded = !stored && !std::isfinite(energies.loads);
+  bool const stored = !std::isfinite(energies.stored) || std::isnan(energies.kinetic),
+             loaded = !stored && !std::isfinite(energies.loads);
   std::string const key = stored ? "placement" : loaded ? "load" : "velocity";
-  double const found = stored ? energies.stored : loaded ? energies.loads : energies.kinetic;
+  double const found = stored ? energies.total() : loaded ? energies.loads : energies.kinetic;
   file.section(loaded ? "system" : "initial")
       .fail(key,
             fmt::format("{}: the {} energy at the start is {}, where a number up to 1.8e308 is needed", key,

@@ -46,7 +46,8 @@ class FastMotion final : public MediumMotion<Box::dimension> {
       : cells_(box),
         density_(density),
         law_(medium),
-        watch_(step, 128),
+        watch_(
+            step, 128, requires { typename FluidLaw<Medium>::type; }),
         medium_(medium, box, step, density, at(start.placement), at(start.velocity), options(box)) {}
 
   void advance(long count) override {

@@ -37,7 +37,7 @@ class MeshMotion final : public MediumMotion<d> {
                 {step, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
         cells_(medium_.mesh()),
         fluid_(road.material.record->fluid),
-        watch_(step, 32, road.conserve == Conserve::form),
+        watch_(step, 32, fluid_, road.conserve == Conserve::form),
         walls_(road.loads, road.mesh, medium_.places()) {}
 
   void advance(long count) override {

@@ -18,8 +18,10 @@ class StepWatch {
  public:
   /// @param step  of time
   /// @param most  steps from look to look
+  /// @param fluid whether the medium is one: nothing holds its cells against shear
   /// @param on    false: steps are stable whatever their length, and nothing is looked at
-  StepWatch(double step, long most, bool on = true) : step_(step), most_(most), on_(on) {}
+  StepWatch(double step, long most, bool fluid, bool on = true)
+      : step_(step), most_(most), fluid_(fluid), on_(on) {}
 
   /// How many steps may be made before the next look.
   long next() const { return on_ ? std::max(1L, due_ - since_) : std::numeric_limits<long>::max(); }
@@ -46,12 +48,13 @@ class StepWatch {
                 ": the longest stable step has fallen to " + show(longest) +
                 ", of which nine tenths are safe, and most deformed is " + motion.cells().name(now.cell) +
                 " with the Jacobian " + show(now.jacobian) + "; a step of " + show(longest / 2) +
-                " would go on from there");
+                " would go on from there; the state is that at t = " + show(time) +
+                (fluid_ ? ": a fluid resists no shear, and cells that are sheared for long tangle" : ""));
   }
   /// The state is another one.
   void begin_anew() {
     double const first = first_;
-    *this = StepWatch(step_, most_, on_), first_ = first;
+    *this = StepWatch(step_, most_, fluid_, on_), first_ = first;
   }
 
  private:
@@ -95,7 +98,7 @@ class StepWatch {
 
   double step_;
   long most_;
-  bool on_;
+  bool fluid_, on_;
   long due_ = 1, since_ = 0, unsought_ = 0;
   double squeeze_ = 0, stretch_ = 0, slack_ = 0, first_ = 0;
 };
