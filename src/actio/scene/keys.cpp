@@ -57,6 +57,15 @@ void refuse_of_others(Place const& place, std::string const& word, std::string c
                                         shown(word), others, system.name, listed(names(system))));
 }
 
+/// Whether nothing stands in the way of reading a table: `scene.units` has no value that is none.
+bool is_absent_or_table(SceneFile const& file, std::string const& table) {
+  if (table.find('.') == std::string::npos) return true;
+  std::string const parent = table_of(table), name = name_of(table);
+  if (!is_absent_or_table(file, parent)) return false;
+  SceneTable const above = file.section(parent);
+  return !above.has(name) || above.is_table(name);
+}
+
 /// That a key which is always a table is one; where it is not, its example is told.
 void require_table(SceneFile const& file, Parameter const& key) {
   std::string const name = name_of(key.key);
@@ -135,6 +144,8 @@ void allow_keys(SceneFile const& file, System const& system) {
   auto const tables = tables_of(keys);
   for (auto const& key : keys) require_table(file, key);
   for (auto const& table : tables) {
+    // One that may be a table is judged by its reader where it is none: initial.attitude, a list of numbers.
+    if (!is_absent_or_table(file, table)) continue;
     // The key that leads to a table within is allowed by its own record.
     file.section(table).allow(keys_in(keys, table),
                               [&](std::string const& key) { return of_others(system, table, key); });
