@@ -237,7 +237,7 @@ std::vector<Parameter> load_parameters() {
        "", "{ gravity = \"0.1*y\" }"},
       {"system.obstacle", "a table", "none",
        "An obstacle as a potential per mass that rises towards its inside: potential, a formula in x, y, z.",
-       "", "{ potential = \"exp(-20*((x - 2)^2 + y^2))\" }"},
+       "", "{ potential = \"exp(5*(cos(2*pi*x) + cos(2*pi*y) - 2))\" }"},
   };
 }
 

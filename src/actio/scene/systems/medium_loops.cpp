@@ -213,7 +213,7 @@ Parameter loops_parameter() {
       "of cells nearest to these corners, counterclockwise; in a periodic box { along = \"X\", through = "
       "[X, Y] }, the row nearest to a point that goes once around it.",
       "",
-      "{ ring = { lower = [0.25, 0.25], upper = [0.75, 0.75] } }"};
+      "{ ring = { lower = [0.25, 0.25], upper = [0.5, 0.5] } }"};
 }
 
 }  // namespace actio::scene

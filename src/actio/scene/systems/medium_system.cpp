@@ -90,9 +90,12 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   if (!road) return false;
   simulation.bytes = require_memory(request.file, mesh, true, request);
   BoxCells<Box> const cells(*box);
-  auto const begin = examined_start<d>(request.file, *start, cells, mesh);
+  // Places of the start are let go of before there is a motion.
+  auto begin = examined_start<d>(request.file, *start, cells, mesh);
   for (auto& told : drifting_sides<d>(mesh, cells, begin)) simulation.remarks.push_back(std::move(told));
+  begin.velocities = {};
   double const longest = road->longest_step(begin.places);
+  begin.places = {};
   require_reachable_end(request.file, longest, request.schedule.until());
   simulation.step = medium_step(request, longest);
   tell_crossing<d>(simulation, request, mesh, material, *start);
