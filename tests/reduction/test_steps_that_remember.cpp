@@ -152,7 +152,9 @@ BOOST_AUTO_TEST_CASE(places_are_those_of_the_unreduced_equations_from_scratch) {
 BOOST_AUTO_TEST_CASE(a_first_step_begins_at_the_end_of_the_geodesic) {
   // Of an energy that both translations leave alone the motion is a geodesic: g = g1 g0^-1 g1 solves the
   // equation, which is looked at once. Elsewhere it takes several looks to find it.
-  auto const round = [](auto const& g0, auto const& g1) { return -(g0.value.transpose() * g1.value).trace(); };
+  auto const round = [](auto const& g0, auto const& g1) {
+    return -(g0.value.transpose() * g1.value).trace();
+  };
   Element<SO<3>, double> const g0 = exp(velocity_at_start<SO<3>>(0.7)),
                                g1 = g0 * exp(velocity_at_start<SO<3>>(0.3)), g = g1 * inverse(g0) * g1;
   EulerLagrangeSteps motion(round, g0, g1);

@@ -167,8 +167,8 @@ class BodySteps {
     for (std::size_t k = 0; k < way.size(); ++k) way[k] = h * s.v[k];
     put_moved_ways(s, way, t1);
   }
-  /// A way to begin with: \f$hv+\tfrac{h^2}2a\f$ with the acceleration half of the way to \f$hv\f$, off by the
-  /// fourth power of h, for the price of an explicit step.
+  /// A way to begin with: \f$hv+\tfrac{h^2}2a\f$ with the acceleration half of the way to \f$hv\f$, off
+  /// by the fourth power of h, for the price of an explicit step.
   /// @return the largest modulus of \f$\tfrac{h^2}2a\f$
   double guess(BodyState const& s, double h, double t0, double t1, std::vector<double>& way,
                std::vector<double>& room) const {

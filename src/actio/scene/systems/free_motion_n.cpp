@@ -136,7 +136,7 @@ std::unique_ptr<TurningBodyN> stepped_motion_n(StepsOfBodyN const& choice, Start
                  [=](double h) { return FastMoserVeselov(inertia, h, sweeps); });
 }
 
-std::unique_ptr<TurningBodyN> constant_motion_n(MatrixXd momentum, MatrixXd attitude) {
+std::unique_ptr<TurningBodyN> constant_motion_n(Eigen::MatrixXd momentum, Eigen::MatrixXd attitude) {
   return std::make_unique<ConstantMomentum>(std::move(momentum), std::move(attitude));
 }
 

@@ -8,8 +8,10 @@ namespace actio::scene {
 
 /// A body in n dimensions at the start.
 struct StartOfBodyN {
-  Inertia<Eigen::Dynamic> inertia;               ///< of the body
-  Eigen::MatrixXd attitude, velocity, momentum;  ///< body to space; the other two in the frame of the body
+  Inertia<Eigen::Dynamic> inertia;  ///< of the body
+  Eigen::MatrixXd attitude;         ///< body to space
+  Eigen::MatrixXd velocity;         ///< in the frame of the body
+  Eigen::MatrixXd momentum;         ///< in the frame of the body
 };
 
 /// What is stepped, and how.

@@ -40,12 +40,12 @@ template <int d>
 std::vector<std::string> drifting_sides(MediumMesh const& box, MediumCells<d> const& cells,
                                         ExaminedStart<d> const& start);
 
-/// That the numbers of a run can be computed: the stable step is not so short that the end is out of reach,
-/// and energies are finite.
+/// That the stable step is not so short that the end is out of reach.
 /// @param longest  the longest stable step
 /// @throws SceneError  with the value and the bound
 void require_reachable_end(SceneFile const& file, double longest, double until);
-/// \copydoc require_reachable_end
+/// That the energies at the start are finite.
+/// @throws SceneError  with the value and the bound, at the key that makes it so
 void require_finite_energies(SceneFile const& file, BodyEnergies const& energies);
 
 }  // namespace actio::scene

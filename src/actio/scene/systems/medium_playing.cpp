@@ -140,14 +140,17 @@ std::shared_ptr<PlayedMedium const> play_medium(MediumView<d> const& medium, std
 
 /// Along a line.
 template struct MediumFrame<1>;
+/// \copydoc play_medium
 template std::shared_ptr<PlayedMedium const> play_medium(MediumView<1> const&, std::span<double const>,
                                                          std::function<MediumFrame<1>(std::size_t)> const&);
 /// In the plane.
 template struct MediumFrame<2>;
+/// \copydoc play_medium
 template std::shared_ptr<PlayedMedium const> play_medium(MediumView<2> const&, std::span<double const>,
                                                          std::function<MediumFrame<2>(std::size_t)> const&);
 /// In space.
 template struct MediumFrame<3>;
+/// \copydoc play_medium
 template std::shared_ptr<PlayedMedium const> play_medium(MediumView<3> const&, std::span<double const>,
                                                          std::function<MediumFrame<3>(std::size_t)> const&);
 

@@ -226,13 +226,13 @@ void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
   });
 }
 /// \copydoc define_medium
-template void define_medium(QuantityGraph&, MediumView<1> const&, std::vector<MaterialLoop<1>> const&,
-                            double);
+template void define_medium(QuantityGraph& graph, MediumView<1> const& medium,
+                            std::vector<MaterialLoop<1>> const& loops, double step);
 /// \copydoc define_medium
-template void define_medium(QuantityGraph&, MediumView<2> const&, std::vector<MaterialLoop<2>> const&,
-                            double);
+template void define_medium(QuantityGraph& graph, MediumView<2> const& medium,
+                            std::vector<MaterialLoop<2>> const& loops, double step);
 /// \copydoc define_medium
-template void define_medium(QuantityGraph&, MediumView<3> const&, std::vector<MaterialLoop<3>> const&,
-                            double);
+template void define_medium(QuantityGraph& graph, MediumView<3> const& medium,
+                            std::vector<MaterialLoop<3>> const& loops, double step);
 
 }  // namespace actio::scene

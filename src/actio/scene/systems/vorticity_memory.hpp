@@ -17,7 +17,8 @@ namespace actio::scene {
 double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved, bool to_rounding,
                            std::vector<std::string> const& quantities);
 
-/// What this process may have: what is free of the machine, of the group that it runs in, and of its own limit, in bytes.
+/// What this process may have: what is free of the machine, of the group that it runs in, and of its own
+/// limit, in bytes.
 double bytes_of_machine();
 
 /// `3.1 GB`
