@@ -72,7 +72,9 @@ class StepWatch {
   }
   static Deformation deformation(MediumMotion<d> const& motion) {
     MediumCells<d> const& cells = motion.cells();
-    auto const x = motion.places(), v = motion.velocities();
+    // Velocities first: they take more room while they are made.
+    auto const v = motion.velocities();
+    auto const x = motion.places();
     Deformation out;
     std::array<double, d> at[8], from[8], rate[8];
     for (std::size_t c = 0; c < cells.cells(); ++c) {
