@@ -197,6 +197,15 @@ BOOST_AUTO_TEST_CASE(a_wall_that_a_step_passes_over_ends_the_run) {
     bar.method = method;
     check_ends(bar, 3, "has passed through a potential in the step of length 0.01", false);
   }
+  // What is at rest, or climbs and comes back, has passed over nothing.
+  Medium hill = gas();
+  hill.mesh += ", periodic = [true, true]", hill.until = "0.5", hill.every = "0.25";
+  hill.system = "obstacle = { potential = \"exp(5*(cos(2*pi*x) + cos(2*pi*y) - 2))\" }\n";
+  for (char const* const start : {"", "velocity = [0.3, 0]"}) {
+    Folder const folder;
+    hill.initial = start;
+    BOOST_TEST(run_in(folder, hill).rows.size() == 3u);
+  }
   Medium block = solid("name = \"neo_hookean\", mu = 1, kappa = 1");
   block.mesh = "shape = \"box\", lower = [1, 0], upper = [2, 1], cells = [5, 5]";
   block.system = "obstacle = { potential = \"exp(-2000*x^2)*1e5\" }\n";

@@ -39,7 +39,7 @@ class StepWatch {
       return;
     squeeze_ = std::max(squeeze_, now.squeeze), stretch_ = std::max(stretch_, now.stretch), unsought_ = 0;
     double const longest = limit();
-    slack_ = std::clamp(std::log(longest / step_) / 8, 0.002, 0.1);
+    slack_ = std::clamp(std::log(longest / step_) / 5, 0.002, 0.5);
     // Near the bound waves of the size of a cell grow by what is not linear in them, unless they are as small
     // as a start has them that is stepped there from the beginning.
     if (first_ == 0) first_ = longest;
@@ -70,6 +70,9 @@ class StepWatch {
     for (int k = 0; k < d * d; ++k) sum += A.data()[k] * A.data()[k];
     return sum;
   }
+  static Matrix<double, d, d> inverse(Matrix<double, d, d> const& A) {
+    return cofactors(A).transpose() * (1 / small_determinant(A));
+  }
   static Deformation deformation(MediumMotion<d> const& motion) {
     MediumCells<d> const& cells = motion.cells();
     // Velocities first: they take more room while they are made.
@@ -83,14 +86,12 @@ class StepWatch {
       for (int b = 0; b < corner_count(cells.shape()); ++b)
         rate[b] = v[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)])];
       for (int p = 0; p < cells.points(); ++p) {
-        Matrix<double, d, d> const reference = cells.edges(from, p), present = cells.edges(at, p);
-        Matrix<double, d, d> const back = reference * inverse_matrix(present);
-        double const squeeze = square(back);
-        if (squeeze > out.squeeze)
-          out.squeeze = squeeze, out.cell = c,
-          out.jacobian = small_determinant(present) / small_determinant(reference);
-        out.stretch = std::max(out.stretch, square(present * inverse_matrix(reference)));
-        Matrix<double, d, d> const L = cells.edges(rate, p) * inverse_matrix(present);
+        Matrix<double, d, d> const back = inverse(cells.edges(from, p)), F = cells.edges(at, p) * back;
+        double const J = small_determinant(F), squeeze = square(cofactors(F)) / (J * J);
+        if (squeeze > out.squeeze) out.squeeze = squeeze, out.cell = c, out.jacobian = J;
+        out.stretch = std::max(out.stretch, square(F));
+        if (p > 0) continue;
+        Matrix<double, d, d> const L = cells.edges(rate, p) * back * inverse(F);
         out.rate = std::max(out.rate, 0.25 * square(L + L.transpose()));
       }
     }
