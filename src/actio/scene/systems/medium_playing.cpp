@@ -141,17 +141,20 @@ std::shared_ptr<PlayedMedium const> play_medium(MediumView<d> const& medium, std
 /// Along a line.
 template struct MediumFrame<1>;
 /// \copydoc play_medium
-template std::shared_ptr<PlayedMedium const> play_medium(MediumView<1> const&, std::span<double const>,
-                                                         std::function<MediumFrame<1>(std::size_t)> const&);
+template std::shared_ptr<PlayedMedium const> play_medium(
+    MediumView<1> const& medium, std::span<double const> times,
+    std::function<MediumFrame<1>(std::size_t)> const& read);
 /// In the plane.
 template struct MediumFrame<2>;
 /// \copydoc play_medium
-template std::shared_ptr<PlayedMedium const> play_medium(MediumView<2> const&, std::span<double const>,
-                                                         std::function<MediumFrame<2>(std::size_t)> const&);
+template std::shared_ptr<PlayedMedium const> play_medium(
+    MediumView<2> const& medium, std::span<double const> times,
+    std::function<MediumFrame<2>(std::size_t)> const& read);
 /// In space.
 template struct MediumFrame<3>;
 /// \copydoc play_medium
-template std::shared_ptr<PlayedMedium const> play_medium(MediumView<3> const&, std::span<double const>,
-                                                         std::function<MediumFrame<3>(std::size_t)> const&);
+template std::shared_ptr<PlayedMedium const> play_medium(
+    MediumView<3> const& medium, std::span<double const> times,
+    std::function<MediumFrame<3>(std::size_t)> const& read);
 
 }  // namespace actio::scene
