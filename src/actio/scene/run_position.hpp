@@ -10,7 +10,10 @@
 namespace actio::scene {
 
 /// What a run writes next.
-enum class Next { row, snapshot };
+enum class Next {
+  row,      ///< a row of its table
+  snapshot  ///< a snapshot of its field
+};
 
 /// The position of a run of one scene, from its start to its last row and snapshot.
 class RunPosition {
