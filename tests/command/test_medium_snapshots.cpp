@@ -242,7 +242,10 @@ BOOST_AUTO_TEST_CASE(frames_of_a_run_that_was_killed_are_those_of_an_unbroken_on
   BOOST_TEST(left < 601u);  // or nothing was killed
   auto const resumed = actio({"resume", out, "--quiet"});
   BOOST_TEST_REQUIRE(resumed.status == 0, resumed.err);
-  BOOST_TEST((contents(frames) == contents(whole + "/snapshots/frames.h5")));
+  // Where a chunk lies in the file depends on when the run was killed; what it holds does not.
+  for (char const* const set : {"time", "place", "velocity", "pressure"})
+    BOOST_TEST((read_hdf5_numbers(frames, set) == read_hdf5_numbers(whole + "/snapshots/frames.h5", set)),
+               set);
   // A file that was cut since is refused.
   std::filesystem::resize_file(frames, std::filesystem::file_size(frames) / 2);
   auto const refused = actio({"resume", out, "--until", "61"});
