@@ -1,4 +1,4 @@
-// Steps that keep energy by a discrete gradient, and steps of order 4 by composition.
+// Steps that conserve energy by a discrete gradient, and steps of order 4 by composition.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/multisymplectic/body_shapes.hpp"
@@ -40,7 +40,7 @@ Kept kept_over(MediumOnMesh<d>& body, long steps, int samples) {
   return worst;
 }
 void report(char const* name, long steps, Kept const& kept, double bound) {
-  BOOST_TEST_MESSAGE(name << ", " << steps << " steps that keep energy: energy " << kept.energy
+  BOOST_TEST_MESSAGE(name << ", " << steps << " steps that conserve energy: energy " << kept.energy
                           << ", momentum " << kept.momentum << ", angular momentum "
                           << kept.angular_momentum);
   BOOST_TEST(kept.energy <= bound);

@@ -5,6 +5,7 @@
 
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/second_order.hpp"
+#include "actio/numbers/taylor.hpp"
 #include "witness/arithmetic.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
@@ -143,6 +144,15 @@ BOOST_AUTO_TEST_CASE(a_number_of_variables_that_is_known_at_run_time_alone) {
   BOOST_TEST((d.gradient() == gradient_of_cubic(x)));
   auto const doubled = derivative([](auto const& z) { return z * 2; }, x);
   BOOST_TEST((doubled.matrix == Matrix<rational>::Identity(5, 5) * rational(2)));
+}
+
+BOOST_AUTO_TEST_CASE(the_root_of_the_square_of_a_series_is_the_series) {
+  // Whole numbers divided by four: exact in double.
+  std::vector<double> const root{2, 3, -1, 5, 7};
+  auto const series = Taylor<double>::series(root);
+  auto const found = sqrt(series * series);
+  BOOST_TEST(found.order == 4);
+  for (int k = 0; k <= 4; ++k) BOOST_TEST(found.coefficient(k) == root[k]);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_to_second_order_are_equal_in_all_their_parts_only) {

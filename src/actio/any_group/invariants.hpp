@@ -139,7 +139,7 @@ inline Casimir casimir_of(MatrixAlgebra const& algebra, int degree, SparseRow co
 }
 
 /// The structure constants in the basis \f$e_a/2^{k_a}\f$ with largest entries near 1, so that units of the
-/// basis do not matter to what counts as rounding.
+/// basis do not matter to bounds on rounding.
 class LevelBasis {
  public:
   explicit LevelBasis(MatrixAlgebra const& algebra) {

@@ -5,11 +5,11 @@
 //     q = (rho/J) (quadratic (l r)^2 + linear l c r), r = -dJ/dt / J,
 //
 // with the speed of sound c and the shortest extent l of the corner in space. It is a force of the discrete
-// Lagrange-d'Alembert principle: in each half kick of a step it does the work g.(v0 + v1)/2 h/2, which the
-// kinetic energy loses to the last bit of the arithmetic, whatever velocity it was computed from. The sum of
+// Lagrange-d'Alembert principle: in each half kick of a step it does the work g.(v0 + v1)/2 h/2, by which the
+// kinetic energy decreases up to rounding, whatever velocity the force was computed from. The sum of
 // these works is what was dissipated. Energy plus that obeys the balance of the scheme without viscosity: it
 // is constant up to the square of the step. The pressure is a part of Cauchy's stress, and turns nothing:
-// momenta are kept.
+// momenta are conserved.
 #pragma once
 
 #include "actio/multisymplectic/body_quadrature.hpp"

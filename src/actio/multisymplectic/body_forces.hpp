@@ -35,7 +35,8 @@ class BodyForces {
     if (least.jacobian > 0) loads.add_forces(body, x, t, f);
     return least;
   }
-  /// The forces along a way from places x that do the work which the energy loses, and keep momenta.
+  /// The forces along a way from places x whose work is the decrease of the energy, and which conserve
+  /// momenta.
   ///
   /// Where a body is does not matter for their rounding: they are made of differences of neighbours' places
   /// and of their ways.

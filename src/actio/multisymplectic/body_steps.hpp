@@ -1,5 +1,5 @@
 // Steps of a body on a mesh: the explicit one that keeps the multisymplectic form, and the implicit one that
-// keeps energy. Both are self-adjoint, so that substeps in a palindrome make a step of order 4.
+// conserves energy. Both are self-adjoint, so that substeps in a palindrome make a step of order 4.
 #pragma once
 
 #include <optional>
@@ -84,8 +84,8 @@ class BodySteps {
       if (!(least.jacobian > 0)) return least;
       accelerate(f);
       double const size = residual(s, way, f, h, t1, r);
-      if (!is_finite(size)) throw NotFinite("medium on a mesh: step that keeps energy");
-      // To where rounding lets it fall no further: what is left before has a direction, and its work adds up.
+      if (!is_finite(size)) throw NotFinite("medium on a mesh: step that conserves energy");
+      // Until rounding lets it fall no further: a larger residual has a direction, and its work adds up.
       double const rounding = eps * size_of_body;
       if (size == 0 || (size > 0.3 * last && size <= 4 * rounding) ||
           (size >= last && size < 1e3 * rounding)) {
@@ -108,7 +108,7 @@ class BodySteps {
       }
       for (std::size_t k = 0; k < n; ++k) way[k] = good[k] + delta[k];
     }
-    throw NotConverged("medium on a mesh: step that keeps energy", history, 1e3 * eps);
+    throw NotConverged("medium on a mesh: step that conserves energy", history, 1e3 * eps);
   }
 
   /// The largest frequency of small motions about places x, per time: from below, within half a per cent

@@ -2,7 +2,7 @@
 //
 // Each discrete Cartan form has a two-form Omega^l = -dTheta^l, and since dL_d is their sum and d dL_d = 0,
 // the two-forms of a cell sum up to zero: an identity, for any values. On a solution and two first
-// variations of it the forms at an inner node sum up to zero as well, so that what is left over any box of
+// variations of it the forms at an inner node sum up to zero as well, so that the sum over any box of
 // space-time is a sum over its boundary.
 #pragma once
 

@@ -3,8 +3,8 @@
 //
 // With \f$C_s = F_s^TF_s\f$ and \f$\bar F = \tfrac12(F_0+F_1)\f$ the stress is \f$\bar P = \bar F\bar S\f$
 // with a symmetric \f$\bar S\f$ for which \f$\tfrac12\bar S:(C_1-C_0) = W(F_1)-W(F_0)\f$. Then
-// \f$\bar P:(F_1-F_0) = W(F_1)-W(F_0)\f$, which keeps energy, and \f$\bar P\bar F^T\f$ is symmetric, which
-// keeps angular momentum about the middle of the step.
+// \f$\bar P:(F_1-F_0) = W(F_1)-W(F_0)\f$, which conserves energy, and \f$\bar P\bar F^T\f$ is symmetric,
+// which conserves angular momentum about the middle of the step.
 //
 // \f$\bar S\f$ is the mean of \f$2\,\partial W/\partial C\f$ between \f$C_0\f$ and \f$C_1\f$ by Gauss' rule,
 // whose work is right to rounding where the change is small; so no difference of energies is taken, which

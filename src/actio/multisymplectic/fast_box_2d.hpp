@@ -2,8 +2,8 @@
 //
 // A row of nodes is cut into four strips of equal length, and the four lanes of a register walk along one
 // strip each. So the right neighbours of four nodes are the next register, without a shift of lanes; at the
-// end of the row, where a strip meets the next one, the register turns by one lane, once. What is left over
-// belongs to no cell: the last registers have a mask.
+// end of the row, where a strip meets the next one, the register turns by one lane, once. Lanes
+// beyond the last cell belong to none: the last registers have a mask.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@
 //     L_d = sum over nodes of (m/2)|x1-x0|^2/dt - (dt/2)(E(x0)+E(x1)), E = sum over points of weight W(F),
 //
 // minus the energy of loads; its Euler-Lagrange field equations are the explicit step. `conserve = energy`
-// takes a step that keeps energy in place of the multisymplectic form; both keep momenta.
+// takes a step that conserves energy in place of the multisymplectic form; both keep momenta.
 //
 // Accuracy: order 2 in space and time. Nothing resists the shear of a fluid: along lines where a mesh has a
 // kink, as discs and balls of blocks have, its nodes are off by the first order, and by 1.5 in the mean.
@@ -67,7 +67,7 @@ class MediumOnMesh {
   /// @throws BodyCellInverts  where a cell would turn inside out; then the state is that before this step, as
   ///   it is whatever else is thrown
   /// @throws NotFinite  where a load or a motion is none
-  /// @throws NotConverged  where a step that keeps energy is too long to be solved
+  /// @throws NotConverged  where a step that conserves energy is too long to be solved
   /// @throws OutsideDomain  where count is negative
   void step(long count = 1) {
     if (count < 0)

@@ -9,8 +9,8 @@
 
 namespace actio {
 
-/// Where the nodes of fixed sides are if nobody moves them, and those of sliding sides across them: where
-/// they were.
+/// Where the nodes of fixed sides are if no motion is prescribed, and those of sliding sides across them:
+/// where they were.
 struct AtRest {};
 
 /// How a level was solved for.

@@ -1,4 +1,4 @@
-// What counts as a matrix, and the sizes of one.
+// The requirements on a matrix, and the sizes of one.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,8 +2,8 @@
 // the colours mean. In space they are the surface of the body.
 //
 // A mesh of more cells than can be drawn is coarsened: nodes that lie together in the reference space become
-// one, the one where sides meet before those of a side, these before those inside. What is left has about
-// the shape of the body, and its faces the colours of some of the cells.
+// one, the one where sides meet before those of a side, these before those inside. The coarse mesh has about
+// the shape of the body, and its faces have the colours of some of the cells.
 #pragma once
 
 #include <array>

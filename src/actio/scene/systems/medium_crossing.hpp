@@ -14,8 +14,8 @@ struct Crossing {
   bool exact;   ///< the start is a simple wave in a periodic direction
 };
 
-/// Of a start in a box that depends on one coordinate alone and moves along it, with uniform density and
-/// without loads. None where the start is none of this kind, or nothing steepens.
+/// Of a start in a box that depends on one coordinate alone and has velocities along it, with uniform density
+/// and without loads. None where the start is none of this kind, or nothing steepens.
 ///
 /// With J the stretch along that coordinate, v the velocity and \f$C^2 = \sigma'(J)/\rho\f$ the square of the
 /// speed of characteristics, \f$r = v-\int C\,dJ\f$ runs to the right and \f$s = v+\int C\,dJ\f$ to the left.
