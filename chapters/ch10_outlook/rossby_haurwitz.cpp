@@ -8,6 +8,7 @@
 //   zeta   vorticity in the rotating frame       W   absolute vorticity, zeta + 2 Omega cos(theta)
 //   l, m   degree and order of the wave          h   length of a step
 #include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

@@ -6,14 +6,13 @@
 // Section 10A.6.
 //
 //   W   vorticity as a matrix, of angular momentum zero       l   degree of a harmonic
-#include <random>
-
-#include "actio/vorticity/sphere_grid.hpp"
 #include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/symbols.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
+#include "random_flow.hpp"
 #include "sphere_disc.hpp"
 
 using namespace actio;
@@ -23,15 +22,10 @@ constexpr double h = 0.1;
 unsigned const seed = 4;
 
 // 1. A flow of the degrees 4 to 8, whose vorticity has mean square 1.
-SkewHermitian<> random_flow() {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  SphereHarmonics f(size);
+SkewHermitian<> flow_at_random() {
+  SphereHarmonics f = random_flow(size, 4, 8, seed);
   double square = 0;
-  for (int l = 4; l <= 8; ++l) {
-    for (int m = 0; m <= l; ++m) f(l, m) = std::complex<double>(normal(random), m == 0 ? 0 : normal(random));
-    square += f.power(l);
-  }
+  for (int l = 4; l <= 8; ++l) square += f.power(l);
   f.coefficient *= std::sqrt(4 * M_PI / square);
   return matrix_of(f);
 }
@@ -49,7 +43,7 @@ int main(int argc, char** argv) {
   book::Program program(argc, argv, "vortices on the sphere merge, and every invariant stays");
   program.say("a flow at random from seed ", seed);
   SphereLaplacian const laplacian(size);
-  auto w = random_flow();
+  auto w = flow_at_random();
   double const energy = vorticity_energy(laplacian, w), flow = std::sqrt(2 * energy);
   auto const values = vorticity_values(w);
   VorticityStep step(laplacian, Conserved::all_invariants, h);

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "actio/vorticity/sphere_grid.hpp"
+#include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/symbols.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 

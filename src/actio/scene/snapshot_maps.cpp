@@ -8,7 +8,7 @@
 
 #include "actio/scene/systems/vorticity_input.hpp"
 #include "actio/scene/units.hpp"
-#include "actio/vorticity/sphere_grid.hpp"
+#include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/symbols.hpp"
 #include "book/plot.hpp"
 #include "book/png.hpp"

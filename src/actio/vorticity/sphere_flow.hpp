@@ -6,7 +6,7 @@
 // Y_{l-1,m} with a_l = sqrt((l^2 - m^2)/(4 l^2 - 1)).
 #pragma once
 
-#include "actio/vorticity/sphere_grid.hpp"
+#include "actio/vorticity/sphere_transform.hpp"
 
 namespace actio {
 
