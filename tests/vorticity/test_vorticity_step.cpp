@@ -106,4 +106,20 @@ BOOST_AUTO_TEST_CASE(a_power_of_two_changes_no_digit) {
     }
 }
 
+// The middle comes from two solves, each off by rounding times the condition of 1 - A.
+BOOST_AUTO_TEST_CASE(an_elimination_finds_the_middle_for_a_displacement_of_any_size) {
+  int const n = 16;
+  SkewHermitian<> const w = random_state(n, 1, 9), p = SphereLaplacian(n).solve(random_state(n, 2, 7));
+  ComplexMatrix<> const one = ComplexMatrix<>::Identity(n, n), start = w.complex();
+  for (double const size : {0.01, 1.0, 100.0}) {
+    SkewHermitian<> const a = (size / norm(p)) * p;
+    SkewHermitian<> middle(n);
+    eliminate_middle(a, w, middle);
+    ComplexMatrix<> const A = a.complex(), M = middle.complex();
+    double const bound = 8 * n * std::numeric_limits<double>::epsilon() * (1 + size) * (1 + size) * norm(w);
+    BOOST_TEST(((one - A) * M * (one + A) - start).norm() <= bound);
+    BOOST_TEST(((one + A) * M * (one - A) - start).norm() > 1e-4 * norm(w));  // the end of the step
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -41,6 +41,27 @@ double lanczos_radius(SkewHermitian<Real> const& a) {
       .maxCoeff();
 }
 
+/// The largest modulus of an eigenvalue by power iteration on \f$-A^2\f$: an estimate from below, good to
+/// some per cent.
+template <class Real>
+Real power_radius(SkewHermitian<Real> const& a) {
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+  auto const n = a.size();
+  Vector x(n), y(n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    x[k] = std::cos(Real(1.7) * static_cast<Real>(k)), y[k] = std::sin(Real(2.3) * static_cast<Real>(k) + 1);
+  Real radius = 0;
+  for (int k = 0; k < 8; ++k) {
+    Real const size = std::hypot(x.norm(), y.norm());
+    if (!(size > 0)) return 0;
+    x /= size, y /= size;
+    Vector const u = a.real * x - a.imaginary * y;
+    y = a.real * y + a.imaginary * x, x = u;
+    radius = std::hypot(x.norm(), y.norm());
+  }
+  return radius;
+}
+
 /// The largest eigenvalue of a matrix that changes slowly: its ratio to the norm is estimated now and then.
 struct FollowedRadius {
   double ratio = 0;  ///< of an estimate to the norm; zero where there is none

@@ -1,4 +1,5 @@
-// The steps that a fast step guesses from, and polynomials in time through them.
+// Steps that the first guess of the next one is made from: what a fast step keeps of each, and polynomials in
+// time through them.
 #pragma once
 
 #include <deque>
@@ -32,8 +33,8 @@ inline PastStep make_room(std::deque<PastStep>& past, int most) {
 
 /// Calls `use(step, weight)` for each of the steps before, the newest first: the weights are those of the
 /// polynomial in time through all of them, one step further.
-template <class Use>
-void extrapolate(std::deque<PastStep> const& past, Use const& use) {
+template <class Step, class Use>
+void extrapolate(std::deque<Step> const& past, Use const& use) {
   auto const count = static_cast<int>(past.size());
   double binomial = 1;
   for (int k = 0; k < count; ++k) {

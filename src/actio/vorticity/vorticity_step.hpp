@@ -17,12 +17,13 @@
 // The step is made in a frame that turns (turning_frame.hpp).
 #pragma once
 
-#include <Eigen/LU>
-#include <array>
 #include <deque>
 #include <limits>
 
+#include "actio/vorticity/cayley_middle.hpp"
 #include "actio/vorticity/laplacian.hpp"
+#include "actio/vorticity/operator_radius.hpp"
+#include "actio/vorticity/past_steps.hpp"
 #include "actio/vorticity/step_setting.hpp"
 
 namespace actio {
@@ -77,9 +78,8 @@ class VorticityStep : public StepSetting<Stream> {
   /// Goes on as from these.
   void go_on_from(std::deque<Past> past) { past_ = std::move(past), factors_.setZero(); }
 
-  /// The largest modulus of an eigenvalue of A, by power iteration on \f$-A^2\f$: an estimate from below,
-  /// good to some per cent.
-  static double spectral_radius(SkewHermitian<> const& a);
+  /// The largest modulus of an eigenvalue of A: `power_radius`.
+  static double spectral_radius(SkewHermitian<> const& a) { return power_radius(a); }
 
  private:
   using StepSetting<Stream>::stream_, StepSetting<Stream>::sphere_, StepSetting<Stream>::step_,
@@ -113,7 +113,7 @@ class VorticityStep : public StepSetting<Stream> {
       middle_ = w + increment_;
       find_displacement(w);
       if (eliminate)
-        find_middle(w);
+        eliminate_middle(a_, w, middle_);
       else if (made == 1)
         relax = relaxation(w);
       // [vorticity_products]
@@ -150,22 +150,6 @@ class VorticityStep : public StepSetting<Stream> {
       increment_ = std::move(next), half_change_ = std::move(next_half);
     }
   }
-  /// \f$(1-A)^{-1}W_0(1+A)^{-1}\f$.
-  void find_middle(SkewHermitian<> const& w) {
-    Eigen::Index const n = w.size();
-    Eigen::MatrixXd system(2 * n, 2 * n), sides(2 * n, n);
-    system << -a_.real, a_.imaginary, -a_.imaginary, -a_.real;
-    system.diagonal().array() += 1;
-    Eigen::PartialPivLU<Eigen::MatrixXd> const solver(system);
-    sides << w.real, w.imaginary;
-    sides = solver.solve(sides);
-    // Its adjoint, and once more.
-    Eigen::MatrixXd next(2 * n, n);
-    next << sides.topRows(n).transpose(), -sides.bottomRows(n).transpose();
-    sides = solver.solve(next);
-    middle_.real = (sides.topRows(n).transpose() - sides.topRows(n)) / 2;
-    middle_.imaginary = -(sides.bottomRows(n).transpose() + sides.bottomRows(n)) / 2;
-  }
   /// The longest of some shorter steps from W that are found; each is half as long as the one before. Where A
   /// is eight times as large as one none is tried.
   double longest_from(SkewHermitian<> const& w, double size) {
@@ -191,19 +175,14 @@ class VorticityStep : public StepSetting<Stream> {
   void guess(SkewHermitian<> const& w) {
     increment_ = half_change_ = SkewHermitian<>(w.size());
     if (!past_.empty()) factors_.setZero();
-    auto const count = static_cast<int>(past_.size());
-    double binomial = 1;
-    for (int k = 0; k < count; ++k) {
-      binomial *= static_cast<double>(count - k) / (k + 1);
-      double const weight = k % 2 == 0 ? binomial : -binomial;
-      auto const& past = past_[static_cast<std::size_t>(k)];
+    extrapolate(past_, [this](Past const& past, double weight) {
       increment_.real += weight * past.increment.real,
           increment_.imaginary += weight * past.increment.imaginary;
       if (of_energy())
         half_change_.real += weight * past.half_change.real,
             half_change_.imaginary += weight * past.half_change.imaginary;
       factors_ += weight * past.factors;
-    }
+    });
   }
   void remember() {
     if (extrapolated_steps == 0) return;
@@ -303,24 +282,6 @@ VorticityReport VorticityStep<Stream>::advance(SkewHermitian<>& w) {
   w.real += 2 * commutator_.real, w.imaginary += 2 * commutator_.imaginary;
   // [vorticity_increment]
   return report;
-}
-
-template <class Stream>
-double VorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
-  auto const n = a.size();
-  Eigen::VectorXd x(n), y(n);
-  for (Eigen::Index k = 0; k < n; ++k)
-    x[k] = std::cos(1.7 * static_cast<double>(k)), y[k] = std::sin(2.3 * static_cast<double>(k) + 1);
-  double radius = 0;
-  for (int k = 0; k < 8; ++k) {
-    double const size = std::hypot(x.norm(), y.norm());
-    if (!(size > 0)) return 0;
-    x /= size, y /= size;
-    Eigen::VectorXd const u = a.real * x - a.imaginary * y;
-    y = a.real * y + a.imaginary * x, x = u;
-    radius = std::hypot(x.norm(), y.norm());
-  }
-  return radius;
 }
 
 // Our own programs have the steps compiled once (compiled_steps.cpp): it takes longer than most of them.
