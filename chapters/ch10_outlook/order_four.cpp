@@ -5,13 +5,13 @@
 // or of McLachlan, is of order 4; each composition conserves what its form does, and the projection along the
 // orbit adds what is left. Each is run with several steps: its error, against order 6 with short ones, is set
 // against the products of matrices that it took. Read first. "Order four" of section 10A.4.
-#include <random>
-
 #include "actio/vorticity/diagonal_runge_kutta.hpp"
 #include "actio/vorticity/orbit_projection.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
+#include "counting_products.hpp"
+#include "random_flow.hpp"
 
 using namespace actio;
 using Weights = std::vector<double>;
@@ -22,30 +22,13 @@ constexpr int size = 14, seed = 10;
 constexpr double duration = 4, accuracy = 1e-8;
 
 // 1. A flow at random: degrees 1 to 6.
-SkewHermitian<> random_flow() {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  SphereHarmonics f(size);
-  for (int l = 1; l <= 6; ++l)
-    for (int m = 0; m <= l; ++m)
-      f(l, m) = std::complex<double>(normal(random), m == 0 ? 0 : normal(random)) / 3.0;
+SkewHermitian<> flow_at_random() {
+  SphereHarmonics f = random_flow(size, 1, 6, seed);
+  f.coefficient = f.coefficient / 3.0;
   return matrix_of(f);
 }
 
-// 2. What multiplies matrices counts: a complex product is four real ones.
-struct CountingProducts : ProductsBy<CountingProducts> {
-  mutable double complex_products = 0;
-  template <class Part>
-  void whole(Part const& a, Part const& b, Part& out) const {
-    out.noalias() = a * b, complex_products += 0.25;
-  }
-  template <class Part>
-  void lower(Part const& a, Part const& b, Part& out) const {
-    out.template triangularView<Eigen::Lower>() = a * b, complex_products += 0.125;
-  }
-};
-
-// 3. A scheme, and its runs: products for a unit of time, the error at the end, the changes of invariants.
+// 2. A scheme, and its runs: products for a unit of time, the error at the end, the changes of invariants.
 struct Scheme {
   std::string name, weights;
   Conserved form;
@@ -57,7 +40,7 @@ struct Scheme {
 
   SkewHermitian<> run(SphereLaplacian const& laplacian, int steps, TurningFrame const& frame) {
     auto const counted = std::make_shared<CountingProducts>();
-    SkewHermitian<> const start = random_flow();
+    SkewHermitian<> const start = flow_at_random();
     SkewHermitian<> w = start;
     auto const levels = energy_momentum(laplacian, start);
     ComposedVorticityStep<> step(laplacian, form, duration / steps, b, frame, counted);
@@ -84,7 +67,7 @@ struct Scheme {
   }
 };
 
-// 4. The weights and the two constants of their errors, for one step and for the same work.
+// 3. The weights and the two constants of their errors, for one step and for the same work.
 void show_weights(book::Program& program, NamedWeights const& sets) {
   std::vector<book::Program::Row> rows;
   for (auto const& [name, b] : sets) {
@@ -97,7 +80,7 @@ void show_weights(book::Program& program, NamedWeights const& sets) {
                 "Constants of the error of compositions of order 4, for a step and for the same work.");
 }
 
-// 5. The schemes: single steps, every set of weights, every form, with the projection and without.
+// 4. The schemes: single steps, every set of weights, every form, with the projection and without.
 std::vector<Scheme> all_schemes(NamedWeights const& sets) {
   using enum Conserved;
   std::vector<Scheme> schemes{{"all invariants", "one step", all_invariants, {1.0}, 2, false}};
@@ -110,35 +93,30 @@ std::vector<Scheme> all_schemes(NamedWeights const& sets) {
   return schemes;
 }
 
-// 6. Their runs. A single step is a fifth as long as one of five substeps.
-struct Worst {
-  double miss = 0;      // of an order
-  double spectrum = 0;  // relative change of the spectrum
-  double rest = 0;      // of energy and angular momentum, where they are to be conserved
-};
-Worst run_all(book::Program& program, std::vector<Scheme>& schemes) {
+// 5. Their runs. A single step is a fifth as long as one of five substeps.
+void run_all(std::vector<Scheme>& schemes) {
   SphereLaplacian const laplacian(size);
-  auto const frame = calmest_frame(QuantizedSphere(size), laplacian, random_flow());
+  auto const frame = calmest_frame(QuantizedSphere(size), laplacian, flow_at_random());
   Scheme reference{"", "", Conserved::lie_poisson, kahan_li<double>(), 6, false};
   auto const truth = reference.run(laplacian, 100, frame);
-  std::vector<book::Program::Row> rows;
-  Worst worst;
-  for (Scheme& s : schemes) {
+  for (Scheme& s : schemes)
     for (int const steps : {16, 24, 36, 54})
       s.errors.push_back(norm(s.run(laplacian, steps * (5 / int(s.b.size())), frame) - truth) / norm(truth));
-    worst.miss = std::max(worst.miss, std::abs(s.measured_order() - s.order));
-    worst.spectrum = std::max(worst.spectrum, s.spectrum);
-    if (s.projected || s.form == Conserved::all_invariants)
-      worst.rest = std::max({worst.rest, s.energy, s.momentum});
+}
+void show(book::Program& program, std::vector<Scheme> const& schemes) {
+  std::vector<book::Program::Row> rows;
+  for (Scheme const& s : schemes)
     rows.push_back({s.name, s.weights, number(s.measured_order()), number(s.products()), number(s.energy, 2),
                     number(s.momentum, 2), number(s.spectrum, 2)});
-  }
   program.table("schemes", {"form", "weights", "order", "products", "energy", "angular momentum", "spectrum"},
                 rows,
                 "Order; complex products for a unit of time at an error of " + number(accuracy) +
                     " (extrapolated for single steps); relative changes of the invariants, N = " +
                     std::to_string(size) + ".");
-  return worst;
+  auto plot = book::Plot("complex products for a unit of time", "error, relative").log_x().log_y();
+  for (std::size_t const k : {0, 1, 2, 5})
+    plot.curve(schemes[k].work, schemes[k].errors, schemes[k].name + ", " + schemes[k].weights);
+  program.picture("work", plot.svg(), "Error against work.");
 }
 
 int main(int argc, char** argv) {
@@ -148,20 +126,23 @@ int main(int argc, char** argv) {
       {"triple jump", triple_jump<double>()}, {"Suzuki", suzuki<double>()}, {"McLachlan", mclachlan()}};
   show_weights(program, sets);
   auto schemes = all_schemes(sets);
-  Worst const worst = run_all(program, schemes);
-  auto plot = book::Plot("complex products for a unit of time", "error, relative").log_x().log_y();
-  for (std::size_t const k : {0, 1, 2, 5})
-    plot.curve(schemes[k].work, schemes[k].errors, schemes[k].name + ", " + schemes[k].weights);
-  program.picture("work", plot.svg(), "Error against work.");
+  run_all(schemes);
+  show(program, schemes);
 
-  // 7. What must be so.
+  // 6. What must be so: of the orders, of the spectrum, and of energy and angular momentum where they are to
+  // be conserved.
+  double miss = 0, spectrum = 0, rest = 0;
+  for (Scheme const& s : schemes) {
+    miss = std::max(miss, std::abs(s.measured_order() - s.order)), spectrum = std::max(spectrum, s.spectrum);
+    if (s.projected || s.form == Conserved::all_invariants) rest = std::max({rest, s.energy, s.momentum});
+  }
   auto const times = [&](std::size_t k) { return schemes[k].products() / schemes[2].products(); };
   std::string const over = " over those of all invariants, Suzuki";
   program.figure("single", times(0), number(times(0), 2), "products of single steps" + over);
   program.figure("jump", times(1), number(times(1), 2), "products of the triple jump" + over);
   program.figure("detour", times(5), number(times(5), 2), "products of Lie-Poisson, projected," + over);
-  program.claim(measured(worst.miss) < 0.1, "every order is what it should be");
-  program.claim(measured(std::max(worst.spectrum, worst.rest)) < 1e-12,
+  program.claim(measured(miss) < 0.1, "every order is what it should be");
+  program.claim(measured(std::max(spectrum, rest)) < 1e-12,
                 "every scheme conserves the spectrum; all invariants and the projections conserve the rest");
   program.claim(measured(std::min(schemes[4].energy, schemes[6].momentum)) > 1e-12,
                 "the other forms give up energy or angular momentum");
