@@ -6,19 +6,21 @@
 // form; for variations that move space-time too, only if the form has its last term. On a motion that solves
 // nothing the rest is the integral of the Euler-Lagrange derivative inside. And two first variations of the
 // solution have no flux through the boundary. Read first. gas_ellipse.
-#include "actio/jets/cartan.hpp"
+#include <array>
+
 #include "actio/jets/prolongation.hpp"
 #include "actio/jets/tilted_section.hpp"
 #include "book/plot.hpp"
-#include "gas_ellipse.hpp"
-#include "witness/draw.hpp"
+#include "first_variations.hpp"
 
 using namespace actio;
+using book::measured, book::number;
 
 // 1. The cloud, a box of space-time within it, and a variation that moves everything.
 constexpr int nodes = 14;  // of Gauss's rule along each side
 
 EllipticGas const gas{0.2, 1.4};
+auto const medium = gas.medium();
 Box<double, 2> const box{{0.02, -0.45, -0.3}, {0.22, 0.35, 0.4}};
 double const middle = 0.12;  // of the time of the box: the power series of the motion starts there
 
@@ -46,16 +48,16 @@ auto pushed_about() {
 // 3. The three terms of (6.7), and the boundary integral of the form without its last term.
 struct Terms {
   double derivative, inside, boundary, without_last;
+  double residual() const { return derivative - inside - boundary; }
+  double relative(double rest) const { return std::abs(rest / boundary); }  // over the boundary integral
 };
 template <class Phi, class V>
 Terms terms(Phi const& phi, V const& field, int count) {
-  auto const medium = gas.medium();
   int const degree = 2 * count - 1;
   auto const E_on_vertical = [&](Event<double, 2> const& x) {
-    Matrix<double, 5, 1> at;
-    at << x, phi(x);
     auto const jet = second_jet(phi, x);
-    return euler_lagrange(medium, jet).dot(vertical_part<double, 2, 2>(jet, field(at)));
+    return euler_lagrange(medium, jet)
+        .dot(vertical_part<double, 2, 2>(jet, field(point_of<double, 2, 2>(jet))));
   };
   auto const contracted = [&](auto const& form) {
     return pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), form));
@@ -73,94 +75,56 @@ Terms terms(Phi const& phi, V const& field, int count) {
   return {dS, inside, boundary, boundary_integral(contracted(vertical_form), box, degree)};
 }
 
-// 4. A first variation: the rate at which the cloud changes with its state at the start.
-LinearMotion<double, 2> neighbour(std::uint64_t seed) {
-  Draw draw(seed);
-  auto state = thrown_gas().cast<Dual<double>>().eval();
-  for (auto& s : state) s.part[0] = draw.number<double>();
-  // The series of a dual motion: its rates of change are a linear motion again.
-  LinearMotion<double, 2> variation{middle, {}};
-  for (auto const& term : linear_motion<2>(gas, state, middle).terms)
-    variation.terms.emplace_back(term.unaryExpr([](Dual<double> const& a) { return a.part[0]; }));
-  return variation;
-}
-
-// 5. The flux of two variations through the boundary of the box, an integral of the multisymplectic form.
-template <class FieldV, class FieldW>
-double flux(FieldV const& V, FieldW const& W) {
-  auto const medium = gas.medium();
-  auto const phi = solution();
-  auto const form = multisymplectic_form<2, 2>(medium);
-  // A vertical variation along the solution as a tangent vector of the jet bundle: no change of x, its own
-  // value and slopes.
-  auto const lifted = [](auto const& variation, auto const& x) {
-    auto jet = first_jet(variation, x);
-    jet.x.setZero();
-    return coordinates(jet);
-  };
-  auto const pulled_back_form = [&](Event<double, 2> const& x, Tangents<double, 3, 2> const& sides) {
-    Tangents<double, 11, 4> T;
-    // W is contracted first, so it stands in the first slot.
-    T << lifted(W, x), lifted(V, x), pushed(jet_extension(phi), x, sides);
-    return form(coordinates(first_jet(phi, x)), T);
-  };
-  // [eq_6_11]
-  return boundary_integral(pulled_back_form, box, 2 * nodes - 1);
-  // [eq_6_11]
-}
-
-// 6. The theorem: a solution of which places alone vary, the same of which space-time varies, too, and a
+// 4. The theorem: a solution of which places alone vary, the same of which space-time varies, too, and a
 // motion that solves nothing.
-struct Compared {
-  Terms places, all, wrong;
-};
-Compared compare(book::Program& program) {
+std::array<Terms, 3> show_the_theorem(book::Program& program) {
+  std::array const found{terms(solution(), variation(0, 1), nodes), terms(solution(), variation(1, 1), nodes),
+                         terms(pushed_about(), variation(1, 1), nodes)};
+  std::array const names{"solution, places vary", "solution, space-time too", "pushed about, space-time too"};
   std::vector<book::Program::Row> rows;
-  auto const show = [&](std::string const& name, Terms const& t) {
-    rows.push_back({name, book::number(t.derivative, 6), book::number(t.inside, 3),
-                    book::number(t.boundary, 6), book::number(t.without_last, 6),
-                    book::number(std::abs(t.derivative - t.inside - t.boundary), 2)});
-    return t;
-  };
-  auto const places = show("solution, places vary", terms(solution(), variation(0, 1), nodes));
-  auto const all = show("solution, space-time too", terms(solution(), variation(1, 1), nodes));
-  auto const wrong = show("pushed about, space-time too", terms(pushed_about(), variation(1, 1), nodes));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    Terms const& t = found[i];
+    rows.push_back({names[i], number(t.derivative, 6), number(t.inside, 3), number(t.boundary, 6),
+                    number(t.without_last, 6), number(std::abs(t.residual()), 2)});
+  }
   program.table("terms",
                 {"motion and variation", "dS", "inside", "boundary", "without its last term", "residual"},
                 rows,
                 "The derivative of the action on a box of space-time, the integral of the Euler-Lagrange "
                 "derivative inside, and that of the Cartan form over the boundary.");
-  return {places, all, wrong};
+  return found;
 }
 
-// 7. How the two sides meet as the rule of quadrature gets better.
+// 5. How the two sides meet as the rule of quadrature gets better.
 void show_quadrature(book::Program& program, double scale) {
   std::vector<double> counts, misses;
   for (int count = 2; count <= nodes; count += 2) {
     auto const t = terms(solution(), variation(1, 1), count);
     counts.push_back(count), misses.push_back(std::abs((t.derivative - t.boundary) / scale));
   }
-  program.picture(
-      "nodes",
-      book::Plot("nodes of Gauss's rule along a side", "relative difference")
-          .log_y()
-          .curve(counts, misses, "derivative of the action less boundary integral", {.width = 1.8})
-          .svg(),
-      "Both sides of the theorem are integrals: they meet as the rule of quadrature gets better, to "
-      "rounding.");
+  auto plot = book::Plot("nodes of Gauss's rule along a side", "relative difference").log_y();
+  plot.curve(counts, misses, "derivative of the action less boundary integral", {.width = 1.8});
+  program.picture("nodes", plot.svg(),
+                  "Both sides of the theorem are integrals: they meet as the rule of quadrature gets better, "
+                  "to rounding.");
+}
+
+// 6. The flux of a first variation and of another field through the boundary of the box.
+template <class Field>
+double flux_with(Field const& field) {
+  return std::abs(flux(medium, solution(), neighbour(gas, middle, 1), field, box, 2 * nodes - 1));
 }
 
 int main(int argc, char** argv) {
   book::Program program(
       argc, argv, "the action of a spreading gas is varied: what is left on the boundary is the Cartan form");
-  auto const [places, all, wrong] = compare(program);
+  auto const [places, all, wrong] = show_the_theorem(program);
   show_quadrature(program, all.boundary);
 
-  double const theorem = std::abs((all.derivative - all.boundary) / all.boundary),
-               missing = std::abs((all.derivative - all.without_last) / all.boundary);
-  double const vertical = std::abs((places.derivative - places.without_last) / places.boundary),
-               off = std::abs(wrong.inside / wrong.boundary);
-  double const whole = std::abs((wrong.derivative - wrong.inside - wrong.boundary) / wrong.boundary);
+  double const theorem = all.relative(all.derivative - all.boundary),
+               missing = all.relative(all.derivative - all.without_last),
+               vertical = places.relative(places.derivative - places.without_last),
+               off = wrong.relative(wrong.inside), whole = wrong.relative(wrong.residual());
   program.figure("theorem", theorem,
                  "solution, all varied: derivative of the action less boundary integral, relative");
   program.figure("missing", missing, "the same with the form that vertical variations give");
@@ -168,21 +132,20 @@ int main(int argc, char** argv) {
   program.figure("off", off, "pushed about: what is inside, over the boundary integral");
   program.figure("whole", whole, "pushed about: derivative less inside less boundary, relative");
 
-  auto const random = [](auto const& x) {
-    return Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 2, 1>(x[1] * x[2], x[0] * x[1] - x[2]);
+  auto const no_first_variation = []<class X>(X const& x) {
+    return Matrix<typename X::Scalar, 2, 1>(x[1] * x[2], x[0] * x[1] - x[2]);
   };
-  double const kept = std::abs(flux(neighbour(1), neighbour(2))), lost = std::abs(flux(neighbour(1), random));
+  double const kept = flux_with(neighbour(gas, middle, 2)), lost = flux_with(no_first_variation);
   program.figure("flux", kept, "flux of two neighbouring ellipses through the boundary");
   program.figure("flux_lost", lost, "the same with one that is no first variation");
 
-  program.claim(book::measured(theorem) < 1e-12 && book::measured(whole) < 1e-12,
+  program.claim(measured(theorem) < 1e-12 && measured(whole) < 1e-12,
                 "derivative of the action = inside + boundary, to rounding");
-  program.claim(book::measured(vertical) < 1e-12 && book::measured(missing) > 1e-2,
+  program.claim(measured(vertical) < 1e-12 && measured(missing) > 1e-2,
                 "vertical variations see all of the Cartan form but its last term");
-  program.claim(book::measured(off) > 1e-2, "a motion that solves nothing has something inside");
-  program.claim(book::measured(kept) < 1e-12 && book::measured(lost) > 1e-3,
+  program.claim(measured(off) > 1e-2, "a motion that solves nothing has something inside");
+  program.claim(measured(kept) < 1e-12 && measured(lost) > 1e-3,
                 "two first variations have no flux through the boundary");
-  program.headline("derivative of the action equals the boundary integral to " + book::number(theorem, 2),
-                   theorem);
+  program.headline("derivative of the action equals the boundary integral to " + number(theorem, 2), theorem);
   return program.finish();
 }
