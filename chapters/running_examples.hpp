@@ -34,6 +34,11 @@ inline double const ball_inertia = 0.4 * 0.2 * 0.05 * 0.05;
 /// m^2/s.
 inline Vector<double, 3> const ball_field(0, 0, 3e-4);
 
+/// The turn that a momentum, if it is constant, gives the ball in the time t, s: exp(t mu / I).
+inline auto ball_turned(Vector<double, 3> const& mu, double t) {
+  return exp(velocity(SO<3>{}, Vector<double, 3>(t / ball_inertia * mu)));
+}
+
 /// The reduced Lagrangian of the ball: l(xi) = I |xi|^2 / 2 + <b, xi> with b = `ball_field`, a function of
 /// the spatial velocity, J. The second term is the magnetic energy of the turning charge; it makes l uneven
 /// in xi.

@@ -34,8 +34,7 @@ Ball step(Ball const& v) {
 }
 
 // 2. The same in closed form: a turn about the first momentum, then a turn back about the field.
-auto turn(double scale, Vector3d const& axis) { return exp(velocity(SO<3>{}, Vector3d(scale * axis))); }
-auto attitude(double t, Vector3d const& mu) { return turn(-t / I, ball_field) * turn(t / I, mu); }
+auto attitude(double t, Vector3d const& mu) { return ball_turned(ball_field, -t) * ball_turned(mu, t); }
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
@@ -47,7 +46,7 @@ int main(int argc, char** argv) {
   double apart = 0, body = 0, along_field = 0, around = 0;
   for (double const angle : {0.4, 0.8, 1.2, 1.7, 2.3}) {
     Vector3d const start(amount * std::sin(angle), 0, amount * std::cos(angle));
-    Ball v{turn(0, start), velocity(SO<3>{}, Vector3d((start - ball_field) / I))};
+    Ball v{ball_turned(start, 0), velocity(SO<3>{}, Vector3d((start - ball_field) / I))};
     std::vector<Vector3d> path{start};
     for (int k = 1; k * dt < duration + dt / 2; ++k) {
       v = step(v);

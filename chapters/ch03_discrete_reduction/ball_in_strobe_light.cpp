@@ -11,57 +11,37 @@
 //   g     attitude in SO(3)                        L    discrete Lagrangian on pairs of attitudes, J s
 //   f     relative motion g0 g1^-1                 l    reduced discrete Lagrangian, J s
 //   mu    spatial momentum, J s                    h    time between two pictures, s
-#include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "book/measure.hpp"
 #include "book/sphere.hpp"
+#include "four_conditions.hpp"
 #include "running_examples.hpp"
 
 using namespace actio;
-using Attitude = Element<SO<3>, double>;
-using Covector = Momentum<SO<3>, double>;
+using book::measured, book::number;
+using Conditions = std::array<Covector, 4>;
 SO<3> const turns;
 
-// 1. The ball. Its Lagrangian on TG depends on the spatial velocity alone; the natural chart
-//    makes a discrete Lagrangian of it, and a reduced one.
+// 1. The ball. Its Lagrangian on TG depends on the spatial velocity alone; the natural chart makes a discrete
+//    Lagrangian of it, and a reduced one.
 double const h = 0.1;
 auto const on_TG = [](auto const& v) { return ball_in_field()(v.velocity); };
 auto const L = discretize_right(on_TG, h, at_second);               // (3.24)
 auto const l = natural_chart_lagrangian_right(ball_in_field(), h);  // (3.25)
 
-// 2. The first two pictures: the step starts with the momentum of a ball that spins about a
-//    tilted axis.
+// 2. The first two pictures: the step starts with the momentum of a ball that spins about a tilted axis.
 Vector<double, 3> const spin(3, 0, 1);  // 1/s
 Covector const mu0 = momentum(turns, ball_inertia* spin + ball_field);
 auto const guess = exp(-h * velocity(turns, spin));
 auto const f01 = relative_motion_from_momentum_right(l, mu0, guess).value;
 Attitude const g0 = exp(velocity(turns, Vector<double, 3>(0.4, -0.2, 0.7)));
 
-// 3. The four conditions at the middle one of three pictures, each as a covector: how the
-//    action sum changes when the middle attitude is turned; the two terms of (3.2); how the
-//    reduced sum changes with the induced variations; the two terms of (3.10).
-using Pictures = std::vector<Attitude>;
-template <class Pair, class Reduced>
-std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, Pictures const& g) {
-  auto const f01 = relative_motion_right(g[0], g[1]), f12 = relative_motion_right(g[1], g[2]);
-  auto const action = [&](auto const& middle) {
-    return discrete_action(L, std::array{like(middle, g[0]), middle, like(middle, g[2])});
-  };
-  auto const reduced_action = [&](auto const& k) {
-    return l(like(k, f01) * inverse(k)) + l(k * like(k, f12));
-  };
-  return {right_differential(action, g[1]),                             // (1)
-          discrete_euler_lagrange(L, g[0], g[1], g[2]),                 // (2)
-          right_differential(reduced_action, identity<double>(turns)),  // (3)
-          euler_poincare_right(l, f01, f12)};                           // (4)
-}
-
-// 4. Three sequences: a motion; the same with the picture in the middle turned a little; a
-//    motion of a ball that is not invariant, because the field acts on a magnet in it.
+// 3. Three sequences: a motion; the same with the picture in the middle turned a little; a motion of a ball
+//    that is not invariant, because the field acts on a magnet in it.
 struct Trial {
   std::string name;
-  std::array<Covector, 4> conditions;
+  Conditions conditions;
 };
 std::vector<Trial> try_the_theorem() {
   auto const g1 = reconstruct_right(g0, f01);
@@ -74,22 +54,18 @@ std::vector<Trial> try_the_theorem() {
     return l(f) + (f.value(2, 2) + 1.0) * (h * ball_inertia);
   };
   auto const p2 = step_euler_lagrange(L_magnet, g0, g1).value;
-  return {{"a motion", four_conditions(L, l, Pictures{g0, g1, g2})},
-          {"middle picture turned", four_conditions(L, l, Pictures{g0, nudge * g1, g2})},
-          {"a motion, ball with magnet", four_conditions(L_magnet, l_magnet, Pictures{g0, g1, p2})}};
+  return {{"a motion", four_conditions(L, l, {g0, g1, g2})},
+          {"middle picture turned", four_conditions(L, l, {g0, nudge * g1, g2})},
+          {"a motion, ball with magnet", four_conditions(L_magnet, l_magnet, {g0, g1, p2})}};
 }
 double size(Covector const& mu) { return mu.components.norm() / mu0.components.norm(); }
 
-// 5. What theory says: mu precesses about the field at the rate |b| / I (Larmor), and g follows.
-Attitude turned(Vector<double, 3> const& momentum, double t) {
-  Vector<double, 3> const angle = t / ball_inertia * momentum;
-  return exp(velocity(turns, angle));
-}
-Vector<double, 3> larmor(double t) { return turned(ball_field, -t).value * mu0.components; }
-Attitude at_time(double t) { return turned(ball_field, -t) * turned(mu0.components, t) * g0; }
+// 4. What theory says: mu precesses about the field at the rate |b| / I (Larmor), and g follows.
+Vector<double, 3> larmor(double t) { return ball_turned(ball_field, -t).value * mu0.components; }
+Attitude at_time(double t) { return ball_turned(ball_field, -t) * ball_turned(mu0.components, t) * g0; }
 
-// 6. Reduced steps: move the momentum by (3.17), put the attitudes together by (3.14), solve
-//    (3.10) for the next relative motion.
+// 5. Reduced steps: move the momentum by (3.17), put the attitudes together by (3.14), solve (3.10) for the
+//    next relative motion.
 struct Film {
   std::vector<Vector<double, 3>> momenta;
   Attitude last;
@@ -107,58 +83,40 @@ Film take_pictures(Reduced const& reduced, double step, int count) {
   return film;
 }
 
-// 7. The theorem, on the three sequences.
-void show_the_theorem(book::Program& program, std::vector<Trial> const& trials) {
-  std::vector<std::vector<std::string>> rows;
+// 6. The theorem, on the three sequences.
+double show_the_theorem(book::Program& program) {
+  auto const trials = try_the_theorem();
+  std::vector<book::Program::Row> rows;
   for (auto const& [name, c] : trials)
-    rows.push_back({name, book::number(size(c[0]), 2), book::number(size(c[1]), 2),
-                    book::number(size(c[2]), 2), book::number(size(c[3]), 2)});
+    rows.push_back(
+        {name, number(size(c[0]), 2), number(size(c[1]), 2), number(size(c[2]), 2), number(size(c[3]), 2)});
   program.table(
       "conditions", {"sequence", "(1) action", "(2) DEL", "(3) reduced action", "(4) DEP"}, rows,
       "The four conditions of Theorem 3.2.1 at the middle of three pictures, relative to the momentum.");
-  auto const apart = [&](Trial const& t, int i) { return size(t.conditions[i] - t.conditions[0]); };
-  double const same = std::max({apart(trials[1], 1), apart(trials[1], 2), apart(trials[1], 3)});
-  program.claim(book::measured(size(trials[0].conditions[3])) < 1e-13, "a motion of (3.2) satisfies (3.10)");
-  program.claim(book::measured(same) < 1e-14, "on any sequence the four conditions are one covector");
-  program.claim(book::measured(size(trials[1].conditions[0])) > 0.01, "which is not zero by itself");
-  program.claim(book::measured(size(trials[2].conditions[3])) > 0.01, "without invariance (3.10) fails");
+  auto const &motion = trials[0].conditions, &nudged = trials[1].conditions, &magnet = trials[2].conditions;
+  double same = 0;
+  for (Covector const& condition : nudged) same = std::max(same, size(condition - nudged[0]));
+  program.claim(measured(size(motion[3])) < 1e-13, "a motion of (3.2) satisfies (3.10)");
+  program.claim(measured(same) < 1e-14, "on any sequence the four conditions are one covector");
+  program.claim(measured(size(nudged[0])) > 0.01, "which is not zero by itself");
+  program.claim(measured(size(magnet[3])) > 0.01, "without invariance (3.10) fails");
+  return size(motion[3]);
 }
 
-// 8. The precession: the order of the attitude after one revolution about the field, and the first pictures,
-//    with the sign of (3.25) as it must be and as it is printed.
+// 7. The order of the attitude after one revolution of the momentum about the field.
 double const revolution = 2 * M_PI * ball_inertia / ball_field.norm();
 double order_of_the_attitude(book::Program& program) {
   std::vector<double> steps, errors;
-  std::vector<std::vector<std::string>> orders;
+  std::vector<book::Program::Row> rows;
   for (int n = 21; n <= 336; n *= 2) {
     double const step = revolution / n;
     Film const film = take_pictures(natural_chart_lagrangian_right(ball_in_field(), step), step, n);
-    double const error = (film.last.value - at_time(revolution).value).norm();
-    steps.push_back(step), errors.push_back(error);
-    orders.push_back({book::number(step), book::number(error, 2)});
+    steps.push_back(step), errors.push_back((film.last.value - at_time(revolution).value).norm());
+    rows.push_back({number(steps.back()), number(errors.back(), 2)});
   }
-  program.table("order", {"step, s", "error of the attitude"}, orders,
+  program.table("order", {"step, s", "error of the attitude"}, rows,
                 "After one revolution of the momentum about the field.");
   return book::exponent(steps, errors);
-}
-struct Momenta {
-  std::vector<Vector<double, 3>> right, wrong;
-};
-Momenta show_the_precession(book::Program& program) {
-  auto const printed = [](auto const& f) { return ball_in_field()(log(f) / h) * h; };
-  int const count = 16;
-  auto const right = take_pictures(l, h, count).momenta, wrong = take_pictures(printed, h, count).momenta;
-  std::vector<Vector<double, 3>> circle;
-  for (int k = 0; k <= 200; ++k) circle.push_back(larmor(k * revolution / 200));
-  program.picture("precession",
-                  book::Sphere(35, 30)
-                      .axes({"", "", "field"})
-                      .curve(circle, "Larmor precession", {.colour = 6, .width = 1})
-                      .dots(right, "(3.25) with its minus sign", {.colour = 1})
-                      .dots(wrong, "(3.25) as printed", {.colour = 2})
-                      .svg(),
-                  "The direction of the momentum in the first 16 pictures.");
-  return {right, wrong};
 }
 
 int main(int argc, char** argv) {
@@ -166,20 +124,29 @@ int main(int argc, char** argv) {
       argc, argv,
       "a charged ball photographed in a magnetic field: (3.10) from (3.2), and the precession "
       "of its momentum");
-  auto const trials = try_the_theorem();
-  show_the_theorem(program, trials);
+  double const rounding = show_the_theorem(program);
   double const order = order_of_the_attitude(program);
-  auto const [right, wrong] = show_the_precession(program);
+
+  // 8. The precession, with the sign of (3.25) as it must be and as it is printed.
+  auto const l_printed = [](auto const& f) { return ball_in_field()(log(f) / h) * h; };
+  auto const right = take_pictures(l, h, 16).momenta, wrong = take_pictures(l_printed, h, 16).momenta;
+  std::vector<Vector<double, 3>> circle;
+  for (int k = 0; k <= 200; ++k) circle.push_back(larmor(k * revolution / 200));
+  auto sphere = book::Sphere(35, 30).axes({"", "", "field"});
+  sphere.curve(circle, "Larmor precession", {.colour = 6, .width = 1})
+      .dots(right, "(3.25) with its minus sign", {.colour = 1})
+      .dots(wrong, "(3.25) as printed", {.colour = 2});
+  program.picture("precession", sphere.svg(), "The direction of the momentum in the first 16 pictures.");
   double const height = std::abs(right.back()[2] / mu0.components[2] - 1);
-  program.figure("order", order, book::number(order, 3), "order of the attitude, fitted");
+  program.figure("order", order, number(order, 3), "order of the attitude, fitted");
   program.figure("height", height, "change of the momentum along the field, relative");
-  program.claim(book::measured(std::abs(order - 2)) < 0.05, "the order is 2");
-  program.claim(book::measured(height) < 1e-13, "the momentum along the field is conserved");
-  program.claim(book::measured((right[8] - larmor(8 * h)).norm() / mu0.components.norm()) < 0.02,
-                "the momentum follows the Larmor precession");
-  program.claim(book::measured((wrong[8] - larmor(8 * h)).norm() / mu0.components.norm()) > 0.5,
-                "with the printed sign it does not");
-  program.headline("(3.10) along motions of (3.2) to " + book::number(size(trials[0].conditions[3]), 2),
-                   size(trials[0].conditions[3]));
+  program.claim(measured(std::abs(order - 2)) < 0.05, "the order is 2");
+  program.claim(measured(height) < 1e-13, "the momentum along the field is conserved");
+  auto const off = [](auto const& momenta) {
+    return measured((momenta[8] - larmor(8 * h)).norm() / mu0.components.norm());
+  };
+  program.claim(off(right) < 0.02, "the momentum follows the Larmor precession");
+  program.claim(off(wrong) > 0.5, "with the printed sign it does not");
+  program.headline("(3.10) along motions of (3.2) to " + number(rounding, 2), rounding);
   return program.finish();
 }
