@@ -8,6 +8,7 @@
 //   Omega, xi   velocities in so(3), 1/s         l   reduced Lagrangian, J
 #pragma once
 
+#include "actio/groups/group.hpp"
 #include "actio/groups/rotations.hpp"
 
 namespace actio {

@@ -6,6 +6,7 @@
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/discrete_euler_poincare.hpp"
+#include "actio/reduction/relative_motion.hpp"
 
 using Attitude = actio::Element<actio::SO<3>, double>;
 using Covector = actio::Momentum<actio::SO<3>, double>;

@@ -1,6 +1,7 @@
 // First variations of the spreading gas, and the flux of two variations through the boundary of a box.
 #pragma once
 
+#include "actio/jets/action.hpp"
 #include "actio/jets/cartan.hpp"
 #include "gas_ellipse.hpp"
 #include "witness/draw.hpp"
