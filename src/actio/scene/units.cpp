@@ -60,9 +60,6 @@ Units read_units(SceneFile const& file) {
     scene.fail("units",
                fmt::format("units: {} has its own, {} and {}; a scene with a body of the library names none",
                            body->name, body->time, body->unit));
-  if (!scene.is_table("units"))
-    scene.fail("units",
-               "units: a table is expected, for example { mass = \"kg\", length = \"m\", time = \"s\" }");
   SceneTable const units = scene.inside("units");
   std::string const mass = unit_named(units, "mass"), length = unit_named(units, "length");
   return with_energy(unit_named(units, "time"),

@@ -60,8 +60,6 @@ std::map<std::string, double> read_parameters(SceneTable const& system,
                                               std::vector<std::string> const& taken) {
   std::map<std::string, double> out;
   if (!system.has("parameters")) return out;
-  if (!system.is_table("parameters"))
-    system.fail("parameters", "parameters: a table of numbers is expected, for instance { c = 6 }");
   SceneTable const table = system.inside("parameters");
   for (auto const& key : table.keys()) {
     check_name(table, key, taken);
@@ -90,9 +88,6 @@ Eigen::VectorXd padded(SceneTable const& table, std::string const& key, MatrixAl
 std::vector<CarriedVector> read_carried(SceneTable const& system, MatrixAlgebra const& algebra) {
   std::vector<CarriedVector> out;
   if (!system.has("advected")) return out;
-  if (!system.is_table("advected"))
-    system.fail("advected",
-                "advected: a table of vectors is expected, for instance { gravity = [0, 0, -1] }");
   SceneTable const table = system.inside("advected");
   std::vector<std::string> taken{
       "velocity",      "body_momentum", "spatial_momentum", "energy",      "configuration",

@@ -13,13 +13,6 @@
 namespace actio::scene {
 namespace {
 
-/// A table within [system.torque], or [system.torque] itself.
-SceneTable table_in(SceneTable const& table, std::string const& key, std::string const& example) {
-  if (!table.is_table(key))
-    table.fail(key, fmt::format("{0}: a table is expected, for example {0} = {1}", key, example));
-  return table.inside(key);
-}
-
 /// A vector that says a direction.
 Eigen::Vector3d direction(SceneTable const& table, std::string const& key) {
   Eigen::Vector3d const given = table.vector(key);
@@ -71,10 +64,9 @@ SceneTorque::SceneTorque(SceneTable const& torque, PrincipalInertia const& inert
                             given[0], given[1]));
   try {
     if (given[0] == "gravity_gradient")
-      read_gradient(table_in(torque, given[0], "{ strength = 1e-6, direction = [1, 0, 0] }"));
+      read_gradient(torque.inside(given[0]));
     else if (given[0] == "uniform_gravity")
-      read_uniform(
-          table_in(torque, given[0], "{ mass = 1, lever = [0, 0, 1], acceleration = [0, 0, -9.81] }"));
+      read_uniform(torque.inside(given[0]));
     else
       read_formula(torque);
   } catch (SceneError const&) {
@@ -151,7 +143,7 @@ double SceneTorque::potential(Eigen::Vector4d const& attitude, double time) cons
 
 std::optional<SceneTorque> read_torque(SceneTable const& system, PrincipalInertia const& inertia) {
   if (!system.has("torque")) return std::nullopt;
-  return SceneTorque(table_in(system, "torque", "{ potential = \"-2*r33\" }"), inertia);
+  return SceneTorque(system.inside("torque"), inertia);
 }
 
 std::vector<Parameter> torque_parameters() {

@@ -19,9 +19,6 @@ std::string state_of(SceneTable& initial) {
   std::vector<std::string> tables;
   for (auto const& key : initial.keys())
     if (std::find(names.begin(), names.end(), key) != names.end()) tables.push_back(key);
-  for (auto const& name : tables)
-    if (!initial.is_table(name))
-      initial.fail(name, fmt::format("{0}: a table is expected, [initial.{0}], which may be empty", name));
   if (tables.size() > 1)
     initial.fail(tables[1], fmt::format("[initial] has '{}' and '{}'; one of them says how the flow begins",
                                         tables[0], tables[1]));
