@@ -124,6 +124,17 @@ void define_circulation(QuantityGraph& graph, Seen<d> const& seen,
   });
 }
 
+/// Of the balance over the cells of space-time, and of the cells themselves.
+template <int d>
+void define_checks(QuantityGraph& graph, Seen<d> const& seen, double step) {
+  graph.define("noether_balance", {""}, [seen, step](auto, double* out) {
+    *out = noether_residual(seen->medium(), seen->places(), seen->velocities(), step);
+  });
+  graph.define("min_jacobian", {""}, [seen](auto, double* out) {
+    *out = least_jacobian(seen->motion().cells(), seen->places()).first;
+  });
+}
+
 std::vector<Quantity> sums_of_body(bool fluid) {
   std::string const loss =
       " The steps of conserve = form keep it to the square of the step; it is not conserved where a side is "
@@ -218,12 +229,7 @@ void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
   graph.define("dissipated", {""}, [&motion](auto, double* out) { *out = motion.dissipated(); });
   define_momenta<d>(graph, seen);
   define_circulation<d>(graph, seen, loops);
-  graph.define("noether_balance", {""}, [seen, step](auto, double* out) {
-    *out = noether_residual(seen->medium(), seen->places(), seen->velocities(), step);
-  });
-  graph.define("min_jacobian", {""}, [seen](auto, double* out) {
-    *out = least_jacobian(seen->motion().cells(), seen->places()).first;
-  });
+  define_checks<d>(graph, seen, step);
 }
 /// \copydoc define_medium
 template void define_medium(QuantityGraph& graph, MediumView<1> const& medium,
