@@ -38,6 +38,9 @@ class Writer {
  private:
   bool new_, binary_;
   std::string out_;
+  int elements_ = 0;
+  // Those of elements: 1, 11, 21, ...
+  int next_tag() { return 10 * elements_++ + 1; }
   template <class T>
   void number(T value) {
     if (binary_)
@@ -84,7 +87,7 @@ class Writer {
       number(part.dimension), number(int(k + 1)), number(part.type), number(part.elements.size());
       for (auto const& nodes : part.elements) {
         if (!binary_) out_ += '\n';
-        number(std::size_t(1));
+        number(std::size_t(next_tag()));
         for (int node : nodes) number(std::size_t(10 * (node + 1)));
       }
     }
@@ -104,7 +107,7 @@ class Writer {
     for (auto const& part : s.parts) {
       if (binary_) number(part.type), number(int(part.elements.size())), number(2);
       for (auto const& nodes : part.elements) {
-        number(1);
+        number(next_tag());
         if (!binary_) number(part.type), number(2);
         number(part.group), number(1);
         for (int node : nodes) number(10 * (node + 1));
@@ -208,6 +211,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_text_is_named_with_its_line) {
   refused(replaced(text, "20 40 50", "20 40 70"),
           "line 24: a triangle has node 70, which the file does not have");
   refused(replaced(text, "20 40 50", "40 20 50"), "a cell is not inverted");
+  // By the tags of the file, in the versions of digits and of bytes.
+  refused(replaced(text, "20 40 50", "40 20 50"), "element 51 with nodes 40 20 50");
   refused(replaced(text, "20 40 50", "20 40 20"), "a cell is not degenerate");
   refused(replaced(text, "1 2 2 9 1 20 40 50", "1 9 2 9 1 20 40 50"), "elements of type 9 (of second order");
   refused(replaced(text, "1 2 2 9 1 20 40 50", "1 3 2 9 1 20 30 40 50"), "cells are of one kind");
@@ -223,7 +228,10 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_text_is_named_with_its_line) {
   auto sample = triangles();
   sample.nodes[0] = {1, 2, 0}, sample.parts[3].elements[1] = {3, 0, 4};
   sample.parts.erase(sample.parts.begin() + 1, sample.parts.begin() + 3);
-  refused(Writer(true, false).write(sample), "is unconnected to cell 0");
+  for (bool const version : {false, true})
+    for (bool const binary : {false, true})
+      refused(Writer(version, binary).write(sample),
+              "element 21 with nodes 40 10 50 is unconnected to element 11");
   auto const bytes = Writer(true, true).write(hexahedron());
   refused(replaced(bytes, std::string("\1\0\0\0", 4), std::string("\0\0\0\1", 4)), "byte 20: the number one");
   refused(bytes.substr(0, 400), "byte 278: 8 nodes are announced, and the file has room for 3");

@@ -124,7 +124,7 @@ class AsynchronousSteps {
     for (auto const& x : x_) plain.push_back(x.unaryExpr([](S const& entry) { return base_value(entry); }));
     auto const longest = longest_steps<n, N>(density_, mesh, plain);
     for (int k = 0; k < int(cells_.size()); ++k) {
-      auto const where = "asynchronous steps, cell " + std::to_string(k);
+      auto const where = "asynchronous steps, " + mesh.cell_name(k);
       if (!is_finite(steps_[k]) || !(steps_[k] > 0))
         throw OutsideDomain(where, "a step is a positive number", steps_[k], 0);
       if (steps_[k] > longest[k]) throw StepTooLong(where, steps_[k], longest[k]);

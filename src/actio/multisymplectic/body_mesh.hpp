@@ -52,11 +52,32 @@ struct BodyMesh {
   /// Facets by the name of their side (left, right, bottom, top, front, back; inner, outer; the physical
   /// names of a file): their nodes as `facet_nodes` gives them, with -1 in places that are not used.
   std::map<std::string, std::vector<std::array<int, 4>>> sides;
+  std::array<int, 3> grid = {0, 0, 0};    ///< how many cells a box has along each direction; zero of others
+  std::vector<std::size_t> element_tags;  ///< of the cells in the file that they come from; empty of others
+  std::vector<int> node_tags;             ///< of the nodes there; empty of others
 
-  /// Memory that nodes, cells and wraps take, bytes.
+  /// A cell for messages, as people know it: by its place in a box, "cell (3, 0)", by its tag in a file,
+  /// "element 12", and otherwise by its number.
+  std::string cell_name(int cell) const {
+    if (!element_tags.empty()) return "element " + std::to_string(element_tags[cell]);
+    bool const in_box =
+        dimension > 1 && cells.size() == std::size_t(grid[0]) * grid[1] * (dimension > 2 ? grid[2] : 1);
+    if (!in_box) return "cell " + std::to_string(cell);
+    std::string name = "cell (" + std::to_string(cell % grid[0]);
+    for (int k = 1, left = cell / grid[0]; k < dimension; left /= grid[k], ++k)
+      name += ", " + std::to_string(left % grid[k]);
+    return name + ")";
+  }
+  /// A node for messages: its tag in a file, or its number.
+  std::string node_name(int node) const {
+    return std::to_string(node < int(node_tags.size()) && node >= 0 ? node_tags[node] : node);
+  }
+
+  /// Memory that nodes, cells, wraps and tags take, bytes.
   std::size_t bytes() const {
     return nodes.size() * sizeof(nodes[0]) + cells.size() * sizeof(cells[0]) +
-           wraps.size() * sizeof(wraps[0]);
+           wraps.size() * sizeof(wraps[0]) + element_tags.size() * sizeof(element_tags[0]) +
+           node_tags.size() * sizeof(node_tags[0]);
   }
 };
 
@@ -244,6 +265,7 @@ inline BodyMesh box_mesh(std::vector<double> const& lower, std::vector<double> c
     }
     return place;
   });
+  mesh.grid = grid.cells;
   for (std::size_t k = 0; k < d; ++k)
     if (grid.around[k]) mesh.periods[k] = high[k] - low[k];
   if (grid.around[0] || grid.around[1] || grid.around[2]) {

@@ -38,8 +38,8 @@ namespace detail {
 
 /// A cell and its nodes, for messages.
 inline std::string cell_name(BodyMesh const& mesh, int cell) {
-  std::string name = "mesh of a body, cell " + std::to_string(cell) + " with nodes";
-  for (int b = 0; b < corner_count(mesh.shape); ++b) name += " " + std::to_string(mesh.cells[cell][b]);
+  std::string name = "mesh of a body, " + mesh.cell_name(cell) + " with nodes";
+  for (int b = 0; b < corner_count(mesh.shape); ++b) name += " " + mesh.node_name(mesh.cells[cell][b]);
   return name;
 }
 /// A place, for messages.
@@ -72,8 +72,9 @@ inline void require_nodes(BodyMesh const& mesh) {
   auto const idle = std::find(used.begin(), used.end(), false);
   if (idle != used.end()) {
     auto const node = idle - used.begin();
-    throw NotABodyMesh("mesh of a body, node " + std::to_string(node) + " at " + place_name(mesh.nodes[node]),
-                       "every node is a corner of a cell; cells at the node", 0, 1);
+    throw NotABodyMesh(
+        "mesh of a body, node " + mesh.node_name(int(node)) + " at " + place_name(mesh.nodes[node]),
+        "every node is a corner of a cell; cells at the node", 0, 1);
   }
 }
 
@@ -121,9 +122,8 @@ inline void require_one_piece(BodyMesh const& mesh) {
     if (facets[k].first != facets[k - 1].first) continue;
     // In a periodic box of two cells facets with the same nodes need not be the same.
     if (mesh.wraps.empty() && k > 1 && facets[k].first == facets[k - 2].first)
-      throw NotABodyMesh(cell_name(mesh, facets[k].second) + ", cells " +
-                             std::to_string(facets[k - 2].second) + " and " +
-                             std::to_string(facets[k - 1].second) + " have the same facet",
+      throw NotABodyMesh(cell_name(mesh, facets[k].second) + ", " + mesh.cell_name(facets[k - 2].second) +
+                             " and " + mesh.cell_name(facets[k - 1].second) + " have the same facet",
                          "a facet belongs to two cells at most; cells", 3, 2, facets[k].second);
     int const a = root(facets[k].second), b = root(facets[k - 1].second);
     piece[std::max(a, b)] = std::min(a, b);
@@ -132,7 +132,7 @@ inline void require_one_piece(BodyMesh const& mesh) {
     if (root(cell) != 0) {
       int pieces = 0;
       for (int c = 0; c < int(mesh.cells.size()); ++c) pieces += root(c) == c;
-      throw NotABodyMesh(cell_name(mesh, cell) + " is unconnected to cell 0",
+      throw NotABodyMesh(cell_name(mesh, cell) + " is unconnected to " + mesh.cell_name(0),
                          "cells are connected by their facets; pieces", pieces, 1, cell);
     }
 }

@@ -226,9 +226,10 @@ class BodyQuadrature {
       for (int b = 0; b < corners; ++b)
         for (int a = 0; a < d; ++a) at[a] += s.hat[b] * X[b][a];
       double const rho = density(at);
-      std::string const where = "density in cell " + std::to_string(cell);
-      if (!is_finite(rho)) throw NotFinite(where);
-      if (!(rho >= 0)) throw OutsideDomain(where, "a density of mass is not negative", rho, 0);
+      if (!is_finite(rho)) throw NotFinite("density in " + mesh.cell_name(cell));
+      if (!(rho >= 0))
+        throw OutsideDomain("density in " + mesh.cell_name(cell), "a density of mass is not negative", rho,
+                            0);
       double const w = medium.weight(rho);
       for (int b = 0; b < corners; ++b) {
         mass[b] += s.weight * s.hat[b] / hats.total[b] * rho;
@@ -241,14 +242,14 @@ class BodyQuadrature {
       auto const A = edges(X, p);
       double const det = small_determinant(A);
       if (!(det > 0))
-        throw InvertedCell("cell " + std::to_string(cell) + ", corner " + std::to_string(p),
+        throw InvertedCell(mesh.cell_name(cell) + ", corner " + std::to_string(p),
                            "its edges have the orientation of the body; their determinant", det, 0);
       double const volume = det / parts;
       points.push_back({inverse_matrix(A), volume, volume * (simplex ? all_weight : weight[p])});
       for (int b = 0; b < corners; ++b) {
         double const share = simplex ? volume / corners : b == p ? volume : 0;
         if (share > 0 && !(mass[b] > 0))
-          throw OutsideDomain("density in cell " + std::to_string(cell), "a cell has mass", mass[b], 0);
+          throw OutsideDomain("density in " + mesh.cell_name(cell), "a cell has mass", mass[b], 0);
         masses[mesh.cells[cell][b]] += share * mass[b];
       }
     }

@@ -23,6 +23,7 @@ struct GmshShape {
 /// An element of a file.
 struct GmshElement {
   GmshShape const* shape;    ///< point, line, triangle, quadrangle, tetrahedron or hexahedron
+  std::size_t tag;           ///< its number in the file
   std::array<int, 8> nodes;  ///< their tags, in the order of the file
   int groups;                ///< which list of groups it belongs to, or -1
   std::size_t byte;          ///< where in the file it stands
@@ -196,8 +197,8 @@ class GmshSections {
       file_.checked(some, 1 + shape.corners, 8 * (1 + shape.corners), "elements of a block");
       if (some > all - contents_.elements.size()) file_.fail("blocks have more elements than are announced");
       for (std::size_t k = 0; k < some; ++k) {
-        file_.number<std::size_t>("the tag of an element");
-        read_element<std::size_t>(shape, groups);
+        auto const number = file_.number<std::size_t>("the tag of an element");
+        read_element<std::size_t>(shape, number, groups);
       }
     }
     if (contents_.elements.size() != all) file_.fail("blocks have fewer elements than are announced");
@@ -218,7 +219,7 @@ class GmshSections {
     contents_.elements.reserve(file_.checked(all, 4, 8, "elements"));
     // In bytes some elements of one type share a head; in digits each has its own.
     while (contents_.elements.size() < all) {
-      if (!file_.binary) file_.number<int>("the tag of an element");
+      int number = file_.binary ? 0 : file_.number<int>("the tag of an element");
       auto const& shape = gmsh_shape(file_, file_.number<int>("the type of an element"));
       int const some = file_.binary ? file_.number<int>("how many elements follow") : 1;
       if (some < 1 || std::size_t(some) > all - contents_.elements.size())
@@ -226,13 +227,13 @@ class GmshSections {
       int const tags = file_.number<int>("how many tags an element has");
       if (tags < 0) file_.fail("the number of tags of an element is not negative");
       for (int k = 0; k < some; ++k) {
-        if (file_.binary) file_.number<int>("the tag of an element");
+        if (file_.binary) number = file_.number<int>("the tag of an element");
         int group = 0;
         for (int t = 0; t < tags; ++t) {
           int const value = file_.number<int>("a tag of an element");
           if (t == 0) group = value;
         }
-        read_element<int>(shape, list_of(shape.dimension, group));
+        read_element<int>(shape, std::size_t(number), list_of(shape.dimension, group));
       }
     }
   }
@@ -245,8 +246,8 @@ class GmshSections {
   }
 
   template <class T>
-  void read_element(GmshShape const& shape, int groups) {
-    GmshElement element{&shape, {}, groups, file_.at()};
+  void read_element(GmshShape const& shape, std::size_t number, int groups) {
+    GmshElement element{&shape, number, {}, groups, file_.at()};
     for (int k = 0; k < shape.corners; ++k) element.nodes[k] = tag<T>("node of an element");
     contents_.elements.push_back(element);
   }

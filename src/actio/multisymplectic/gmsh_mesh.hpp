@@ -26,6 +26,7 @@ class GmshBody {
     choose_cells();
     number_nodes();
     for (auto const* element : cells_) mesh_.cells.push_back(corners(*element));
+    for (auto const* element : cells_) mesh_.element_tags.push_back(element->tag);
     keep_corners();
     try {
       require_body_mesh(mesh_);
@@ -124,7 +125,7 @@ class GmshBody {
                                        ", and the cells are " + cells_[0]->shape->name + "s");
         place[i] = 0;
       }
-      mesh_.nodes.push_back(place);
+      mesh_.nodes.push_back(place), mesh_.node_tags.push_back(in_.nodes[k].tag);
     }
     for (auto& cell : mesh_.cells)
       for (int b = 0; b < count; ++b) cell[b] = number_[cell[b]];
