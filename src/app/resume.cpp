@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "actio/scene/progress.hpp"
+#include "actio/scene/run_files.hpp"
 #include "app/commands.hpp"
 #include "app/draw.hpp"
 #include "app/run_to_end.hpp"
@@ -25,6 +26,9 @@ double time_of(std::string const& text) {
 
 /// Of a run that is finished there may be pictures to draw.
 int after_the_end(Scene const& scene, std::string const& folder, bool quiet) {
+  if (scene.snapshots && scene.simulation.snapshots)
+    if (auto const told = missing_snapshots(scene, folder, scene.snapshots->rows()); !told.empty())
+      say(stderr, told + "\n");
   bool const missing = scene.plots && !drawn(folder);
   if (missing) draw(scene, folder, quiet);
   if (!quiet)

@@ -34,8 +34,11 @@ std::string closing_line(Scene const& scene, RunFolder const& folder, RunReport 
 int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet) {
   RunOptions options;
   options.quiet = quiet, options.checkpoint_interval = checkpoint_interval();
-  for (auto const& remark : scene.simulation.remarks) say(stderr, remark + "\n");
+  auto const& remarks = scene.simulation.remarks;
+  for (auto const& remark : remarks) say(stderr, remark + "\n");
+  std::size_t const before = remarks.size();
   RunReport const report = run_scene(scene, folder.path(), resume, options);
+  for (std::size_t k = before; k < remarks.size(); ++k) say(stderr, remarks[k] + "\n");
   if (report.ending == Ending::interrupted)
     say(stderr,
         fmt::format("{}; actio resume {} goes on from there\n", report.message, in_shell(folder.path())));

@@ -142,7 +142,8 @@ BOOST_AUTO_TEST_CASE(densities_and_sizes_that_are_none_are_told_at_their_keys) {
              ":5:11: density: a mass per reference volume is not negative, found -0.5 at X = (0, 0)");
   check_ends(with_system(gas(), "density = \"(0.5 - X)^1.5\""), 2,
              "; max(0, ...) keeps what rounding makes negative");
-  check_ends(with_system(gas(), "density = \"max(0, X - 0.5)\""), 2, "density in cell 0: a cell has mass");
+  check_ends(with_system(gas(), "density = \"max(0, X - 0.5)\""), 2,
+             "density in cell (0, 0): a cell has mass");
   Medium round = with_system(gas(), "boundary = { outer = \"sliding\" }");
   check_ends(with_mesh(round, "shape = \"disc\", radius = 1, cells = [2, 4]"), 2,
              "boundary: side 'outer': a side along");

@@ -166,6 +166,25 @@ BOOST_AUTO_TEST_CASE(the_list_of_grids_has_each_with_its_time_after_a_resumption
   BOOST_TEST(Grid(folder / "out/snapshots/000004.vtu").cells == 32u);
 }
 
+BOOST_AUTO_TEST_CASE(snapshots_that_were_removed_are_named_when_a_run_goes_on) {
+  Folder const folder;
+  run_in(folder, sheared());
+  std::filesystem::remove(folder / "out/snapshots/000001.vtu");
+  std::string const says = "snapshots/000001.vtu is not in " + folder / "out any more; a run of the scene";
+  auto const finished = actio({"resume", folder / "out"});
+  BOOST_TEST((finished.status == 0 && finished.err.find(says) == 0u), finished.err);
+  auto const longer = actio({"resume", folder / "out", "--until", "0.4"});
+  BOOST_TEST((longer.status == 0 && longer.err.find(says) != std::string::npos), longer.err);
+  BOOST_TEST(contents(folder / "out/summary.json").find(says) != std::string::npos);
+  std::string const list = contents(folder / "out/snapshots/series.pvd");
+  BOOST_TEST(list.find("000001.vtu") == std::string::npos, list);
+  BOOST_TEST((list.find("000002.vtu") != std::string::npos && list.find("000004.vtu") != std::string::npos),
+             list);
+  for (int k = 0; k < 5; ++k)
+    std::filesystem::remove(folder / ("out/snapshots/00000" + std::to_string(k) + ".csv"));
+  BOOST_TEST(actio({"resume", folder / "out"}).err.find(" and 3 others are not in ") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(frames_in_hdf5_are_the_tables_one_after_the_other) {
   Folder const folder;
   Medium scene = sheared();

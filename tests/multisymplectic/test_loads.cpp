@@ -220,11 +220,14 @@ BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_a_step_that
       state[0] = 0;
       other.restore(state), other.step();
       BOOST_TEST(other.steps() == 1);
-    } catch (NotConverged const&) {
+    } catch (BodyStepUnsolved const& error) {
       // Or the equation of the step has no solution any more.
       BOOST_TEST((conserve == Conserve::energy));
       auto const J = body.jacobians();
-      BOOST_TEST(*std::min_element(J.begin(), J.end()) > 0);
+      BOOST_TEST(error.jacobian == *std::min_element(J.begin(), J.end()));
+      BOOST_TEST(error.jacobian == J[error.cell]);
+      BOOST_TEST(error.jacobian > 0);
+      BOOST_TEST(!(error.residual <= error.bound));
     }
   }
 }

@@ -67,4 +67,38 @@ BOOST_AUTO_TEST_CASE(on_boxes_of_the_plane_both_roads_are_the_same_to_rounding) 
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_step_that_is_set_before_the_first_one_is_that_of_the_beginning) {
+  auto const made = [](double step) {
+    return MediumOnMesh<2>(box_mesh({0, 0}, {1, 1}, {3, 3}), stored_energy<2>(neo_hookean(0.9, 0.6)),
+                           thrown(), {.step = step});
+  };
+  auto one = made(0.01), other = made(1);
+  other.set_time_step(0.01);
+  one.step(5), other.step(5);
+  BOOST_TEST((one.remember() == other.remember()));
+  BOOST_TEST(other.time() == 0.05);
+  BOOST_CHECK_THROW(other.set_time_step(0.02), OutsideDomain);
+  BOOST_CHECK_THROW(made(1).set_time_step(-1), OutsideDomain);
+}
+
+// As people know them: by their places in a box, otherwise by numbers.
+BOOST_AUTO_TEST_CASE(cells_have_the_names_of_the_fast_road) {
+  auto const box = box_mesh({0, 0, 0}, {1, 1, 1}, {4, 3, 2});
+  BOOST_TEST(box.cell_name(0) == "cell (0, 0, 0)");
+  BOOST_TEST(box.cell_name(3 + 4 * (2 + 3 * 1)) == "cell (3, 2, 1)");
+  BOOST_TEST(box_mesh({0}, {1}, {4}).cell_name(2) == "cell 2");
+  BodyStart<2> start;
+  start.placement = [](Plane2 const& X) { return Plane2{X[0] == 1 && X[1] == 2 ? 5.0 : X[0], X[1]}; };
+  auto const says = [](Error const& error) {
+    return std::string(error.what()).find("cell (1, 1) is inside out at the start") != std::string::npos;
+  };
+  auto const law = neo_hookean(0.9, 0.6);
+  BOOST_CHECK_EXCEPTION(
+      MediumOnMesh<2>(box_mesh({0, 0}, {3, 3}, {3, 3}), stored_energy<2>(law), start, {.step = 0.01}),
+      BodyCellInverts, says);
+  BOOST_CHECK_EXCEPTION(
+      FastMedium2d(law, FastBox2d{{3, 3}, {1, 1}}, 0.01, 1, start.placement, start.velocity), CellInverts,
+      says);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -17,6 +17,16 @@
 
 namespace actio {
 
+/// A step that is longer than small motions take to be damped: measured its length, bound that time.
+struct ViscosityNeedsShorterSteps : OutsideDomain {
+  int cell;  ///< in which they are
+  /// @param which, step, longest  as above
+  ViscosityNeedsShorterSteps(int which, double step, double longest)
+      : OutsideDomain("medium: viscosity of cell " + std::to_string(which),
+                      "a step is not longer than small motions take to be damped", step, longest),
+        cell(which) {}
+};
+
 /// The longest step that viscosity allows, and where.
 struct ViscousLimit {
   double step = HUGE_VAL;  ///< time

@@ -2,6 +2,7 @@
 // inside out.
 #pragma once
 
+#include <cmath>
 #include <functional>
 
 #include "actio/multisymplectic/body_mesh.hpp"
@@ -15,25 +16,62 @@ struct BodyCellInverts : OutsideDomain {
   double time_step;     ///< its length
   double would_do;      ///< a step from there that turns nothing inside out; 0 where none was found
   double largest_step;  ///< the longest step for which small motions about the state before are stable
-  /// @param which, jacobian, step_number, dt, less, largest  as above; J at the worst point of the cell
-  BodyCellInverts(int which, double jacobian, long step_number, double dt, double less, double largest)
-      : OutsideDomain(where(which, step_number, dt, less, largest),
-                      "the Jacobian at its corners must be positive", jacobian, 0),
+  /// What was tried, and what is known of it.
+  struct Step {
+    long number = 0;     ///< from 1; 0: the start
+    double length = 0;   ///< of it
+    double before = 0;   ///< the least Jacobian of the cell before it
+    double shorter = 0;  ///< \ref would_do
+    double longest = 0;  ///< \ref largest_step
+  };
+  /// @param name      of the cell, for messages: `BodyMesh::cell_name`
+  /// @param jacobian  at the worst point of the cell
+  BodyCellInverts(int which, std::string const& name, double jacobian, Step const& tried)
+      : OutsideDomain(where(name, tried), "the Jacobian at its corners must be positive", jacobian, 0),
         cell(which),
-        step(step_number),
-        time_step(dt),
-        would_do(less),
-        largest_step(largest) {}
+        step(tried.number),
+        time_step(tried.length),
+        would_do(tried.shorter),
+        largest_step(tried.longest) {}
 
  private:
-  static std::string where(int which, long step_number, double dt, double less, double largest) {
-    std::string const cell = "cell " + std::to_string(which);
-    if (step_number == 0) return "medium: " + cell + " is inside out at the start";
-    return "medium: step " + std::to_string(step_number) + " of length " + show(dt) + " would turn " + cell +
-           " inside out (" +
-           (less > 0 ? "a step of " + show(less) + " would not" : "and so would any shorter one") +
-           "; the longest stable step before it is " + show(largest) + ")";
+  static std::string where(std::string const& name, Step const& tried) {
+    if (tried.number == 0) return "medium: " + name + " is inside out at the start";
+    return "medium: step " + std::to_string(tried.number) + " of length " + show(tried.length) +
+           " would turn " + name + " inside out, whose Jacobian is " + show(tried.before) + " before it (" +
+           (tried.shorter > 0 ? "a step of " + show(tried.shorter) + " would not"
+                              : "and so would any shorter one") +
+           "; the longest stable step before it is " + show(tried.longest) + ")";
   }
+};
+
+/// A step that conserves energy whose equations were not solved: the state is that before the step.
+struct BodyStepUnsolved : Error {
+  double residual;  ///< by how much places are off, length; no finite number where forces are none
+  double bound;     ///< what it had to come under
+  int cell;         ///< the one with the least Jacobian in the state before
+  double jacobian;  ///< of it
+  double would_do;  ///< a step from there that is solved; 0 where none was found
+  /// What was tried: \ref BodyCellInverts::Step, with the least Jacobian of all before it.
+  /// @param rounds  of the iteration
+  /// @param which, name  of the cell with the least Jacobian before
+  BodyStepUnsolved(std::size_t rounds, double off, double allowed, int which, std::string const& name,
+                   BodyCellInverts::Step const& tried)
+      : Error("medium: step " + std::to_string(tried.number) + " of length " + show(tried.length) +
+              " that conserves energy was not found: after " + std::to_string(rounds) +
+              " rounds of its iteration " +
+              (off - off == 0
+                   ? "places are still off by " + show(off) + ", where " + show(allowed) + " is asked for"
+                   : std::string("forces are no numbers")) +
+              "; the least Jacobian before it is " + show(tried.before) + ", that of " + name + " (" +
+              (tried.shorter > 0 ? "a step of " + show(tried.shorter) + " is found"
+                                 : "nor is a step of a thousandth of it") +
+              "; the longest stable step before it is " + show(tried.longest) + ")"),
+        residual(off),
+        bound(allowed),
+        cell(which),
+        jacobian(tried.before),
+        would_do(tried.shorter) {}
 };
 
 /// What a step keeps beside momenta.
@@ -58,6 +96,23 @@ struct BodyStepping {
   int order = 2;                       ///< 2, or 4 by five substeps (Suzuki)
   Conserve conserve = Conserve::form;  ///< what it keeps
   ArtificialViscosity viscosity = {};  ///< with order 2 and `form` alone
+
+  /// The substeps as fractions of a step: one, or for order 4 five in a palindrome.
+  std::vector<double> substeps() const {
+    if (order == 2) return {1};
+    double const outer = 1 / (4 - std::cbrt(4.0));
+    return {outer, outer, 1 - 4 * outer, outer, outer};
+  }
+  /// @throws OutsideDomain, NotFinite  where there is no such step
+  void examine() const {
+    if (!is_finite(step)) throw NotFinite("medium: time step");
+    if (!(step > 0)) throw OutsideDomain("medium", "a positive time step is needed", step, 0);
+    if (order != 2 && order != 4)
+      throw OutsideDomain("medium", "the order of a step is 2 or 4", order, order < 3 ? 2 : 4);
+    if (viscosity.any() && (order != 2 || conserve != Conserve::form))
+      throw OutsideDomain("medium", "viscosity has steps of order 2 that keep the form without it; order",
+                          order, 2);
+  }
 };
 
 /// A body at the start.

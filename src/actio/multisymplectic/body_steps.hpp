@@ -22,6 +22,28 @@ struct BodyState {
   std::vector<double> v_rest;   ///< what is to be added to v
   std::vector<double> viscous;  ///< forces of viscosity; empty where there is none
   double dissipated = 0;        ///< the energy that they have taken
+
+  /// \f$\sum mv\f$, mass x length/time.
+  template <int d>
+  std::array<double, d> momentum(std::vector<double> const& masses) const {
+    std::array<double, d> sum{};
+    for (std::size_t k = 0; k < v.size(); ++k) sum[k % d] += masses[k / d] * v[k];
+    return sum;
+  }
+  /// \f$\sum m\,x\times v\f$, mass x area/time.
+  template <int d>
+  std::array<double, 3> angular_momentum(std::vector<double> const& masses) const {
+    std::array<double, 3> sum{};
+    for (std::size_t k = 0; k < masses.size(); ++k) {
+      double place[3] = {}, rate[3] = {};
+      for (int a = 0; a < d; ++a) place[a] = x[k * d + a], rate[a] = v[k * d + a];
+      for (int a = 0; a < 3; ++a) {
+        int const b = (a + 1) % 3, c = (a + 2) % 3;
+        sum[a] += masses[k] * (place[b] * rate[c] - place[c] * rate[b]);
+      }
+    }
+    return sum;
+  }
 };
 
 namespace detail {
@@ -70,13 +92,14 @@ class BodySteps {
   /// Solved by iteration of the equation itself, and where that is slow by Newton's with conjugate gradients.
   /// @param t0, t1  times at the start and at the end
   /// @return the least Jacobian at the end; where it is not positive there is no such step
-  /// @throws NotConverged  where the iteration does not reach rounding
+  /// @throws NotConverged  where the iteration does not reach rounding: how far places are off, round by
+  ///   round, and what was to be reached, lengths; the last is none where forces are none
   LeastJacobian implicit_step(BodyState& s, double h, double t0, double t1) const {
     std::size_t const n = s.x.size();
     std::vector<double> way(n), f(n), r(n), good(n, 0.0), delta;
     double const guessed = guess(s, h, t0, t1, way, f);
     std::vector<double> history;
-    double const eps = std::numeric_limits<double>::epsilon(), size_of_body = extent(s.x);
+    double const rounding = std::numeric_limits<double>::epsilon() * extent(s.x);
     bool newton = false;
     double last = HUGE_VAL;
     for (int round = 0; round < 200; ++round) {
@@ -84,9 +107,11 @@ class BodySteps {
       if (!(least.jacobian > 0)) return least;
       accelerate(f);
       double const size = residual(s, way, f, h, t1, r);
-      if (!is_finite(size)) throw NotFinite("medium on a mesh: step that conserves energy");
+      if (!is_finite(size)) {
+        history.push_back(size);
+        break;
+      }
       // Until rounding lets it fall no further: a larger residual has a direction, and its work adds up.
-      double const rounding = eps * size_of_body;
       if (size == 0 || (size > 0.3 * last && size <= 4 * rounding) ||
           (size >= last && size < 1e3 * rounding)) {
         finish(s, f, h, t1);
@@ -108,7 +133,7 @@ class BodySteps {
       }
       for (std::size_t k = 0; k < n; ++k) way[k] = good[k] + delta[k];
     }
-    throw NotConverged("medium on a mesh: step that conserves energy", history, 1e3 * eps);
+    throw NotConverged("medium: a step that conserves energy", history, 1e3 * rounding);
   }
 
   /// The largest frequency of small motions about places x, per time: from below, within half a per cent
@@ -151,9 +176,7 @@ class BodySteps {
     accelerate(v);
     for (std::size_t k = 0; k < v.size(); ++k) v[k] = s.v[k] + h / 2 * v[k];
     auto const limit = viscosity->forces(forces.body, forces.law(), s.x, v, s.viscous);
-    if (h > limit.step)
-      throw OutsideDomain("medium: viscosity of cell " + std::to_string(limit.cell),
-                          "a step is not longer than small motions take to be damped", h, limit.step);
+    if (h > limit.step) throw ViscosityNeedsShorterSteps(limit.cell, h, limit.step);
   }
   void put_moved(BodyState& s, double t) const {
     if (!held.any_moved()) return;

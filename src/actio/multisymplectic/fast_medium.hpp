@@ -2,43 +2,13 @@
 // fast_medium_2d.hpp and fast_medium_3d.hpp name it for these.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "actio/multisymplectic/fast_forces.hpp"
+#include "actio/multisymplectic/fast_inversion.hpp"
 #include "actio/multisymplectic/fast_options.hpp"
 
 namespace actio {
-
-/// A cell of a medium that would turn inside out: the state is that before the step which would do it.
-struct CellInverts : OutsideDomain {
-  std::array<int, 3> cell;  ///< which, along the directions; 0 beyond the last one
-  long step;                ///< the number of the step that would do it, from 1; 0 at the start
-  double time_step;         ///< its length
-  double largest_step;      ///< the longest step for which small motions about the state before are stable
-  /// @param which, jacobian, step_number, dt, largest  as above; J at the worst of its corners
-  template <std::size_t n>
-  CellInverts(std::array<int, n> const& which, double jacobian, long step_number, double dt, double largest)
-      : OutsideDomain(where(which, step_number, dt, largest), "the Jacobian at its corners must be positive",
-                      jacobian, 0),
-        cell{},
-        step(step_number),
-        time_step(dt),
-        largest_step(largest) {
-    std::copy(which.begin(), which.end(), cell.begin());
-  }
-
- private:
-  template <std::size_t n>
-  static std::string where(std::array<int, n> const& which, long step_number, double dt, double largest) {
-    std::string cell;
-    for (int const i : which) cell += (cell.empty() ? "cell (" : ", ") + std::to_string(i);
-    cell += ")";
-    if (step_number == 0) return "medium: " + cell + " is inside out at the start";
-    return "medium: step " + std::to_string(step_number) + " of length " + show(dt) + " would turn " + cell +
-           " inside out (the longest stable step before it is " + show(largest) + ")";
-  }
-};
 
 namespace detail {
 
@@ -191,7 +161,9 @@ class FastMedium {
   }
   /// Kinetic and stored energy now. The sum oscillates with the square of the time step.
   std::array<double, 2> energies() const {
-    auto const x = nodes_.read(false), v = velocities_now();
+    // Velocities first: they take more room while they are made.
+    auto const v = velocities_now();
+    auto const x = nodes_.read(false);
     double kinetic = 0, stored = 0;
     detail::for_nodes(
         box_, [&](auto const& node, std::size_t k) { kinetic += node_share(node) * dot(v[k], v[k]); });
@@ -255,20 +227,25 @@ class FastMedium {
                       [&](auto const& node, std::size_t k) { visit(mass * node_share(node), x[k], v[k]); });
   }
 
+  /// The least Jacobian of a cell; a NaN is the least.
+  double least_jacobian(std::array<int, Box::dimension> const& cell, std::vector<Vector> const& x) const {
+    double least = HUGE_VAL;
+    for (double const one : detail::corner_volumes(detail::edges_of(box_, detail::corners_of(box_, cell), x)))
+      if (!(one / box_.measure() >= least)) least = one / box_.measure();
+    return least;
+  }
   /// The cell with the least Jacobian, and that.
   std::pair<std::array<int, Box::dimension>, double> worst_cell(std::vector<Vector> const& x) const {
     std::pair<std::array<int, Box::dimension>, double> worst{{}, HUGE_VAL};
     detail::for_indices(box_.cells, [&](auto const& cell) {
       if (!(worst.second == worst.second)) return;
-      auto const volumes = detail::corner_volumes(detail::edges_of(box_, detail::corners_of(box_, cell), x));
-      for (double const one : volumes)
-        if (!(one / box_.measure() >= worst.second)) worst = {cell, one / box_.measure()};
+      if (double const least = least_jacobian(cell, x); !(least >= worst.second)) worst = {cell, least};
     });
     return worst;
   }
   void refuse_inverted(std::vector<Vector> const& x) const {
     auto const [cell, jacobian] = worst_cell(x);
-    if (!(jacobian > 0)) throw CellInverts(cell, jacobian, 0, dt_, 0);
+    if (!(jacobian > 0)) throw CellInverts(cell, jacobian);
   }
   void refuse_long_step(std::vector<Vector> const& x) const {
     double const bound = detail::bound_of_stable_steps(box_, cell_, x);
@@ -287,7 +264,8 @@ class FastMedium {
       if (sound && nodes_.examine()) continue;
       auto const [cell, jacobian] = worst_cell(nodes_.read(false));
       nodes_.restore(kept_), steps_ = kept_at_;
-      throw CellInverts(cell, jacobian, steps_ + 1, dt_, largest_step());
+      throw CellInverts(cell, jacobian, steps_ + 1, dt_, least_jacobian(cell, nodes_.read(false)),
+                        largest_step());
     }
   }
 

@@ -37,19 +37,17 @@ class MediumOnMesh {
   MediumOnMesh(BodyMesh mesh, Law law, BodyStart<d> const& start, BodyStepping const& stepping,
                BodySides<d> const& sides = {}, BodyLoads<d> const& loads = {})
       : mesh_(std::move(mesh)),
-        stepping_(examined(stepping)),
-        steps_of_(mesh_, std::move(law), start.density, sides, loads) {
-    if (stepping.order == 4) {
-      double const outer = 1 / (4 - std::cbrt(4.0));
-      fractions_ = {outer, outer, 1 - 4 * outer, outer, outer};
-    }
+        stepping_((stepping.examine(), stepping)),
+        steps_of_(mesh_, std::move(law), start.density, sides, loads),
+        fractions_(stepping.substeps()) {
+    for (auto* part : {&state_.x, &state_.v}) part->reserve(d * mesh_.nodes.size());
     for (std::size_t k = 0; k < mesh_.nodes.size(); ++k) {
       Place X;
       for (int a = 0; a < d; ++a) X[a] = mesh_.nodes[k][a];
       Place const place = start.placement(X), rate = start.velocity(X);
       for (int a = 0; a < d; ++a) {
         if (!is_finite(place[a]) || !is_finite(rate[a]))
-          throw NotFinite("medium: placement and velocity of node " + std::to_string(k));
+          throw NotFinite("medium: placement and velocity of node " + mesh_.node_name(static_cast<int>(k)));
         state_.x.push_back(place[a]), state_.v.push_back(rate[a]);
       }
     }
@@ -67,7 +65,7 @@ class MediumOnMesh {
   /// @throws BodyCellInverts  where a cell would turn inside out; then the state is that before this step, as
   ///   it is whatever else is thrown
   /// @throws NotFinite  where a load or a motion is none
-  /// @throws NotConverged  where a step that conserves energy is too long to be solved
+  /// @throws BodyStepUnsolved  where a step that conserves energy is too long to be solved
   /// @throws OutsideDomain  where count is negative
   void step(long count = 1) {
     if (count < 0)
@@ -78,6 +76,13 @@ class MediumOnMesh {
       LeastJacobian least;
       try {
         least = attempt(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
+      } catch (NotConverged const& error) {
+        refuse_unsolved(error);
+      } catch (ViscosityNeedsShorterSteps const& error) {
+        put_back();
+        throw OutsideDomain("medium: viscosity of " + mesh_.cell_name(error.cell),
+                            "a step is not longer than small motions take to be damped", error.measured,
+                            error.bound);
       } catch (...) {
         put_back();
         throw;
@@ -85,6 +90,18 @@ class MediumOnMesh {
       if (!(least.jacobian > 0)) refuse(least);
       ++steps_;
     }
+  }
+
+  /// Steps of another length, before the first one is made: the start is the same for all.
+  /// @throws OutsideDomain, NotFinite  where there is no such step, or steps have been made
+  void set_time_step(double step) {
+    if (steps_ > 0)
+      throw OutsideDomain("medium", "the step has its length before the first one; steps made",
+                          static_cast<double>(steps_), 0);
+    BodyStepping stepping = stepping_;
+    stepping.step = step;
+    stepping.examine();
+    stepping_ = stepping;
   }
 
   /// The time since the start.
@@ -120,29 +137,14 @@ class MediumOnMesh {
   /// square of the step, where energies are without viscosity.
   double dissipated() const { return state_.dissipated; }
   /// Linear momentum, mass x length/time: kept to rounding where nothing is held and no load acts.
-  Place momentum() const {
-    Place sum{};
-    for (std::size_t k = 0; k < state_.v.size(); ++k) sum[k % d] += masses()[k / d] * state_.v[k];
-    return sum;
-  }
+  Place momentum() const { return state_.template momentum<d>(masses()); }
   /// Angular momentum about the origin of space, \f$\sum m\,x\times v\f$, mass x area/time: kept to rounding
   /// where momentum is, and by the outside pressure. In the plane the third component; on a line none.
-  std::array<double, 3> angular_momentum() const {
-    std::array<double, 3> sum{};
-    for (std::size_t k = 0; k < masses().size(); ++k) {
-      double x[3] = {}, v[3] = {};
-      for (int a = 0; a < d; ++a) x[a] = state_.x[k * d + a], v[a] = state_.v[k * d + a];
-      for (int a = 0; a < 3; ++a) {
-        int const b = (a + 1) % 3, c = (a + 2) % 3;
-        sum[a] += masses()[k] * (x[b] * v[c] - x[c] * v[b]);
-      }
-    }
-    return sum;
-  }
+  std::array<double, 3> angular_momentum() const { return state_.template angular_momentum<d>(masses()); }
   /// For each cell the least det F at its points.
   std::vector<double> jacobians() const {
     std::vector<double> out(mesh_.cells.size(), HUGE_VAL);
-    each_point([&](int cell, int, CellPoint<d> const&, Tensor const& F) {
+    steps_of_.forces.each_point(state_.x, [&](int cell, int, CellPoint<d> const&, Tensor const& F) {
       out[cell] = std::min(out[cell], small_determinant(F));
     });
     return out;
@@ -151,7 +153,7 @@ class MediumOnMesh {
   std::vector<Tensor> cauchy_stresses() const {
     std::vector<Tensor> out(mesh_.cells.size(), Tensor::Zero());
     double const share = 1.0 / steps_of_.forces.body.points_per_cell;
-    each_point([&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
+    steps_of_.forces.each_point(state_.x, [&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
       Tensor const P = steps_of_.forces.law().stress(F);
       out[cell] += P * F.transpose() * (share * point.weight / point.volume / small_determinant(F));
     });
@@ -170,7 +172,7 @@ class MediumOnMesh {
   /// For each cell what it has stored, per reference volume.
   std::vector<double> energy_densities() const {
     std::vector<double> out(mesh_.cells.size(), 0), volume(mesh_.cells.size(), 0);
-    each_point([&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
+    steps_of_.forces.each_point(state_.x, [&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
       out[cell] += point.weight * steps_of_.forces.law().energy(F), volume[cell] += point.volume;
     });
     for (std::size_t k = 0; k < out.size(); ++k) out[k] /= volume[k];
@@ -191,20 +193,31 @@ class MediumOnMesh {
 
   /// The whole state: number of steps, places, velocities and their rests.
   std::vector<double> remember() const {
-    std::vector<double> out{static_cast<double>(steps_)};
-    for (auto const* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})
-      out.insert(out.end(), part->begin(), part->end());
-    if (steps_of_.viscosity) {
-      out.insert(out.end(), state_.viscous.begin(), state_.viscous.end());
-      out.push_back(state_.dissipated);
-    }
+    std::vector<double> out;
+    out.reserve(numbers_of_state());
+    for_remembered([&](double const* from, std::size_t count) { out.insert(out.end(), from, from + count); });
     return out;
+  }
+  /// How many numbers \ref remember has.
+  std::size_t numbers_of_state() const {
+    return steps_of_.viscosity ? 2 + 5 * state_.x.size() : 1 + 4 * state_.x.size();
+  }
+  /// `visit(first, count)` for the parts of what \ref remember has, in their order and without a copy.
+  template <class Visit>
+  void for_remembered(Visit const& visit) const {
+    double const steps = static_cast<double>(steps_);
+    visit(&steps, std::size_t{1});
+    for (auto const* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})
+      visit(part->data(), part->size());
+    if (!steps_of_.viscosity) return;
+    visit(state_.viscous.data(), state_.viscous.size());
+    visit(&state_.dissipated, std::size_t{1});
   }
   /// Goes on from a state that was remembered, bit for bit.
   /// @throws OutsideDomain  where it is of another size
   /// @throws BodyCellInverts  where a cell is inside out in it
   void restore(std::vector<double> const& remembered) {
-    std::size_t const n = state_.x.size(), all = steps_of_.viscosity ? 2 + 5 * n : 1 + 4 * n;
+    std::size_t const n = state_.x.size(), all = numbers_of_state();
     if (remembered.size() != all)
       throw OutsideDomain("medium",
                           "a remembered state has four numbers per component of a node and one more,"
@@ -223,36 +236,20 @@ class MediumOnMesh {
   BodyMesh mesh_;
   BodyStepping stepping_;
   BodySteps<d> steps_of_;
-  std::vector<double> fractions_{1};
+  std::vector<double> fractions_;
   BodyState state_, kept_;
   std::vector<double> forces_, kept_forces_;
   long steps_ = 0;
 
-  static BodyStepping const& examined(BodyStepping const& stepping) {
-    if (!is_finite(stepping.step)) throw NotFinite("medium: time step");
-    if (!(stepping.step > 0))
-      throw OutsideDomain("medium", "a positive time step is needed", stepping.step, 0);
-    if (stepping.order != 2 && stepping.order != 4)
-      throw OutsideDomain("medium", "the order of a step is 2 or 4", stepping.order,
-                          stepping.order < 3 ? 2 : 4);
-    bool const plain = stepping.order == 2 && stepping.conserve == Conserve::form;
-    if (stepping.viscosity.any() && !plain)
-      throw OutsideDomain("medium", "viscosity has steps of order 2 that keep the form without it; order",
-                          stepping.order, 2);
-    return stepping;
-  }
   std::vector<Place> points(std::vector<double> const& in) const {
     std::vector<Place> out(in.size() / d);
     for (std::size_t k = 0; k < in.size(); ++k) out[k / d][k % d] = in[k];
     return out;
   }
-  template <class Visit>
-  void each_point(Visit const& visit) const {
-    steps_of_.forces.each_point(state_.x, visit);
-  }
   void begin() {
     LeastJacobian const least = steps_of_.forces.forces(state_.x, time(), forces_);
-    if (!(least.jacobian > 0)) throw BodyCellInverts(least.cell, least.jacobian, 0, stepping_.step, 0, 0);
+    if (!(least.jacobian > 0))
+      throw BodyCellInverts(least.cell, mesh_.cell_name(least.cell), least.jacobian, {});
   }
   void put_back() { state_ = kept_, forces_ = kept_forces_; }
   /// A whole step of some length, by substeps; what it leaves is no state where a Jacobian is not positive.
@@ -271,11 +268,14 @@ class MediumOnMesh {
     }
     return least;
   }
-  /// Finds a step that would do, puts the state before the step back, and throws.
-  [[noreturn]] void refuse(LeastJacobian const& least) {
+  /// Half of the step, a quarter, and so on: the first that would do from the state before the step, or 0.
+  /// The state is that one afterwards.
+  double shorter_step() {
+    // A step that is not solved takes as long as hundreds that are.
+    int const halvings = stepping_.conserve == Conserve::form ? 30 : 10;
     double less = stepping_.step;
     bool sound = false;
-    for (int halving = 0; halving < 30 && !sound; ++halving) {
+    for (int halving = 0; halving < halvings && !sound; ++halving) {
       less /= 2;
       put_back();
       try {
@@ -284,8 +284,21 @@ class MediumOnMesh {
       }
     }
     put_back();
-    throw BodyCellInverts(least.cell, least.jacobian, steps_ + 1, stepping_.step, sound ? less : 0,
-                          largest_step());
+    return sound ? less : 0;
+  }
+  /// Puts the state before the step back, and throws.
+  [[noreturn]] void refuse(LeastJacobian const& least) {
+    double const shorter = shorter_step(), before = jacobians()[least.cell];
+    throw BodyCellInverts(least.cell, mesh_.cell_name(least.cell), least.jacobian,
+                          {steps_ + 1, stepping_.step, before, shorter, largest_step()});
+  }
+  /// \copydoc refuse
+  [[noreturn]] void refuse_unsolved(NotConverged const& error) {
+    double const shorter = shorter_step();
+    LeastJacobian const least = steps_of_.forces.least_jacobian(state_.x);
+    throw BodyStepUnsolved(error.residuals.size(), error.residuals.back(), error.tolerance, least.cell,
+                           mesh_.cell_name(least.cell),
+                           {steps_ + 1, stepping_.step, least.jacobian, shorter, largest_step()});
   }
 };
 

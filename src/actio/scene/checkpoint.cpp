@@ -1,22 +1,17 @@
 #include "actio/scene/checkpoint.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <utility>
 
 #include "actio/scene/run.hpp"
 #include "actio/scene/scene_error.hpp"
+#include "actio/scene/whole_file.hpp"
 
 namespace actio::scene {
 namespace {
@@ -39,56 +34,11 @@ std::uint64_t hash(std::string_view bytes) {
 }
 std::string as_bytes(std::uint64_t x) { return {reinterpret_cast<char const*>(&x), sizeof x}; }
 
-[[noreturn]] void fail(std::string const& path, int error) {
-  throw FileError(path + ": cannot be written: " + std::strerror(error));
-}
-
-/// A file that is gone again unless it is given its name.
-class Part {
- public:
-  explicit Part(std::string const& path)
-      : path_(path),
-        part_(path + ".part"),
-        file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)) {
-    if (file_ < 0) fail(path_, errno);
-  }
-  ~Part() {
-    if (file_ >= 0) ::close(file_);
-    if (!named_) ::unlink(part_.c_str());
-  }
-  void write(std::string_view content) {
-    while (!content.empty()) {
-      ssize_t const n = ::write(file_, content.data(), content.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail(path_, errno);
-      content.remove_prefix(static_cast<std::size_t>(n));
-    }
-  }
-  void name(bool durable) {
-    if (durable && ::fsync(file_) != 0 && errno != EINVAL) fail(path_, errno);
-    int const closed = ::close(std::exchange(file_, -1));
-    if (closed != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) fail(path_, errno);
-    named_ = true;
-  }
-
- private:
-  std::string path_, part_;
-  int file_;
-  bool named_ = false;
-};
-
 }  // namespace
 
 void write_whole_file(std::string const& path, std::string_view content, bool durable) {
-  Part part(path);
-  part.write(content);
-  part.name(durable);
-  if (!durable) return;
-  // The name is on the disk when the folder is.
-  std::string const folder = std::filesystem::path(path).parent_path().string();
-  if (int const handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-      handle >= 0)
-    ::fsync(handle), ::close(handle);
+  WholeFile file(path);
+  file.write(content).name(durable);
 }
 
 std::string what_determines(SceneFile const& scene) {
@@ -101,14 +51,15 @@ std::string what_determines(SceneFile const& scene) {
 
 void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state,
                       bool durable) {
-  write_whole_file(path, std::string(heading) + as_bytes(hash(scene)) + as_bytes(hash(state)) + state,
-                   durable);
+  // The state may be large: it is not copied behind its head.
+  WholeFile file(path);
+  file.write(heading).write(as_bytes(hash(scene))).write(as_bytes(hash(state))).write(state).name(durable);
 }
 
 std::string read_checkpoint(std::string const& path, std::string const& scene) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path + ": cannot be read");
-  std::string const bytes{std::istreambuf_iterator<char>(in), {}};
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
   std::size_t const start = heading.size() + 16;
   if (!bytes.starts_with(heading.substr(0, heading.find("2,"))))
     throw FileError(path + ": is damaged, or no checkpoint" + way_out);
@@ -120,10 +71,10 @@ std::string read_checkpoint(std::string const& path, std::string const& scene) {
         path +
         ": belongs to another scene; scene.toml beside it was changed since, or the checkpoint is damaged" +
         way_out);
-  std::string state = bytes.substr(start);
-  if (bytes.substr(heading.size() + 8, 8) != as_bytes(hash(state)))
-    throw FileError(path + ": is damaged" + way_out);
-  return state;
+  std::string const sum = bytes.substr(heading.size() + 8, 8);
+  bytes.erase(0, start);
+  if (sum != as_bytes(hash(bytes))) throw FileError(path + ": is damaged" + way_out);
+  return bytes;
 }
 
 double checkpoint_interval() {

@@ -153,7 +153,8 @@ void Hdf5Frames::create(std::vector<std::pair<std::string, std::string>> const& 
   Session const& h5 = open.library();
   open.create(part);
   for (auto const& [name, text] : texts) hdf5::attach(h5, path_, open.file(), name.c_str(), text);
-  for (auto const& [field, values, attributes] : constants) {
+  for (auto const& [field, made_when_written, attributes] : constants) {
+    auto const values = made_when_written();
     bool const counts = values.index() == 1;
     hid_t const type = counts ? h5->H5T_NATIVE_INT64_g_value : h5->H5T_NATIVE_DOUBLE_g_value;
     hid_t const set = make(open, path_, field, false, type);
@@ -189,8 +190,8 @@ void Hdf5Frames::cut(std::size_t frames) const {
   open.close();
 }
 
-void Hdf5Frames::add(std::size_t frame, double time, std::vector<std::vector<double>> const& numbers,
-                     bool durable) const {
+void Hdf5Frames::add(std::size_t frame, double time,
+                     std::function<std::span<double const>(std::size_t)> const& numbers, bool durable) const {
   OpenFrames open(path_);
   Session const& h5 = open.library();
   open.open(H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE);
@@ -210,7 +211,7 @@ void Hdf5Frames::add(std::size_t frame, double time, std::vector<std::vector<dou
                         h5->H5Sclose);
     h5->H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, size.data(), nullptr);
     open.checked(h5->H5Dwrite(set, h5->H5T_NATIVE_DOUBLE_g_value, memory, space, H5P_DEFAULT,
-                              is_time ? &time : numbers[k].data()),
+                              is_time ? &time : numbers(k).data()),
                  "cannot be written");
   }
   open.flush();

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <variant>
@@ -30,8 +31,9 @@ class Hdf5Frames {
   struct Constant {
     /// its shape is that of the whole
     Field field;
-    std::variant<std::vector<double>, std::vector<std::int64_t>> values;  ///< row by row
-    std::vector<std::pair<std::string, std::string>> attributes = {};     ///< besides the meaning
+    /// makes them when they are written, row by row
+    std::function<std::variant<std::vector<double>, std::vector<std::int64_t>>()> values;
+    std::vector<std::pair<std::string, std::string>> attributes = {};  ///< besides the meaning
   };
 
   /// Of these fields, besides `time`.
@@ -47,9 +49,9 @@ class Hdf5Frames {
   void cut(std::size_t frames) const;
   /// Adds a frame.
   /// @param frame    how many there are before it
-  /// @param numbers  of each field
+  /// @param numbers  of the field with a number, which are read before those of the next are asked for
   /// @param durable  whether it is on the disk afterwards
-  void add(std::size_t frame, double time, std::vector<std::vector<double>> const& numbers,
+  void add(std::size_t frame, double time, std::function<std::span<double const>(std::size_t)> const& numbers,
            bool durable) const;
   /// The numbers of a field at a frame.
   std::vector<double> read(std::string const& field, std::size_t frame) const;

@@ -26,8 +26,10 @@ class NumberTable {
   void end_row() { text_.back() = '\n'; }
   /// Room for so many numbers.
   void reserve(std::size_t numbers) { text_.reserve(26 * numbers); }
-  /// The whole table.
+  /// The whole table, or what was added to it after \ref clear.
   std::string const& text() const { return text_; }
+  /// What is in the text has been written: the next row begins a new one.
+  void clear() { text_.clear(); }
 
  private:
   std::string text_;

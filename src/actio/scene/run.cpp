@@ -50,6 +50,9 @@ class Run {
     }
     if (resume) restore();
     if (position_.with_snapshots()) {
+      if (resume)
+        if (std::string told = missing_snapshots(scene, folder, position_.snapshots()); !told.empty())
+          simulation_.remarks.push_back(std::move(told));
       std::vector<double> taken;
       for (long k = 0; k < position_.snapshots(); ++k) taken.push_back(scene.snapshots->time(k));
       simulation_.snapshots->begin(folder, taken);

@@ -1,5 +1,10 @@
 #include "actio/scene/run_files.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+
 #include "actio/scene/run.hpp"
 #include "actio/scene/units.hpp"
 
@@ -12,6 +17,21 @@ std::vector<std::string> files_of_snapshots(Scene const& scene) {
   for (long k = 0; k < scene.snapshots->rows(); ++k)
     for (auto& name : writer.files(k)) out.push_back(name), out.push_back(std::move(name) + ".part");
   return out;
+}
+
+std::string missing_snapshots(Scene const& scene, std::string const& folder, long taken) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> missing;
+  std::size_t count = 0;
+  for (long k = 0; k < taken; ++k)
+    for (auto& name : scene.simulation.snapshots->files(k))
+      if (std::error_code none; !std::filesystem::exists(folder + "/" + name, none) && ++count <= most)
+        missing.push_back(std::move(name));
+  if (count == 0) return "";
+  return fmt::format("{}{} {} not in {} any more; a run of the scene from its start writes {} again",
+                     fmt::join(missing, ", "),
+                     count > most ? fmt::format(" and {} others", count - most) : "",
+                     count == 1 ? "is" : "are", folder, count == 1 ? "it" : "them");
 }
 
 SeriesHead series_head(Scene const& scene, std::string const& written, long rows) {

@@ -42,13 +42,17 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   using typename MediumMotion<d>::Place;    ///< a point, or a vector
 
   /// From the start.
-  FastMotion(Medium const& medium, Box const& box, double density, double step, MediumStart& start)
+  /// @param longest  the longest stable step there
+  FastMotion(Medium const& medium, Box const& box, double density, double step, double longest,
+             MediumStart& start)
       : cells_(box),
         density_(density),
         law_(medium),
         watch_(
             step, 128, requires { typename FluidLaw<Medium>::type; }),
-        medium_(medium, box, step, density, at(start.placement), at(start.velocity), options(box)) {}
+        medium_(medium, box, step, density, at(start.placement), at(start.velocity), options(box)) {
+    watch_.begin(step, *this, longest);
+  }
 
   void advance(long count) override {
     while (count > 0) {
@@ -65,10 +69,11 @@ class FastMotion final : public MediumMotion<Box::dimension> {
     }
   }
   void remember(CheckpointStream& stream) override {
+    if (!stream.reading()) return save(stream);
     auto state = medium_.state();
     std::span<Place> places(state.places), velocities(state.velocities);
     stream(state.steps, places, velocities);
-    if (stream.reading()) medium_.go_on_from(state), watch_.begin_anew();
+    medium_.go_on_from(state), watch_.begin_anew();
   }
   long steps() const override { return medium_.steps(); }
   MediumCells<d> const& cells() const override { return cells_; }
@@ -86,6 +91,17 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   }
 
  private:
+  /// One list after the other, so that both are not there at once besides the stream.
+  void save(CheckpointStream& stream) const {
+    long steps = medium_.steps();
+    stream.expect(2 * cells_.nodes() * sizeof(Place) + bytes_of_others);
+    stream(steps);
+    for (bool const velocity : {false, true}) {
+      auto list = velocity ? medium_.velocities_half_a_step_ago() : medium_.places();
+      std::span<Place> all(list);
+      stream(all);
+    }
+  }
   static auto at(PlaceFormula& formula) {
     return [&formula](Place const& X) {
       Place out;
@@ -120,8 +136,9 @@ class FastRoadOf final : public FastRoad<Box::dimension> {
   double longest_step(std::vector<std::array<double, d>> const& x) const override {
     return longest_step_of(medium_, box_, x);
   }
-  std::unique_ptr<MediumMotion<d>> motion(double step, std::shared_ptr<MediumStart> start) const override {
-    return std::make_unique<FastMotion<Medium, Box>>(medium_, box_, density_, step, *start);
+  std::unique_ptr<MediumMotion<d>> motion(double step, double longest,
+                                          std::shared_ptr<MediumStart> start) const override {
+    return std::make_unique<FastMotion<Medium, Box>>(medium_, box_, density_, step, longest, *start);
   }
 
  private:

@@ -106,7 +106,9 @@ class FastRoad {
   /// The longest step for which small motions about these places are stable, from above within a per cent.
   virtual double longest_step(std::vector<std::array<double, d>> const& x) const = 0;
   /// The motion from the start.
-  virtual std::unique_ptr<MediumMotion<d>> motion(double step, std::shared_ptr<MediumStart> start) const = 0;
+  /// @param longest  what \ref longest_step is there
+  virtual std::unique_ptr<MediumMotion<d>> motion(double step, double longest,
+                                                  std::shared_ptr<MediumStart> start) const = 0;
 };
 /// Of a fluid of the library in the plane. Null where the fast road does not know it.
 std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, FastBox2d const& box, double density);

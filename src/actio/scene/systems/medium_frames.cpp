@@ -14,11 +14,19 @@ char const* shape_name(BodyMesh::Shape shape) {
 }
 
 template <std::size_t d>
-std::vector<double> in_a_row(std::vector<std::array<double, d>> const& all) {
-  std::vector<double> out;
-  out.reserve(d * all.size());
-  for (auto const& one : all) out.insert(out.end(), one.begin(), one.end());
-  return out;
+std::span<double const> in_a_row(std::vector<std::array<double, d>> const& all) {
+  static_assert(sizeof(std::array<double, d>) == d * sizeof(double));
+  return {all.empty() ? nullptr : all.front().data(), d * all.size()};
+}
+
+/// `visit(cell, corner)` for the corners of all cells, counted as VTK counts them.
+template <int d, class Visit>
+void for_corners(MediumCells<d> const& cells, Visit const& visit) {
+  auto const corners = static_cast<std::size_t>(corner_count(cells.shape()));
+  for (std::size_t c = 0; c < cells.cells(); ++c) {
+    auto const cell = cells.cell(c);
+    for (std::size_t k = 0; k < corners; ++k) visit(cell, vtk_corner(cells.shape(), k));
+  }
 }
 
 }  // namespace
@@ -51,53 +59,59 @@ Hdf5Frames MediumFrames<d>::in(std::string const& folder, MediumCells<d> const& 
 template <int d>
 std::vector<Hdf5Frames::Constant> MediumFrames<d>::constants(MediumCells<d> const& cells) {
   auto const corners = static_cast<std::size_t>(corner_count(cells.shape()));
-  std::vector<double> reference;
-  for (std::size_t k = 0; k < cells.nodes(); ++k)
-    for (double const X : cells.reference(k)) reference.push_back(X);
-  std::vector<std::int64_t> nodes, beyond;
   std::vector<double> periods;
   for (int a = 0; a < d; ++a) periods.push_back(cells.period(a));
-  bool const periodic = periods != std::vector<double>(d, 0.0);
-  for (std::size_t c = 0; c < cells.cells(); ++c) {
-    auto const cell = cells.cell(c);
-    for (std::size_t k = 0; k < corners; ++k) {
-      std::size_t const b = vtk_corner(cells.shape(), k);
-      nodes.push_back(cell.nodes[b]);
-      for (int a = 0; periodic && a < d; ++a) beyond.push_back(cell.wraps[b] >> a & 1);
-    }
-  }
   std::vector<Hdf5Frames::Constant> out;
   out.push_back({{"reference", "the places X of the nodes in the reference space", {cells.nodes(), d}},
-                 std::move(reference)});
+                 [&cells] {
+    std::vector<double> reference;
+    reference.reserve(d * cells.nodes());
+    for (std::size_t k = 0; k < cells.nodes(); ++k)
+      for (double const X : cells.reference(k)) reference.push_back(X);
+    return reference;
+                 }});
   out.push_back({{"cells", "the nodes at the corners, counted as VTK counts them", {cells.cells(), corners}},
-                 std::move(nodes),
+                 [&cells, corners] {
+    std::vector<std::int64_t> nodes;
+    nodes.reserve(corners * cells.cells());
+    for_corners(cells, [&](auto const& cell, std::size_t b) { nodes.push_back(cell.nodes[b]); });
+    return nodes;
+                 },
                  {{"shape", shape_name(cells.shape())}}});
-  if (!periodic) return out;
-  out.push_back({{"periods", "of the box, zero where it has none", {d}}, std::move(periods)});
+  if (periods == std::vector<double>(d, 0.0)) return out;
+  out.push_back({{"periods", "of the box, zero where it has none", {d}}, [periods] { return periods; }});
   out.push_back({{"beyond",
                   "by how many periods a corner lies beyond the place of its node",
                   {cells.cells(), corners, d}},
-                 std::move(beyond)});
+                 [&cells, corners] {
+    std::vector<std::int64_t> beyond;
+    beyond.reserve(d * corners * cells.cells());
+    for_corners(cells, [&](auto const& cell, std::size_t b) {
+      for (int a = 0; a < d; ++a) beyond.push_back(cell.wraps[b] >> a & 1);
+    });
+    return beyond;
+                 }});
   return out;
 }
 
 template <int d>
-std::vector<std::vector<double>> MediumFrames<d>::one(std::vector<Place> const& x,
-                                                      std::vector<Place> const& v,
-                                                      std::vector<std::string> const& asked,
-                                                      std::vector<double> const& fields) {
-  std::vector<std::vector<double>> out{in_a_row(x), in_a_row(v)};
+std::function<std::span<double const>(std::size_t)> MediumFrames<d>::one(
+    std::vector<Place> const& x, std::vector<Place> const& v, std::vector<std::string> const& asked,
+    std::vector<double> const& fields) {
   auto const size = static_cast<std::size_t>(field_size<d>(asked));
-  std::size_t first = 0;
-  for (auto const& name : asked) {
-    std::size_t const wide = name == "stress" ? d * (d + 1) / 2 : 1;
-    auto& numbers = out.emplace_back();
-    numbers.reserve(x.size() * wide);
+  return [&x, &v, &asked, &fields, size,
+          one = std::vector<double>()](std::size_t field) mutable -> std::span<double const> {
+    if (field < 2) return in_a_row(field == 0 ? x : v);
+    std::size_t first = 0, wide = 0;
+    for (std::size_t k = 0; k + 2 <= field; ++k)
+      first += wide, wide = asked[k] == "stress" ? d * (d + 1) / 2 : 1;
+    if (wide == size) return fields;
+    one.clear();
+    one.reserve(x.size() * wide);
     for (std::size_t k = 0; k < x.size(); ++k)
-      for (std::size_t i = 0; i < wide; ++i) numbers.push_back(fields[k * size + first + i]);
-    first += wide;
-  }
-  return out;
+      for (std::size_t i = 0; i < wide; ++i) one.push_back(fields[k * size + first + i]);
+    return one;
+  };
 }
 
 /// Along a line.

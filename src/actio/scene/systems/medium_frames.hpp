@@ -29,11 +29,13 @@ struct MediumFrames {
                        std::vector<std::string> const& asked);
   /// What all frames have in common.
   static std::vector<Hdf5Frames::Constant> constants(MediumCells<d> const& cells);
-  /// The numbers of one frame.
+  /// The numbers of one frame, field by field.
+  /// @param x, v    of the nodes; they and the fields outlive what is returned
   /// @param fields  of each node, those of one node one after the other
-  static std::vector<std::vector<double>> one(std::vector<Place> const& x, std::vector<Place> const& v,
-                                              std::vector<std::string> const& asked,
-                                              std::vector<double> const& fields);
+  static std::function<std::span<double const>(std::size_t)> one(std::vector<Place> const& x,
+                                                                 std::vector<Place> const& v,
+                                                                 std::vector<std::string> const& asked,
+                                                                 std::vector<double> const& fields);
 };
 
 }  // namespace actio::scene

@@ -48,20 +48,25 @@ SpacePotential<d> read_potential(SceneTable const& table, std::string const& key
   std::vector<int> all(d);
   for (int k = 0; k < d; ++k) all[static_cast<std::size_t>(k)] = k;
   constexpr int size = 1 + d + d * (d + 1) / 2;
-  auto const first = std::make_shared<Evaluated>(Evaluated{with_gradient(value, all)}),
+  auto const level = std::make_shared<Evaluated>(Evaluated{value}),
+             first = std::make_shared<Evaluated>(Evaluated{with_gradient(value, all)}),
              second = std::make_shared<Evaluated>(Evaluated{with_hessian(value, all)});
   auto const slope = [first](Place const& x) {
     std::array<double, 1 + d> y;
     (*first)(x.data(), y.data());
     return y;
   };
-  return {[slope](Place const& x) { return slope(x)[0]; },
+  return {[level](Place const& x) {
+    double V;
+    (*level)(x.data(), &V);
+    return V;
+          },
           [slope](Place const& x) {
     Place out;
     std::copy_n(slope(x).begin() + 1, d, out.begin());
     return out;
-          },
-          [second](Place const& x, Place const& u) {
+  },
+      [second](Place const& x, Place const& u) {
     double y[size];
     (*second)(x.data(), y);
     Place out{};
@@ -72,7 +77,7 @@ SpacePotential<d> read_potential(SceneTable const& table, std::string const& key
         if (j > i) out[j] += *h * u[i];
       }
     return out;
-  }};
+      }};
 }
 
 /// A motion of a side, formulas in X, Y, Z and t.

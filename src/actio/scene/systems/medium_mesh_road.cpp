@@ -28,17 +28,22 @@ BodyStart<d> start_of(std::shared_ptr<MediumStart> const& start) {
 
 /// A medium on a mesh.
 template <int d>
-class MeshMotion final : public MediumMotion<d> {
+class MeshMotion final : public MotionOnMesh<d> {
  public:
   using typename MediumMotion<d>::Place;
 
-  MeshMotion(MeshRoad<d> const& road, double step)
-      : medium_(road.mesh, stored_energy_of<d>(road.material), start_of<d>(road.start),
-                {step, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
+  explicit MeshMotion(MeshRoad<d>& road)
+      : medium_(std::move(road.mesh), stored_energy_of<d>(road.material), start_of<d>(road.start),
+                {1, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
         cells_(medium_.mesh()),
         fluid_(road.material.record->fluid),
-        watch_(step, 32, fluid_, road.conserve == Conserve::form),
-        walls_(road.loads, road.mesh, medium_.places()) {}
+        watch_(1, 32, fluid_, road.conserve == Conserve::form),
+        walls_(road.loads, medium_.mesh(), medium_.places()) {}
+
+  void begin(double step, double longest) override {
+    medium_.set_time_step(step);
+    watch_.begin(step, *this, longest);
+  }
 
   void advance(long count) override {
     while (count > 0) {
@@ -47,6 +52,8 @@ class MeshMotion final : public MediumMotion<d> {
         medium_.step(some);
       } catch (BodyCellInverts const& error) {
         end_inside_out(error, medium_.time(), fluid_);
+      } catch (BodyStepUnsolved const& error) {
+        end_inside_out(error, medium_.time(), fluid_);
       }
       count -= some;
       if (walls_.any()) walls_.look(medium_.places(), medium_.time_step(), medium_.time());
@@ -54,9 +61,9 @@ class MeshMotion final : public MediumMotion<d> {
     }
   }
   void remember(CheckpointStream& stream) override {
-    auto state = medium_.remember();
+    if (!stream.reading()) return save(stream);
+    std::vector<double> state(medium_.numbers_of_state());
     stream(state);
-    if (!stream.reading()) return;
     medium_.restore(state), walls_.begin(medium_.places()), watch_.begin_anew();
   }
   long steps() const override { return medium_.steps(); }
@@ -66,9 +73,22 @@ class MeshMotion final : public MediumMotion<d> {
   double mass(std::size_t node) const override { return medium_.masses()[node]; }
   BodyEnergies energies() const override { return medium_.energies(); }
   double dissipated() const override { return medium_.dissipated(); }
-  double longest_step() const { return medium_.largest_step(); }
+  double longest_step() const override { return medium_.largest_step(); }
 
  private:
+  /// As a list, but a part of it at a time.
+  void save(CheckpointStream& stream) const {
+    std::size_t size = medium_.numbers_of_state();
+    stream.expect(size * sizeof(double) + bytes_of_others);
+    stream(size);
+    medium_.for_remembered([&](double const* from, std::size_t count) {
+      for (std::size_t k = 0; k < count; ++k) {
+        double one = from[k];
+        stream(one);
+      }
+    });
+  }
+
   MediumOnMesh<d> medium_;
   MeshCells<d> cells_;
   bool fluid_;
@@ -79,12 +99,8 @@ class MeshMotion final : public MediumMotion<d> {
 }  // namespace
 
 template <int d>
-double MeshRoad<d>::longest_step() const {
-  return MeshMotion<d>(*this, 1).longest_step();
-}
-template <int d>
-std::unique_ptr<MediumMotion<d>> MeshRoad<d>::motion(double step) const {
-  return std::make_unique<MeshMotion<d>>(*this, step);
+std::unique_ptr<MotionOnMesh<d>> MeshRoad<d>::motion() {
+  return std::make_unique<MeshMotion<d>>(*this);
 }
 
 /// Along a line.

@@ -7,10 +7,21 @@
 
 namespace actio::scene {
 
+/// The motion of a medium on a mesh.
+template <int d>
+class MotionOnMesh : public MediumMotion<d> {
+ public:
+  /// The longest step for which small motions about the state now are stable, from above within a per cent.
+  virtual double longest_step() const = 0;
+  /// From the start with steps of this length.
+  /// @param longest  what \ref longest_step is at the start
+  virtual void begin(double step, double longest) = 0;
+};
+
 /// What the plain road steps.
 template <int d>
 struct MeshRoad {
-  BodyMesh mesh;                       ///< of the body
+  BodyMesh mesh;                       ///< of the body; the motion takes it
   Material material;                   ///< of the body
   std::shared_ptr<MediumStart> start;  ///< how it begins
   MediumLoads<d> loads;                ///< what acts on it
@@ -18,10 +29,8 @@ struct MeshRoad {
   Conserve conserve = Conserve::form;  ///< what they keep
   ArtificialViscosity viscosity = {};  ///< what spreads shocks
 
-  /// The longest step for which small motions about the start are stable, from above within a per cent.
-  double longest_step() const;
-  /// The motion from the start.
-  std::unique_ptr<MediumMotion<d>> motion(double step) const;
+  /// The motion, which has no step before it is begun with one.
+  std::unique_ptr<MotionOnMesh<d>> motion();
 };
 
 }  // namespace actio::scene

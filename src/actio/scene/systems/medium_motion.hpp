@@ -88,6 +88,10 @@ std::pair<double, std::size_t> least_jacobian(MediumCells<d> const& cells,
   return least;
 }
 
+/// Room in a checkpoint for what a run remembers besides places and velocities: the list of numbers would be
+/// copied for them.
+inline constexpr std::size_t bytes_of_others = 1 << 16;
+
 /// The motion of a medium.
 template <int d>
 class MediumMotion : public Motion {
@@ -102,8 +106,8 @@ class MediumMotion : public Motion {
   virtual double dissipated() const { return 0; }     ///< by viscosity, energy
 };
 
-/// A step that would turn a cell inside out ends the run: it is told with the time, and of a fluid why that
-/// is to be expected.
+/// A step that would turn a cell inside out, or is not found, ends the run: it is told with the time, and of
+/// a fluid why that is to be expected.
 [[noreturn]] inline void end_inside_out(Error const& error, double time, bool fluid) {
   throw Error(std::string(error.what()) + "; the state is that at t = " + show(time) +
               (fluid ? ": a fluid resists no shear, and cells that are sheared for long tangle" : ""));
@@ -129,7 +133,7 @@ class MeshCells final : public MediumCells<d> {
     return out;
   }
   double period(int k) const override { return mesh_.periods[static_cast<std::size_t>(k)]; }
-  std::string name(std::size_t number) const override { return "cell " + std::to_string(number); }
+  std::string name(std::size_t number) const override { return mesh_.cell_name(static_cast<int>(number)); }
 
  private:
   BodyMesh const& mesh_;

@@ -21,18 +21,21 @@ std::vector<std::array<double, d>> points_of(std::vector<double> const& numbers)
 /// The cells as they are drawn: those of a line are a band.
 template <int d>
 DrawnMesh drawn_mesh(MediumCells<d> const& cells) {
-  GridPoints const grid = grid_points(cells);
+  GridPoints<d> grid(cells);
   std::vector<PlayedMedium::Point> points;
   std::vector<int> nodes;
-  for (auto const& [node, wrap] : grid.of) {
+  for (std::size_t k = 0; k < grid.size(); ++k) {
+    auto const [node, wrap] = grid[k];
     PlayedMedium::Point point{};
     auto const X = cells.reference(node);
     for (std::size_t a = 0; a < d; ++a)
       point[a] = X[a] + (wrap >> a & 1 ? cells.period(static_cast<int>(a)) : 0);
     points.push_back(point), nodes.push_back(static_cast<int>(node));
   }
+  std::vector<std::int64_t> at_corners(grid.corners());
+  for (std::size_t k = 0; k < at_corners.size(); ++k) at_corners[k] = grid.corner(k);
   if (d > 1)
-    return DrawnMesh::of(d, std::move(points), std::move(nodes), grid.corners,
+    return DrawnMesh::of(d, std::move(points), std::move(nodes), at_corners,
                          static_cast<std::size_t>(corner_count(cells.shape())));
   auto const [first, last] = std::minmax_element(points.begin(), points.end(),
                                                  [](auto const& a, auto const& b) { return a[0] < b[0]; });
@@ -43,8 +46,8 @@ DrawnMesh drawn_mesh(MediumCells<d> const& cells) {
     nodes.push_back(nodes[k] + static_cast<int>(cells.nodes()));
   }
   std::vector<std::int64_t> corners;
-  for (std::size_t k = 0; k < grid.corners.size(); k += 2) {
-    std::int64_t const a = grid.corners[k], b = grid.corners[k + 1];
+  for (std::size_t k = 0; k < at_corners.size(); k += 2) {
+    std::int64_t const a = at_corners[k], b = at_corners[k + 1];
     corners.insert(corners.end(), {a, b, b + above, a + above});
   }
   return DrawnMesh::of(2, std::move(points), std::move(nodes), corners, 4);

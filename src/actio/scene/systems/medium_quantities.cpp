@@ -8,7 +8,7 @@ namespace {
 
 using Kind = Quantity::Kind;
 
-/// Places and velocities of the nodes, read once for all quantities of a row.
+/// Places and velocities of the nodes, read once for all quantities of a row, and only where one needs them.
 template <int d>
 class Observed {
  public:
@@ -16,12 +16,21 @@ class Observed {
   explicit Observed(MediumView<d> const& medium) : medium_(medium) {}
   MediumView<d> const& medium() const { return medium_; }
   MediumMotion<d> const& motion() const { return *medium_.motion; }
-  std::vector<Place> const& places() { return look(), x_; }
-  std::vector<Place> const& velocities() { return look(), v_; }
+  std::vector<Place> const& places() {
+    forget_older();
+    if (x_.empty()) x_ = motion().places();
+    return x_;
+  }
+  std::vector<Place> const& velocities() {
+    forget_older();
+    if (v_.empty()) v_ = motion().velocities();
+    return v_;
+  }
   /// `visit(mass, place, velocity)` of each node; of two and one dimensions the other components are zero.
   template <class Visit>
   void for_nodes(Visit const& visit) {
-    look();
+    // They take more room while they are made than places do.
+    velocities(), places();
     for (std::size_t k = 0; k < x_.size(); ++k) {
       std::array<double, 3> x{}, v{};
       std::copy_n(x_[k].begin(), d, x.begin()), std::copy_n(v_[k].begin(), d, v.begin());
@@ -30,14 +39,12 @@ class Observed {
   }
 
  private:
-  void look() {
-    if (seen_ == motion().steps()) return;
-    x_ = {}, v_ = {};
-    x_ = motion().places(), v_ = motion().velocities(), seen_ = motion().steps();
+  void forget_older() {
+    if (seen_ != motion().steps()) x_ = {}, v_ = {}, seen_ = motion().steps();
   }
   MediumView<d> medium_;
   std::vector<Place> x_, v_;
-  long seen_ = -1;
+  long seen_ = -1;  // the steps after which they were read
 };
 
 template <int d>
@@ -85,7 +92,7 @@ void define_momenta(QuantityGraph& graph, Seen<d> const& seen) {
 
 template <int d>
 double circulation_along(Observed<d>& seen, MaterialLoop<d> const& loop) {
-  auto const &x = seen.places(), &v = seen.velocities();
+  auto const &v = seen.velocities(), &x = seen.places();
   double sum = 0;
   for (std::size_t k = 1; k < loop.stops.size(); ++k) {
     auto const &a = loop.stops[k - 1], &b = loop.stops[k];
@@ -128,7 +135,8 @@ void define_circulation(QuantityGraph& graph, Seen<d> const& seen,
 template <int d>
 void define_checks(QuantityGraph& graph, Seen<d> const& seen, double step) {
   graph.define("noether_balance", {""}, [seen, step](auto, double* out) {
-    *out = noether_residual(seen->medium(), seen->places(), seen->velocities(), step);
+    auto const &v = seen->velocities(), &x = seen->places();
+    *out = noether_residual(seen->medium(), x, v, step);
   });
   graph.define("min_jacobian", {""}, [seen](auto, double* out) {
     *out = least_jacobian(seen->motion().cells(), seen->places()).first;

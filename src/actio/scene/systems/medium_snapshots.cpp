@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "actio/scene/checkpoint.hpp"
@@ -13,6 +14,7 @@
 #include "actio/scene/systems/medium_playing.hpp"
 #include "actio/scene/systems/vtu_file.hpp"
 #include "actio/scene/units.hpp"
+#include "actio/scene/whole_file.hpp"
 
 namespace actio::scene {
 namespace {
@@ -51,7 +53,7 @@ class MediumSnapshots : public SnapshotWriter {
            (hdf5_ ? 8 * nodes * (2 * d + fields) : 0);
   }
 
-  /// The list of grids is made anew: it may have been cut short.
+  /// The list of grids is made anew: it may have been cut short, and grids removed.
   void begin(std::string const& folder, std::span<double const> taken) override {
     if (hdf5_ && taken.empty())
       frames(folder).create(attributes(), MediumFrames<d>::constants(medium_.motion->cells()),
@@ -60,21 +62,26 @@ class MediumSnapshots : public SnapshotWriter {
       frames(folder).cut(taken.size());
     if (!vtu_) return;
     std::string text = pvd_beginning();
-    for (std::size_t k = 0; k < taken.size(); ++k)
-      text += pvd_entry(taken[k], file_in_series(static_cast<long>(k)));
+    for (std::size_t k = 0; k < taken.size(); ++k) {
+      auto const number = static_cast<long>(k);
+      if (std::error_code none; std::filesystem::exists(folder + "/" + snapshot_file(number, ".vtu"), none))
+        text += pvd_entry(taken[k], file_in_series(number));
+    }
     write_whole_file(folder + "/" + series_file, text + pvd_end(), false);
   }
   void write(std::string const& folder, long number, double time, bool durable) override {
-    auto const x = medium_.motion->places(), v = medium_.motion->velocities();
+    // Velocities first: they take more room while they are made.
+    auto const v = medium_.motion->velocities();
+    auto const x = medium_.motion->places();
     if (csv_ || hdf5_) {
       auto const fields = mean_fields(medium_, x, asked_, true);
-      if (csv_) write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table(x, v, fields), durable);
+      if (csv_) write_table(folder + "/" + snapshot_file(number, ".csv"), x, v, fields, durable);
       if (hdf5_)
         frames(folder).add(static_cast<std::size_t>(number), time, MediumFrames<d>::one(x, v, asked_, fields),
                            durable);
     }
     if (!vtu_) return;
-    write_whole_file(folder + "/" + snapshot_file(number, ".vtu"), grid(x, v, time), durable);
+    write_grid(folder + "/" + snapshot_file(number, ".vtu"), x, v, time, durable);
     add_to_series(folder + "/" + series_file, pvd_entry(time, file_in_series(number)));
   }
 
@@ -110,35 +117,37 @@ class MediumSnapshots : public SnapshotWriter {
             {"scene", scene_.written()}};
   }
 
+  /// A part of the table at a time is in memory.
   /// @param fields  of each node
-  std::string table(std::vector<Place> const& x, std::vector<Place> const& v,
-                    std::vector<double> const& fields) const {
+  void write_table(std::string const& path, std::vector<Place> const& x, std::vector<Place> const& v,
+                   std::vector<double> const& fields, bool durable) const {
+    constexpr std::size_t part = 1 << 20;
+    WholeFile file(path);
     NumberTable out(fmt::format("{}", fmt::join(medium_columns(d, asked_), ",")));
     auto const size = static_cast<std::size_t>(field_size<d>(asked_));
-    out.reserve(x.size() * (3 * d + size));
     for (std::size_t k = 0; k < x.size(); ++k) {
       for (double const one : medium_.motion->cells().reference(k)) out.add(one);
       for (double const one : x[k]) out.add(one);
       for (double const one : v[k]) out.add(one);
       for (std::size_t i = 0; i < size; ++i) out.add(fields[k * size + i]);
       out.end_row();
+      if (out.text().size() < part && k + 1 < x.size()) continue;
+      file.write(out.text());
+      out.clear();
     }
-    return out.text();
+    file.name(durable);
   }
 
-  /// Vectors at the points of the grid, with three components.
+  /// Vectors at the points of the grid, with three components, one number after the other.
   /// @param shift  whether they are places, which lie periods beyond
   template <class At>
-  std::vector<double> at_points(GridPoints const& points, bool shift, At const& at) const {
-    std::vector<double> out(3 * points.of.size(), 0);
-    for (std::size_t k = 0; k < points.of.size(); ++k) {
-      auto const [node, wrap] = points.of[k];
-      Place const p = at(node);
-      for (std::size_t a = 0; a < d; ++a)
-        out[3 * k + a] =
-            p[a] + (shift && wrap >> a & 1 ? medium_.motion->cells().period(static_cast<int>(a)) : 0);
-    }
-    return out;
+  VtuFile::Numbers<double> at_points(GridPoints<d> const& points, bool shift, At const& at) const {
+    return [this, &points, shift, at](std::size_t k) -> double {
+      std::size_t const a = k % 3;
+      if (a >= d) return 0;
+      auto const [node, wrap] = points[k / 3];
+      return at(node)[a] + (shift && wrap >> a & 1 ? medium_.motion->cells().period(static_cast<int>(a)) : 0);
+    };
   }
   /// A component of a field, and the number that it has among them.
   struct Component {
@@ -151,10 +160,11 @@ class MediumSnapshots : public SnapshotWriter {
     if (d == 2) return {{"XX", 0}, {"YY", 2}, {"XY", 1}};
     return {{"XX", 0}, {"YY", 3}, {"ZZ", 5}, {"XY", 1}, {"YZ", 4}, {"XZ", 2}};
   }
-  std::string grid(std::vector<Place> const& x, std::vector<Place> const& v, double time) const {
+  void write_grid(std::string const& path, std::vector<Place> const& x, std::vector<Place> const& v,
+                  double time, bool durable) const {
     auto const& cells = medium_.motion->cells();
-    GridPoints const points = grid_points(cells);
-    VtuFile file(time, points.of.size(), cells.cells());
+    GridPoints<d> points(cells);
+    VtuFile file(path, time, points.size(), cells.cells());
     file.point_data("reference", at_points(points, true, [&](auto k) { return cells.reference(k); }), 3);
     file.point_data("velocity", at_points(points, false, [&](auto k) { return v[k]; }), 3);
     auto const size = static_cast<std::size_t>(field_size<d>(asked_));
@@ -162,19 +172,19 @@ class MediumSnapshots : public SnapshotWriter {
     std::size_t first = 0;
     for (auto const& name : asked_) {
       auto const components = name == "stress" ? stress_in_grid() : std::vector<Component>{{"", 0}};
-      std::vector<double> one;
-      one.reserve(cells.cells() * components.size());
-      for (std::size_t c = 0; c < cells.cells(); ++c)
-        for (auto const& [word, at] : components) one.push_back(fields[c * size + first + at]);
+      std::size_t const wide = components.size();
       std::vector<std::string> words;
-      for (auto const& [word, at] : components)
-        if (!word.empty()) words.push_back(word);
-      file.cell_data(name, one, words);
-      first += components.size();
+      for (auto const& one : components)
+        if (!one.name.empty()) words.push_back(one.name);
+      file.cell_data(
+          name, [&](std::size_t k) { return fields[k / wide * size + first + components[k % wide].at]; },
+          words);
+      first += wide;
     }
     file.points(at_points(points, true, [&](auto k) { return x[k]; }));
-    file.cells(points.corners, corner_count(cells.shape()), vtk_type(cells.shape()));
-    return file.text();
+    file.cells([&](std::size_t k) { return points.corner(k); }, corner_count(cells.shape()),
+               vtk_type(cells.shape()));
+    file.end(durable);
   }
 
   SceneFile scene_;

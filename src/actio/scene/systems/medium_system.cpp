@@ -20,8 +20,7 @@ namespace {
 
 /// Before anything of that size is touched.
 double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
-  double const needed = bytes_for_medium(mesh, fast, request.snapshots ? &*request.snapshots : nullptr),
-               there = bytes_of_machine();
+  double const needed = bytes_for_medium(mesh, fast, request), there = bytes_of_machine();
   if (needed > there)
     file.section("system.mesh")
         .fail("cells", fmt::format("cells: {:.0f} cells take about {} of memory in this scene, where {} are "
@@ -102,7 +101,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   simulation.shortcuts.emplace_back(
       fmt::format("a box of equal cells of one density in {} without loads: fused steps",
                   d == 2 ? "the plane" : "space"));
-  finish<d>(simulation, request, road->motion(simulation.step, start),
+  finish<d>(simulation, request, road->motion(simulation.step, longest, start),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh,
             (d == 2 ? 1 : 5) * mesh.cell_count());
   return true;
@@ -121,9 +120,9 @@ void tell_gravity(Simulation& simulation, MediumLoads<d> const& loads,
 
 /// What is wrong with a side or with the mass of a cell is told at its key.
 template <int d>
-double longest_step_of(SceneFile const& file, MeshRoad<d> const& road) {
+std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, MeshRoad<d>& road) {
   try {
-    return road.longest_step();
+    return road.motion();
   } catch (NotABodyMesh const& error) {
     for (auto const& [name, side] : road.loads.sides)
       if (std::string(error.what()).starts_with("side '" + name + "'"))
@@ -140,19 +139,22 @@ template <int d>
 void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh const& mesh,
                      Material const& material, MediumMethod const& method,
                      std::shared_ptr<MediumStart> const& start) {
-  MeshRoad<d> const road{
-      mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
-      method.order, method.conserve, method.viscosity};
-  auto const begin = examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh);
-  for (auto& told :
-       examined_loads<d>(request.file, mesh, road.mesh, road.loads, begin, request.schedule.until()))
-    simulation.remarks.push_back(std::move(told));
-  tell_gravity<d>(simulation, road.loads, begin.places);
-  double const longest = longest_step_of(request.file, road);
+  MeshRoad<d> road{mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
+                   method.order, method.conserve, method.viscosity};
+  {
+    auto const begin = examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh);
+    for (auto& told :
+         examined_loads<d>(request.file, mesh, road.mesh, road.loads, begin, request.schedule.until()))
+      simulation.remarks.push_back(std::move(told));
+    tell_gravity<d>(simulation, road.loads, begin.places);
+  }
+  auto motion = motion_of(request.file, road);
+  double const longest = motion->longest_step();
   require_reachable_end(request.file, longest, request.schedule.until());
   simulation.step = medium_step(request, longest);
+  motion->begin(simulation.step, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
-  finish<d>(simulation, request, road.motion(simulation.step),
+  finish<d>(simulation, request, std::move(motion),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count());
 }
 

@@ -42,8 +42,9 @@ class WallWatch {
   bool any() const { return !potentials_.empty(); }
   /// The nodes are here.
   void begin(std::vector<Place> const& places) {
-    from_ = places;
     known_.clear();
+    if (!any()) return;
+    from_ = places;
     for (auto const& x : places)
       for (auto const& potential : potentials_) known_.push_back(at(potential, x));
   }

@@ -11,17 +11,25 @@
 namespace actio::scene {
 
 /// Looks at the deformation every few steps, and finds the longest stable step anew, which costs as much as
-/// some forty steps, where cells are deformed further than they were when it was found last. It changes no
-/// step.
+/// some forty steps, where cells are deformed further than they were when it was found last. Where the step
+/// is far below its bound, and deformations hardly change against that from look to look, looks become rarer.
+/// It changes no step.
 template <int d>
 class StepWatch {
  public:
   /// @param step  of time
-  /// @param most  steps from look to look
+  /// @param most  steps from look to look; sixteen times as many where deformations hardly change
   /// @param fluid whether the medium is one: nothing holds its cells against shear
   /// @param on    false: steps are stable whatever their length, and nothing is looked at
   StepWatch(double step, long most, bool fluid, bool on = true)
       : step_(step), most_(most), fluid_(fluid), on_(on) {}
+
+  /// Steps of this length begin at the start.
+  /// @param longest  the longest stable step there, which has been found already
+  void begin(double step, MediumMotion<d> const& motion, double longest) {
+    step_ = step, first_ = longest;
+    if (on_) found(deformation(motion), longest);
+  }
 
   /// How many steps may be made before the next look.
   long next() const { return on_ ? std::max(1L, due_ - since_) : std::numeric_limits<long>::max(); }
@@ -33,13 +41,18 @@ class StepWatch {
     if (!on_ || (since_ += count) < due_) return;
     since_ = 0, unsought_ += due_;
     Deformation const now = deformation(motion);
+    // A longer time is waited while the change since the last look is a small part of what is left to the
+    // bound: if it went on, twice as fast each time, it would be seen before.
+    double const change =
+        std::max(std::abs(std::log(now.squeeze / last_[0])), std::abs(std::log(now.stretch / last_[1])));
+    last_[0] = now.squeeze, last_[1] = now.stretch;
+    span_ = change < margin_ / 64 ? std::min(2 * span_, 16 * most_) : most_;
     // A quarter of the strain that would halve a cell, at the rate of now.
-    due_ = static_cast<long>(std::clamp(0.25 / (now.rate * step_), 1.0, static_cast<double>(most_)));
+    due_ = static_cast<long>(std::clamp(0.25 / (now.rate * step_), 1.0, static_cast<double>(span_)));
     if (!(now.squeeze > squeeze_ * (1 + slack_) || now.stretch > stretch_ * (1 + slack_)) && unsought_ < 4096)
       return;
-    squeeze_ = std::max(squeeze_, now.squeeze), stretch_ = std::max(stretch_, now.stretch), unsought_ = 0;
     double const longest = limit();
-    slack_ = std::clamp(std::log(longest / step_) / 5, 0.002, 0.5);
+    found(now, longest);
     // Near the bound waves of the size of a cell grow by what is not linear in them, unless they are as small
     // as a start has them that is stepped there from the beginning.
     if (first_ == 0) first_ = longest;
@@ -65,6 +78,12 @@ class StepWatch {
     std::size_t cell = 0;  // with the largest squeeze
     double jacobian = 1;   // of it
   };
+  /// The longest stable step is that of this deformation.
+  void found(Deformation const& now, double longest) {
+    squeeze_ = std::max(squeeze_, now.squeeze), stretch_ = std::max(stretch_, now.stretch), unsought_ = 0;
+    last_[0] = now.squeeze, last_[1] = now.stretch;
+    margin_ = std::log(longest / step_), slack_ = std::clamp(margin_ / 5, 0.002, 0.5);
+  }
   static double square(Matrix<double, d, d> const& A) {
     double sum = 0;
     for (int k = 0; k < d * d; ++k) sum += A.data()[k] * A.data()[k];
@@ -102,8 +121,11 @@ class StepWatch {
   double step_;
   long most_;
   bool fluid_, on_;
-  long due_ = 1, since_ = 0, unsought_ = 0;
-  double squeeze_ = 0, stretch_ = 0, slack_ = 0, first_ = 0;
+  long span_ = most_, due_ = 1, since_ = 0, unsought_ = 0;
+  double squeeze_ = 0, stretch_ = 0;  // the largest for which the longest stable step was found
+  double slack_ = 0, margin_ = 0;     // by how much they may grow, and the logarithm of what the step may
+  double last_[2] = {0, 0};           // squeeze and stretch of the last look
+  double first_ = 0;                  // the longest stable step at the start
 };
 
 }  // namespace actio::scene

@@ -6,74 +6,79 @@
 #include <algorithm>
 #include <bit>
 #include <new>
+#include <stdexcept>
+#include <type_traits>
 
 namespace actio::scene {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-void append(std::string& out, std::uint64_t number) {
-  out.append(reinterpret_cast<char const*>(&number), sizeof number);
-}
-
-/// Blocks as VTK has them: how many, their size, that of the last one if it is shorter, their sizes when
-/// compressed, and the blocks.
-std::string compressed(std::string_view bytes) {
-  constexpr std::size_t block = 1 << 20;
-  std::size_t const count = (bytes.size() + block - 1) / block;
-  std::string out, body;
-  append(out, count), append(out, block), append(out, bytes.size() % block);
-  std::vector<unsigned char> room(compressBound(block));
-  for (std::size_t k = 0; k < count; ++k) {
-    std::string_view const one = bytes.substr(k * block, block);
-    uLongf size = room.size();
-    if (::compress2(room.data(), &size, reinterpret_cast<Bytef const*>(one.data()), one.size(), 1) != Z_OK)
-      throw std::bad_alloc();
-    append(out, size);
-    body.append(reinterpret_cast<char const*>(room.data()), size);
-  }
-  return out + body;
-}
+constexpr std::size_t block = 1 << 20;         // bytes of an array that are compressed together
+constexpr std::size_t room_of_head = 1 << 12;  // bytes before the arrays, whose offsets are in them
 
 template <class T>
 std::string_view bytes_of(std::vector<T> const& values) {
   return {reinterpret_cast<char const*>(values.data()), values.size() * sizeof(T)};
 }
+template <class T>
+char const* vtk_name() {
+  return std::is_same_v<T, double> ? "Float64" : sizeof(T) == 8 ? "Int64" : "UInt8";
+}
 
 }  // namespace
 
-VtuFile::VtuFile(double time, std::size_t points, std::size_t cells)
-    : time_(time), points_count_(points), cells_count_(cells) {}
+VtuFile::VtuFile(std::string const& path, double time, std::size_t points, std::size_t cells)
+    : file_(path), time_(time), points_count_(points), cells_count_(cells) {
+  file_.write(std::string(room_of_head, ' '));
+}
 
-std::string VtuFile::array(std::string const& type, std::string const& name, int components,
-                           std::string_view bytes, std::vector<std::string> const& names) {
+/// Blocks as VTK has them: how many, their size, that of the last one if it is shorter, their sizes when
+/// compressed, and the blocks.
+template <class T>
+std::string VtuFile::array(std::string const& name, int components, std::size_t count,
+                           Numbers<T> const& values, std::vector<std::string> const& names) {
   std::string more = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
   for (std::size_t k = 0; k < names.size(); ++k) more += fmt::format(" ComponentName{}=\"{}\"", k, names[k]);
-  std::string const head =
-      fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
-                  name, more, appended_.size());
-  appended_ += compressed(bytes);
-  return head;
+  std::size_t const begin = file_.size(), each = block / sizeof(T), blocks = (count + each - 1) / each;
+  std::vector<std::uint64_t> sizes{blocks, block, count * sizeof(T) % block};
+  sizes.resize(3 + blocks);
+  file_.write(bytes_of(sizes));
+  std::vector<unsigned char> packed(compressBound(block));
+  std::vector<T> some;
+  for (std::size_t k = 0; k < blocks; ++k) {
+    some.resize(std::min(each, count - k * each));
+    for (std::size_t i = 0; i < some.size(); ++i) some[i] = values(k * each + i);
+    std::string_view const bytes = bytes_of(some);
+    uLongf size = packed.size();
+    if (::compress2(packed.data(), &size, reinterpret_cast<Bytef const*>(bytes.data()), bytes.size(), 1) !=
+        Z_OK)
+      throw std::bad_alloc();
+    file_.write({reinterpret_cast<char const*>(packed.data()), size});
+    sizes[3 + k] = size;
+  }
+  file_.write_at(begin, bytes_of(sizes));
+  return fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n",
+                     vtk_name<T>(), name, more, begin - room_of_head);
 }
-void VtuFile::point_data(std::string const& name, std::vector<double> const& values, int components) {
-  point_data_ += array("Float64", name, components, bytes_of(values));
+void VtuFile::point_data(std::string const& name, Numbers<double> const& values, int components) {
+  point_data_ += array(name, components, static_cast<std::size_t>(components) * points_count_, values);
 }
-void VtuFile::cell_data(std::string const& name, std::vector<double> const& values,
+void VtuFile::cell_data(std::string const& name, Numbers<double> const& values,
                         std::vector<std::string> const& components) {
-  int const count = std::max(1, static_cast<int>(components.size()));
-  cell_data_ += array("Float64", name, count, bytes_of(values), components);
+  std::size_t const count = std::max<std::size_t>(1, components.size());
+  cell_data_ += array(name, static_cast<int>(count), count * cells_count_, values, components);
 }
-void VtuFile::points(std::vector<double> const& places) {
-  points_ = array("Float64", "Points", 3, bytes_of(places));
+void VtuFile::points(Numbers<double> const& places) {
+  points_ = array("Points", 3, 3 * points_count_, places);
 }
-void VtuFile::cells(std::vector<std::int64_t> const& corners, int each, unsigned char type) {
-  std::vector<std::int64_t> offsets(cells_count_);
-  for (std::size_t k = 0; k < offsets.size(); ++k) offsets[k] = static_cast<std::int64_t>(k + 1) * each;
-  std::vector<unsigned char> const types(cells_count_, type);
-  cells_ = array("Int64", "connectivity", 1, bytes_of(corners)) +
-           array("Int64", "offsets", 1, bytes_of(offsets)) + array("UInt8", "types", 1, bytes_of(types));
+void VtuFile::cells(Numbers<std::int64_t> const& corners, int each, unsigned char type) {
+  cells_ = array("connectivity", 1, static_cast<std::size_t>(each) * cells_count_, corners);
+  cells_ += array<std::int64_t>("offsets", 1, cells_count_,
+                                [each](std::size_t k) { return static_cast<std::int64_t>(k + 1) * each; });
+  cells_ += array<unsigned char>("types", 1, cells_count_, [type](std::size_t) { return type; });
 }
-std::string VtuFile::text() const {
+std::string VtuFile::head() const {
   std::string out = fmt::format(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -90,9 +95,15 @@ std::string VtuFile::text() const {
   };
   part("PointData", point_data_), part("CellData", cell_data_), part("Points", points_),
       part("Cells", cells_);
-  out += "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n   _";
-  out += appended_;
-  return out + "\n  </AppendedData>\n</VTKFile>\n";
+  return out + "    </Piece>\n  </UnstructuredGrid>\n";
+}
+void VtuFile::end(bool durable) {
+  std::string const text = head(), mark = "  <AppendedData encoding=\"raw\">\n   _";
+  if (text.size() + mark.size() > room_of_head)
+    throw std::length_error("the arrays of a grid are too many for its head");
+  // Blanks between, so that arrays begin where room was left for the head.
+  file_.write_at(0, text + std::string(room_of_head - text.size() - mark.size(), ' ') + mark);
+  file_.write("\n  </AppendedData>\n</VTKFile>\n").name(durable);
 }
 
 std::string pvd_beginning() {
