@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     before = error;
   }
   program.table("errors", {"cells", "error", "order"}, rows,
-                "Largest error of an angle when the kink has gone a third of the row.");
+                "Largest error of an angle when the kink has gone three tenths of the row.");
   auto const row = row_of(80, length, time);
   auto const section = run(row, Kink{});
   auto const V = first_variation(row, section, 0.7), W = first_variation(row, section, 1.9);
