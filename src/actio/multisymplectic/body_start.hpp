@@ -52,7 +52,7 @@ struct BodyStepUnsolved : Error {
   int cell;         ///< the one with the least Jacobian in the state before
   double jacobian;  ///< of it
   double would_do;  ///< a step from there that is solved; 0 where none was found
-  /// What was tried: \ref BodyCellInverts::Step, with the least Jacobian of all before it.
+  /// What was tried, a `BodyCellInverts::Step`, with the least Jacobian of all before it.
   /// @param rounds  of the iteration
   /// @param which, name  of the cell with the least Jacobian before
   BodyStepUnsolved(std::size_t rounds, double off, double allowed, int which, std::string const& name,
