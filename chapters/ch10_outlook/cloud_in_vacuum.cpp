@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "actio/multisymplectic/body_shapes.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
 #include "ch06_continuum/gas_ellipse.hpp"
+#include "rim_circulation.hpp"
 
 using namespace actio;
 using book::measured, book::number;
@@ -51,7 +51,7 @@ MediumOnMesh<2> cloud(BodyMesh const& mesh, double step, Conserve conserve) {
   return {mesh, stored_energy<2>(isentropic_gas(air.K, air.gamma)), body, {step, 2, conserve}};
 }
 
-// 3. Distance from the ellipse, root mean square over the mass; circulation along the rim, a polygon.
+// 3. Distance from the ellipse, root mean square over the mass.
 double distance(MediumOnMesh<2> const& gas) {
   Square const A = exact_at(gas.time())[0];
   auto const x = gas.places();
@@ -63,18 +63,6 @@ double distance(MediumOnMesh<2> const& gas) {
   }
   return std::sqrt(sum / mass);
 }
-double circulation(MediumOnMesh<2> const& gas) {
-  auto const x = gas.places(), u = gas.velocities();
-  double sum = 0;
-  for (auto const& [name, edges] : gas.mesh().sides)
-    for (auto const& edge : edges) {
-      int const a = edge[0], b = edge[1];
-      auto const &A = gas.mesh().nodes[a], &B = gas.mesh().nodes[b];
-      double const sign = A[0] * B[1] > A[1] * B[0] ? 1 : -1;  // counter-clockwise
-      for (int c = 0; c < 2; ++c) sum += sign * (u[a][c] + u[b][c]) / 2 * (x[b][c] - x[a][c]);
-    }
-  return sum;
-}
 
 // 4. A run, and what it has changed: relative, the largest; the order of its error, from a coarser mesh.
 struct Run {
@@ -82,14 +70,14 @@ struct Run {
 };
 Run run(BodyMesh const& mesh, int steps, Conserve conserve) {
   auto gas = cloud(mesh, 1.5 / steps, conserve);
-  double const E = gas.energies().total(), L = gas.angular_momentum()[2], around = circulation(gas);
+  double const E = gas.energies().total(), L = gas.angular_momentum()[2], around = rim_circulation(gas);
   Run out;
   for (int k = 0; k < steps; ++k) {
     gas.step();
     out.energy = std::max(out.energy, std::abs(gas.energies().total() / E - 1));
     out.angular = std::max(out.angular, std::abs(gas.angular_momentum()[2] / L - 1));
   }
-  out.error = distance(gas), out.circulation = std::abs(circulation(gas) / around - 1);
+  out.error = distance(gas), out.circulation = std::abs(rim_circulation(gas) / around - 1);
   return out;
 }
 
