@@ -78,6 +78,11 @@ template <class T>
           {-(q[1] * e.below.y + q[3] * e.above.y), q[1] * e.below.x + q[3] * e.above.x}};
 }
 
+/// Cells with a law of the area, `volume`: its slopes q at the corners come first, and the slopes in the
+/// edges from them.
+template <class Cell>
+concept WithVolume = requires(Cell const& cell) { cell.volume; };
+
 /// Cells of a fluid of one size.
 template <class Scaled>
 struct FluidCell {
@@ -86,6 +91,10 @@ struct FluidCell {
   [[gnu::always_inline]] Edges<T> slopes(Edges<T> const& e, T const (&d)[4]) const {
     T q[4];
     volume.slopes(d, q);
+    return slopes_from(e, q);
+  }
+  template <class T>
+  [[gnu::always_inline]] Edges<T> slopes_from(Edges<T> const& e, T const (&q)[4]) const {
     return area_slopes(e, q);
   }
 };
@@ -98,6 +107,10 @@ struct NeoHookeanCell {
   [[gnu::always_inline]] Edges<T> slopes(Edges<T> const& e, T const (&d)[4]) const {
     T q[4];
     volume.slopes(d, q);
+    return slopes_from(e, q);
+  }
+  template <class T>
+  [[gnu::always_inline]] Edges<T> slopes_from(Edges<T> const& e, T const (&q)[4]) const {
     Edges<T> const f = area_slopes(e, q);
     return {{f.below.x + across * e.below.x, f.below.y + across * e.below.y},
             {f.above.x + across * e.above.x, f.above.y + across * e.above.y},

@@ -123,6 +123,16 @@ template <int n, int terms, QuadOrFour T>
   else
     return y + y * (t * (c1 + t * (c2 + t * (c3 + c4 * t))));
 }
+/// The first round of \ref inverse_root.
+template <int n, QuadOrFour T>
+[[gnu::always_inline]] inline T first_root(T const& x) {
+  return better_root<n, (n <= 3 ? 3 : 4)>(x, root_guess<n>(x));
+}
+/// Its second round, from what the first one has found.
+template <int n, QuadOrFour T>
+[[gnu::always_inline]] inline T second_root(T const& x, T const& y) {
+  return better_root<n, (n <= 5 ? 3 : 4)>(x, y);
+}
 /// \f$x^{-1/n}\f$: relative error below one unit in the last place.
 ///
 /// A guess from the bits, and twice the binomial series of \f$y\,(1-t)^{-1/n}\f$ in \f$t = 1-xy^n\f$: the
@@ -130,7 +140,7 @@ template <int n, int terms, QuadOrFour T>
 /// \f$|t| < 1.4\cdot10^{-4}\f$, and the second less than what a double holds.
 template <int n, QuadOrFour T>
 [[gnu::always_inline]] inline T inverse_root(T const& x) {
-  return better_root<n, (n <= 5 ? 3 : 4)>(x, better_root<n, (n <= 3 ? 3 : 4)>(x, root_guess<n>(x)));
+  return second_root<n>(x, first_root<n>(x));
 }
 /// The same for other scalars: numbers, and dual numbers.
 template <int n, class T>

@@ -31,6 +31,10 @@ template <int m, class T>
   else
     return x * power_of<m - 1, T>(x);
 }
+/// A law whose slope in lanes has a first half that takes about as long as the rest.
+template <class Law>
+concept InHalves = requires(Law const& law, Fourfold const& J) { law.second_half(J, law.first_half(J)); };
+
 /// The slopes of a law at four corners: those of registers in turns.
 template <class Law, class T>
 [[gnu::always_inline]] inline void slopes_together(Law const& law, T const (&J)[4], T (&out)[4]) {
@@ -39,6 +43,24 @@ template <class Law, class T>
     out[0] = all.quad[0], out[1] = all.quad[1], out[2] = all.quad[2], out[3] = all.quad[3];
   } else {
     for (int k = 0; k < 4; ++k) out[k] = law.slope(J[k]);
+  }
+}
+/// The slopes of a law at the corners of `count` registers of cells, in the place of the Jacobians there.
+///
+/// Operations of a slope wait for one another, and a processor looks only so far ahead: the first halves of
+/// all registers come before the second ones, so that those of the next register are within its sight.
+template <int most, InHalves Law>
+[[gnu::always_inline]] inline void slopes_in_place(Law const& law, Quad (*J)[4], int count) {
+  Quad half[most][4];
+  // Numbers go one by one: a copy of a whole Fourfold would go by halves of registers.
+  for (int k = 0; k < count; ++k) {
+    Fourfold const h = law.first_half(Fourfold{{J[k][0], J[k][1], J[k][2], J[k][3]}});
+    half[k][0] = h.quad[0], half[k][1] = h.quad[1], half[k][2] = h.quad[2], half[k][3] = h.quad[3];
+  }
+  for (int k = 0; k < count; ++k) {
+    Fourfold const q = law.second_half(Fourfold{{J[k][0], J[k][1], J[k][2], J[k][3]}},
+                                       Fourfold{{half[k][0], half[k][1], half[k][2], half[k][3]}});
+    J[k][0] = q.quad[0], J[k][1] = q.quad[1], J[k][2] = q.quad[2], J[k][3] = q.quad[3];
   }
 }
 }  // namespace detail
@@ -80,6 +102,17 @@ struct PolytropicByRoots {
       detail::slopes_together(*this, J, out);
     }
   }
+  /// In lanes: the root after the first of two rounds.
+  [[gnu::always_inline]] detail::Fourfold first_half(detail::Fourfold const& J) const
+    requires(root > 1)
+  {
+    return detail::first_root<root>(J);
+  }
+  /// In lanes: \f$U'\f$ from that, speed squared.
+  [[gnu::always_inline]] detail::Fourfold second_half(detail::Fourfold const& J,
+                                                      detail::Fourfold const& y) const {
+    return -K * detail::power_of<power>(detail::second_root<root>(J, y));
+  }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   PolytropicByRoots scaled(double unit, double weight) const { return {weight * K * std::pow(unit, gamma)}; }
 };
@@ -101,12 +134,22 @@ struct PolytropicGas {
   /// \f$U'\f$, speed squared.
   template <class T>
   [[gnu::always_inline]] T slope(T const& J) const {
-    return -K * detail::exp2(-gamma * detail::log2(J));
+    return second_half(J, first_half(J));
   }
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
     detail::slopes_together(*this, J, out);
+  }
+  /// \f$\log_2J^{-\gamma}\f$.
+  template <class T>
+  [[gnu::always_inline]] T first_half(T const& J) const {
+    return -gamma * detail::log2(J);
+  }
+  /// \f$U'\f$ from that, speed squared.
+  template <class T>
+  [[gnu::always_inline]] T second_half(T const&, T const& log_of_power) const {
+    return -K * detail::exp2(log_of_power);
   }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   PolytropicGas scaled(double unit, double weight) const {
@@ -133,12 +176,22 @@ struct LogarithmicLaw {
   /// \f$U'\f$, speed squared.
   template <class T>
   [[gnu::always_inline]] T slope(T const& J) const {
-    return (lambda * std::numbers::ln2 * detail::log2(J) - mu) * detail::reciprocal(J);
+    return second_half(J, first_half(J));
   }
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
     detail::slopes_together(*this, J, out);
+  }
+  /// \f$\log_2J\f$.
+  template <class T>
+  [[gnu::always_inline]] T first_half(T const& J) const {
+    return detail::log2(J);
+  }
+  /// \f$U'\f$ from that, speed squared.
+  template <class T>
+  [[gnu::always_inline]] T second_half(T const& J, T const& log) const {
+    return (lambda * std::numbers::ln2 * log - mu) * detail::reciprocal(J);
   }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   LogarithmicLaw scaled(double unit, double weight) const {
