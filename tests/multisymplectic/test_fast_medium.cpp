@@ -58,6 +58,9 @@ std::vector<FastBox2d> boxes() {
       auto const& up = pairs[k++ % 5];
       out.push_back({{size[0], size[1]}, {0.1, 0.13}, {across[0], across[1]}, {up[0], up[1]}, {0.4, -0.3}});
     }
+  // Rows of more registers than the sixteen of which slopes are found ahead, once and twice.
+  out.push_back({{70, 2}, {0.1, 0.13}, {periodic, periodic}, {free, free}});
+  out.push_back({{141, 2}, {0.1, 0.13}, {free, fixed}, {periodic, periodic}});
   // A block that is sheared and stretched, and periodic as such.
   out.push_back(
       {{9, 8}, {0.1, 0.08}, {periodic, periodic}, {periodic, periodic}, {0, 0}, {{{0.99, 0.1}, {0.2, 0.7}}}});
