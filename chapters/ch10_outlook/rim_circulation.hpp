@@ -3,8 +3,8 @@
 
 #include "actio/multisymplectic/medium_on_mesh.hpp"
 
-// Along the edges of all sides, counter-clockwise, by the mean of the velocities at both ends: exact where the
-// velocity is linear.
+// Along the edges of all sides, counter-clockwise, by the mean of the velocities at both ends: exact where
+// the velocity is linear.
 inline double rim_circulation(actio::MediumOnMesh<2> const& medium) {
   auto const x = medium.places(), u = medium.velocities();
   double sum = 0;
