@@ -59,6 +59,15 @@ struct NeoHookeanStress {
     return mu * F + (lambda * std::log(J) - mu) / J * cofactors(F);
   }
 };
+/// The same, the volume by its square.
+struct NeoHookeanSquareStress {
+  double mu, kappa;
+  template <int n>
+  Gradient<n> operator()(Gradient<n> const& F) const {
+    double const J = F.determinant();
+    return mu * F + (kappa * (J - 1) - mu / J) * cofactors(F);
+  }
+};
 /// Blatz and Ko's solid with m = 1.
 struct BlatzKoStress {
   double mu;

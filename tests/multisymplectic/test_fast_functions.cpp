@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "actio/multisymplectic/fast_functions.hpp"
+#include "actio/multisymplectic/fast_volume_laws.hpp"
 
 using namespace actio;
 using detail::Quad;
@@ -31,6 +31,13 @@ long double exact(long double x) {
                                                        : 5;
   return std::pow(x, -1 / n);
 }
+/// The slopes of a law at the corners of a register of cells.
+template <class Law>
+struct Slopes {
+  Law law;
+  Quad J[4], q[4];
+  [[gnu::always_inline]] void operator()() { law.slopes(J, q); }
+};
 /// The largest relative error, in units of the last place, over arguments of all sizes and next to 1.
 template <Function f>
 double largest_error(Registers registers) {
@@ -61,13 +68,53 @@ double largest_error(Registers registers) {
 BOOST_AUTO_TEST_SUITE(fast_functions)
 
 BOOST_AUTO_TEST_CASE(roots_logarithms_and_powers_in_lanes_are_right_to_some_units_in_the_last_place) {
-  for (Registers const registers : {Registers::plain, best_registers()}) {
+  for (Registers const registers : usable_registers()) {
     BOOST_TEST(largest_error<Function::reciprocal>(registers) <= 1);
     BOOST_TEST(largest_error<Function::root_of_two>(registers) <= 1);
     BOOST_TEST(largest_error<Function::root_of_three>(registers) <= 1);
     BOOST_TEST(largest_error<Function::root_of_five>(registers) <= 1);
     BOOST_TEST(largest_error<Function::logarithm>(registers) <= 4);
     BOOST_TEST(largest_error<Function::power_of_two>(registers) <= 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(slopes_of_laws_in_lanes_are_as_accurate_as_they_say) {
+  auto const worst_of = [](auto const& law, auto const& slope, auto const& scale, Registers registers) {
+    std::mt19937_64 random(1997);
+    std::uniform_real_distribution<double> one(-3, 3);
+    double worst = 0;
+    for (int draw = 0; draw < 5000; ++draw) {
+      Slopes<std::remove_cvref_t<decltype(law)>> evaluation{law};
+      for (int i = 0; i < 16; ++i) evaluation.J[i / 4].lane[i % 4] = std::exp(one(random));
+      detail::run_with(registers, evaluation);
+      for (int i = 0; i < 16; ++i) {
+        long double const J = evaluation.J[i / 4].lane[i % 4];
+        long double const off = evaluation.q[i / 4].lane[i % 4] - slope(J);
+        worst = std::max(worst, static_cast<double>(std::abs(off) / scale(J)) / 0x1p-52);
+      }
+    }
+    return worst;
+  };
+  auto const power = [&](auto const& law, int root, int power, Registers registers) {
+    auto const exact = [&](long double J) {
+      return -0.7L * std::pow(J, -static_cast<long double>(power) / root);
+    };
+    // The factor is 0.7 in double precision.
+    double const factor = 1;
+    return worst_of(
+               law, exact, [&](long double J) { return std::abs(exact(J)); }, registers) -
+           factor;
+  };
+  for (Registers const registers : usable_registers()) {
+    BOOST_TEST(power(PolytropicByRoots<1, 2>{0.7}, 1, 2, registers) <= 4);
+    BOOST_TEST(power(PolytropicByRoots<2, 3>{0.7}, 2, 3, registers) <= 5);
+    BOOST_TEST(power(PolytropicByRoots<3, 4>{0.7}, 3, 4, registers) <= 6);
+    BOOST_TEST(power(PolytropicByRoots<3, 5>{0.7}, 3, 5, registers) <= 7);
+    BOOST_TEST(power(PolytropicByRoots<5, 7>{0.7}, 5, 7, registers) <= 9);
+    // Numbers that double precision has.
+    BOOST_TEST(worst_of(
+                   ReciprocalLaw{0.75, 1.5, 1.25}, [](long double J) { return 1.5L * J - 0.75L / J - 1.25L; },
+                   [](long double J) { return 1.5L * J + 0.75L / J + 1.25L; }, registers) <= 4);
   }
 }
 

@@ -110,28 +110,44 @@ template <int n>
           power_of_two(shifted.quad[3])};
 }
 
-/// \f$y\,(1-t)^{-1/n}\f$ with \f$t = 1-xy^n\f$, by its series to the power `terms` of t.
-template <int n, int terms, QuadOrFour T>
-[[gnu::always_inline]] inline T better_root(T const& x, T const& y) {
-  constexpr double c1 = 1.0 / n, c2 = c1 * (c1 + 1) / 2, c3 = c2 * (c1 + 2) / 3, c4 = c3 * (c1 + 3) / 4;
-  T power = y;
-#pragma GCC unroll 8
-  for (int k = 1; k < n; ++k) power = power * y;
-  T const t = 1.0 - x * power;
-  if constexpr (terms == 3)
-    return y + y * (t * (c1 + t * (c2 + c3 * t)));
+/// \f$y^m\f$ by squares.
+template <int m, class T>
+[[gnu::always_inline]] inline T power_of(T const& y) {
+  if constexpr (m == 1)
+    return y;
+  else if constexpr (m % 2 == 0)
+    return power_of<m / 2, T>(y * y);
   else
-    return y + y * (t * (c1 + t * (c2 + t * (c3 + c4 * t))));
+    return y * power_of<m - 1, T>(y);
+}
+/// \f$y^p\,(1-t)^{-p/n}\f$ with \f$t = 1-xy^n\f$, by its series to the power `terms` of t: where y is
+/// nearly \f$x^{-1/n}\f$, it is \f$x^{-p/n}\f$.
+template <int n, int p, int terms, QuadOrFour T>
+[[gnu::always_inline]] inline T better_power(T const& x, T const& y) {
+  constexpr double c = static_cast<double>(p) / n, c2 = c * (c + 1) / 2, c3 = c2 * (c + 2) / 3,
+                   c4 = c3 * (c + 3) / 4;
+  T const to_n = power_of<n>(y), t = 1.0 - x * to_n;
+  T power = y;
+  if constexpr (p == n)
+    power = to_n;
+  else if constexpr (p > n)
+    power = to_n * power_of<p - n>(y);
+  else
+    power = power_of<p>(y);
+  if constexpr (terms == 3)
+    return power + power * (t * (c + t * (c2 + c3 * t)));
+  else
+    return power + power * (t * (c + t * (c2 + t * (c3 + c4 * t))));
 }
 /// The first round of \ref inverse_root.
 template <int n, QuadOrFour T>
 [[gnu::always_inline]] inline T first_root(T const& x) {
-  return better_root<n, (n <= 3 ? 3 : 4)>(x, root_guess<n>(x));
+  return better_power<n, 1, (n <= 3 ? 3 : 4)>(x, root_guess<n>(x));
 }
-/// Its second round, from what the first one has found.
-template <int n, QuadOrFour T>
-[[gnu::always_inline]] inline T second_root(T const& x, T const& y) {
-  return better_root<n, (n <= 5 ? 3 : 4)>(x, y);
+/// Its second round, from what the first one has found, and the power p of it at once: \f$x^{-p/n}\f$.
+template <int n, int p, QuadOrFour T>
+[[gnu::always_inline]] inline T second_power(T const& x, T const& y) {
+  return better_power<n, p, (p == 1 && n <= 5 ? 3 : 4)>(x, y);
 }
 /// \f$x^{-1/n}\f$: relative error below one unit in the last place.
 ///
@@ -139,9 +155,7 @@ template <int n, QuadOrFour T>
 /// guess has \f$|t| < 0.13\f$ for n to 3 and 0.2 for n = 5, the first round leaves
 /// \f$|t| < 1.4\cdot10^{-4}\f$, and the second less than what a double holds.
 template <int n, QuadOrFour T>
-[[gnu::always_inline]] inline T inverse_root(T const& x) {
-  return second_root<n>(x, first_root<n>(x));
-}
+[[gnu::always_inline]] inline T inverse_root(T const& x) { return second_power<n, 1>(x, first_root<n>(x)); }
 /// The same for other scalars: numbers, and dual numbers.
 template <int n, class T>
 T inverse_root(T const& x) {
@@ -200,8 +214,6 @@ T exp2(T const& x) {
   return exp(std::numbers::ln2 * x);
 }
 template <class T>
-T reciprocal(T const& x) {
-  return T(1) / x;
-}
+T reciprocal(T const& x) { return T(1) / x; }
 
 }  // namespace actio::detail

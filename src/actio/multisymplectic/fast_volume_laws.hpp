@@ -21,20 +21,17 @@ template <class Law>
 concept InLanes = requires { requires Law::in_lanes; };
 
 namespace detail {
-/// \f$x^m\f$, m positive.
-template <int m, class T>
-[[gnu::always_inline]] inline T power_of(T const& x) {
-  if constexpr (m == 1)
-    return x;
-  else if constexpr (m % 2 == 0)
-    return power_of<m / 2, T>(x * x);
-  else
-    return x * power_of<m - 1, T>(x);
-}
 /// A law whose slope in lanes has a first half that takes about as long as the rest.
 template <class Law>
 concept InHalves = requires(Law const& law, Fourfold const& J) { law.second_half(J, law.first_half(J)); };
 
+/// 1/J at four corners, by one division for all four.
+template <class T>
+[[gnu::always_inline]] inline void reciprocals(T const (&J)[4], T (&out)[4]) {
+  T const a = J[0] * J[1], b = J[2] * J[3], inverse = T(1.0) / (a * b), of_a = b * inverse,
+          of_b = a * inverse;
+  out[0] = of_a * J[1], out[1] = of_a * J[0], out[2] = of_b * J[3], out[3] = of_b * J[2];
+}
 /// The slopes of a law at four corners: those of registers in turns.
 template <class Law, class T>
 [[gnu::always_inline]] inline void slopes_together(Law const& law, T const (&J)[4], T (&out)[4]) {
@@ -92,10 +89,8 @@ struct PolytropicByRoots {
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
     if constexpr (root == 1) {
-      // One division for all four.
-      T const a = J[0] * J[1], b = J[2] * J[3], inverse = T(1.0) / (a * b), of_a = b * inverse,
-              of_b = a * inverse;
-      T const y[4] = {of_a * J[1], of_a * J[0], of_b * J[3], of_b * J[2]};
+      T y[4];
+      detail::reciprocals(J, y);
 #pragma GCC unroll 4
       for (int k = 0; k < 4; ++k) out[k] = -K * detail::power_of<power>(y[k]);
     } else {
@@ -111,7 +106,7 @@ struct PolytropicByRoots {
   /// In lanes: \f$U'\f$ from that, speed squared.
   [[gnu::always_inline]] detail::Fourfold second_half(detail::Fourfold const& J,
                                                       detail::Fourfold const& y) const {
-    return -K * detail::power_of<power>(detail::second_root<root>(J, y));
+    return -K * detail::second_power<root, power>(J, y);
   }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   PolytropicByRoots scaled(double unit, double weight) const { return {weight * K * std::pow(unit, gamma)}; }
@@ -133,9 +128,7 @@ struct PolytropicGas {
   }
   /// \f$U'\f$, speed squared.
   template <class T>
-  [[gnu::always_inline]] T slope(T const& J) const {
-    return second_half(J, first_half(J));
-  }
+  [[gnu::always_inline]] T slope(T const& J) const { return second_half(J, first_half(J)); }
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
@@ -143,9 +136,7 @@ struct PolytropicGas {
   }
   /// \f$\log_2J^{-\gamma}\f$.
   template <class T>
-  [[gnu::always_inline]] T first_half(T const& J) const {
-    return -gamma * detail::log2(J);
-  }
+  [[gnu::always_inline]] T first_half(T const& J) const { return -gamma * detail::log2(J); }
   /// \f$U'\f$ from that, speed squared.
   template <class T>
   [[gnu::always_inline]] T second_half(T const&, T const& log_of_power) const {
@@ -175,9 +166,7 @@ struct LogarithmicLaw {
   }
   /// \f$U'\f$, speed squared.
   template <class T>
-  [[gnu::always_inline]] T slope(T const& J) const {
-    return second_half(J, first_half(J));
-  }
+  [[gnu::always_inline]] T slope(T const& J) const { return second_half(J, first_half(J)); }
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
@@ -185,9 +174,7 @@ struct LogarithmicLaw {
   }
   /// \f$\log_2J\f$.
   template <class T>
-  [[gnu::always_inline]] T first_half(T const& J) const {
-    return detail::log2(J);
-  }
+  [[gnu::always_inline]] T first_half(T const& J) const { return detail::log2(J); }
   /// \f$U'\f$ from that, speed squared.
   template <class T>
   [[gnu::always_inline]] T second_half(T const& J, T const& log) const {
@@ -196,6 +183,39 @@ struct LogarithmicLaw {
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   LogarithmicLaw scaled(double unit, double weight) const {
     return {weight * lambda * unit, weight * unit * (mu + lambda * std::log(unit))};
+  }
+};
+
+/// \f$U = \tfrac b2(J-1)^2+(b-c)J-a\log J\f$, \f$U' = bJ-a/J-c\f$: with a the shear modulus and b = c that
+/// of the volume it is the part of a neo-Hookean solid that knows the volume, free of stress at rest.
+///
+/// Accuracy of the slope in lanes: 4 units in the last place of \f$a/J+bJ+|c|\f$.
+struct ReciprocalLaw {
+  static constexpr bool in_lanes = true;  ///< slopes come four at a time
+  double a;                               ///< of the logarithm, modulus over the mass density
+  double b;                               ///< of the square, the same
+  double c;                               ///< of J, the same
+
+  /// U, speed squared.
+  template <class T>
+  T energy(T const& J) const {
+    using std::log;
+    return 0.5 * b * ((J - 1.0) * (J - 1.0)) + (b - c) * J - a * log(J);
+  }
+  /// \f$U'\f$, speed squared.
+  template <class T>
+  [[gnu::always_inline]] T slope(T const& J) const { return T(b) * J - T(a) / J - T(c); }
+  /// \f$U'\f$ at four corners.
+  template <class T>
+  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
+    T y[4];
+    detail::reciprocals(J, y);
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) out[k] = (T(b) * J[k] - T(c)) - T(a) * y[k];
+  }
+  /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
+  ReciprocalLaw scaled(double unit, double weight) const {
+    return {weight * a * unit, weight * b / unit, weight * c};
   }
 };
 

@@ -111,8 +111,9 @@ class BlasProducts : public ProductsBy<BlasProducts> {
   template <class Part>
   void whole(Part const& a, Part const& b, Part& out) const {
     int const n = static_cast<int>(a.rows());
-    // Alone it is one panel below the size that is shared.
-    int const width = n < smallest_shared ? n : 2 * panel(n);
+    // Alone it is one panel below the size that is shared. Products of up to a million terms have a kernel of
+    // their own in OpenBLAS, and it is worth four panels to be among them; then two lose the least.
+    int const width = n < smallest_shared ? n : n < 256 || n > 512 ? 2 * panel(n) : 4 * panel(n);
     over_panels(n, width, [&](int first, int columns) {
       gemm(n, columns, n, a.data(), n, b.col(first).data(), n, out.col(first).data(), n);
     });

@@ -42,8 +42,9 @@ class FastVorticityStep : public StepSetting<Stream> {
 
   /// How well A solves its equation, relative to |A|: not below what single precision gives, about 1e-9.
   double tolerance = 1e-8;
-  /// Steps from which the first guess is extrapolated, as polynomials.
-  int extrapolated_steps = 5;
+  /// Steps from which the first guess is extrapolated, as polynomials. Where the energy is conserved, A moves
+  /// along the orbit by numbers that are less smooth in time, and more steps would amplify that.
+  int extrapolated_steps = of_energy() ? 5 : 8;
 
   /// \f$W_0 \to W_1\f$, in the frame. The report's iterations are rounds, its residual that of A, relative to
   /// |A|; those of a plain step where one was made.
@@ -79,6 +80,12 @@ class FastVorticityStep : public StepSetting<Stream> {
   /// Of |W|: beyond, squares of what is found in single precision are no numbers of it.
   static constexpr double smallest_size_ = 1e-7, largest_size_ = 1e12;
   static constexpr int steps_to_wait_ = 16;  ///< after a guess that was not good enough
+  /// Through which the polynomial of a guess goes that is the solution. Nothing then takes back what rounding
+  /// is amplified by, and through more of them it would grow from step to step.
+  static constexpr int explicit_steps_ = 5;
+  /// Through which that of its middle goes. What it is off by, the finish takes back: more steps will do no
+  /// harm until rounding is amplified to what they gain.
+  static constexpr int middle_steps_ = 7;
 
   /// Those along which the angular momentum of the end is taken back.
   typename StepSetting<Stream>::Axes moved_axes() const {
@@ -90,15 +97,16 @@ class FastVorticityStep : public StepSetting<Stream> {
   VorticityReport plain_step(SkewHermitian<>& w) {
     VorticityStep<Stream> plain(stream_, conserved_, step_, frame_, products_of_plain_);
     VorticityReport report;
+    SkewHermitian<> const before = w;
     try {
       report = plain.advance(w);
     } catch (NotContracting const&) {
       forget();
       throw;
     }
-    first_change_ = 1;
     auto const& made = plain.past().front();
-    remember(plain.displacement(), made.increment, made.factors);
+    factors_ = made.factors;
+    remember(before, plain.displacement(), before + made.increment, 1);
     return report;
   }
 
@@ -111,38 +119,40 @@ class FastVorticityStep : public StepSetting<Stream> {
       a_ = eps_ * p_;
       return;
     }
-    extrapolate(past_, [this](Past const& past, double weight) { factors_ += weight * past.factors; });
-    a_.real.setZero(w.size(), w.size()), a_.imaginary.setZero(w.size(), w.size());
-    add_extrapolated(past_, &Past::displacement, a_);
+    int const most = guess_is_enough() ? explicit_steps_ : extrapolated_steps;
+    extrapolate(
+        past_, [this](Past const& past, double weight) { factors_ += weight * past.factors; },
+        explicit_steps_);
+    extrapolate(past_, &Past::displacement, most, sum_);
+    sum_.put(w.size(), a_);
   }
-  void remember(SkewHermitian<> const& displacement, SkewHermitian<> const& increment,
-                Factors const& factors) {
+  /// @param middle  of which the increment is that from w
+  void remember(SkewHermitian<> const& w, SkewHermitian<> const& displacement, SkewHermitian<> const& middle,
+                double guess_error) {
     Past newest = make_room(past_, std::max(1, extrapolated_steps));
-    newest.displacement = displacement;
-    newest.increment.real = increment.real.template cast<float>();
-    newest.increment.imaginary = increment.imaginary.template cast<float>();
-    newest.factors = factors, newest.first_change = first_change_, newest.wait = wait_;
+    newest.displacement.take(displacement), newest.increment.take_difference(middle, w);
+    newest.factors = factors_, newest.guess_error = guess_error, newest.wait = wait_;
     newest.radius = radius_.ratio, newest.age = ++radius_.age;
     past_.push_front(std::move(newest));
   }
 
   /// Whether the guess of A is likely to be the solution: it was in the step before.
   bool guess_is_enough() const {
-    return static_cast<int>(past_.size()) == extrapolated_steps &&
-           past_.front().first_change <= 0.5 * tolerance && wait_ == 0;
+    return static_cast<int>(past_.size()) >= explicit_steps_ &&
+           past_.front().guess_error <= 0.5 * tolerance && past_.front().wait <= 1;
   }
   /// A flow that is smooth in time needs no round at all: the middle is extrapolated, too, and the double
   /// precision of the finish says whether both are good enough.
-  bool find_by_guess(SkewHermitian<> const& w, double size, VorticityReport& report) {
-    middle_ = w;
-    add_extrapolated(past_, &Past::increment, middle_);
-    if (!(finish_.evaluate(w, a_, middle_) <= largest_residual_ * size)) return false;
-    if (of_energy()) average_ = w + finish_.half_change();
-    find_displacement(w);
-    ++report.iterations;
-    first_change_ = report.residual = relative_distance(a_, next_);
-    if (!(first_change_ <= tolerance)) return false;
-    finish_.transform().factor(a_, radius_.bound(a_));
+  bool find_by_guess(SkewHermitian<> const& w, double size) {
+    extrapolate(past_, &Past::increment, std::min(extrapolated_steps, middle_steps_), sum_);
+    sum_.put_sum(w, middle_);
+    double const found = finish_.evaluate(w, a_, middle_);
+    if (!(found <= largest_residual_ * size)) return false;
+    // r is added to what has the rounding of double precision: the smaller it is, the less of the transform
+    // matters.
+    double const error = std::clamp(1e-17 * size / found, 2e-9, 1e-5);
+    finish_.transform().factor(a_, radius_.bound(a_), error);
+    if (found > smallest_residual_ * size) finish_.better_middle(a_, radius_.age, middle_);
     return true;
   }
 
@@ -159,7 +169,6 @@ class FastVorticityStep : public StepSetting<Stream> {
       find_displacement(w);
       ++report.iterations;
       double const change = report.residual = relative_distance(a_, next_);
-      if (std::isinf(before)) first_change_ = change;
       if (change <= tolerance) return true;
       if (!(change < 0.25 * before)) return change < lowest_;
       before = change;
@@ -197,12 +206,12 @@ class FastVorticityStep : public StepSetting<Stream> {
       finish_.transform().factor(a_, radius_.bound(a_));
       finish_.find_middle(w, single_, of_energy(), middle_, average_);
     }
-    if (found > smallest_residual_ * size) finish_.better_middle(a_, radius_.age);
+    if (found > smallest_residual_ * size) finish_.better_middle(a_, radius_.age, middle_);
     return true;
   }
 
   /// Takes energy and angular momentum back to what they were, along the orbit. The A that is found on the
-  /// way is the one to be remembered: the middle of what double precision holds, without the noise of single
+  /// way is the one to be remembered: that of the middle in double precision, without the noise of single
   /// precision.
   /// @return false where it would be a long way; the factors are then the better ones
   bool polish(SkewHermitian<> const& w) {
@@ -211,8 +220,8 @@ class FastVorticityStep : public StepSetting<Stream> {
     Eigen::Index const first = energy ? 1 : 0;
     Eigen::VectorXd change(first + static_cast<Eigen::Index>(axes.size()));
     double scale = 0;
-    average_.real = 0.5 * (w.real + end_.real), average_.imaginary = 0.5 * (w.imaginary + end_.imaginary);
-    if (!energy) average_ += finish_.remainder(), std::swap(average_, middle_);
+    if (energy)
+      average_.real = 0.5 * (w.real + end_.real), average_.imaginary = 0.5 * (w.imaginary + end_.imaginary);
     stream_.solve(energy ? average_ : middle_, p_);
     this->subtract_turning(middle_, momentum_.norm(), p_);
     next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
@@ -253,11 +262,11 @@ class FastVorticityStep : public StepSetting<Stream> {
 
   SkewHermitian<> a_, next_, p_, middle_, average_, half_change_, end_;
   SkewHermitian<float> single_, stream_of_end_;
+  LowerHalf sum_;
   Factors factors_ = Factors::Zero();
-  double first_change_ = 1;  ///< of A in this step, by the first of its rounds
-  int wait_ = 0;             ///< steps for which the guess is not tried as the solution
-  FollowedRadius radius_;    ///< the largest eigenvalue of A
-  std::deque<Past> past_;    ///< the newest first
+  int wait_ = 0;           ///< steps for which the guess is not tried as the solution
+  FollowedRadius radius_;  ///< the largest eigenvalue of A
+  std::deque<Past> past_;  ///< the newest first
 };
 
 template <class Stream>
@@ -269,28 +278,35 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
   VorticityReport report;
   guess(w);
   wait_ = past_.empty() ? 0 : std::max(0, past_.front().wait - 1);
+  bool made = false;
+  double guess_error = 1;
+  if (guess_is_enough()) {
+    ++report.iterations;
+    if (find_by_guess(w, size)) {
+      finish_.find_end(w, middle_, end_);
+      made = polish(w);
+      guess_error = report.residual = relative_distance(a_, next_);
+      // Not good enough, it is where the rounds begin.
+      if (!(guess_error <= tolerance)) made = false, std::swap(a_, next_);
+    }
+    if (!made) wait_ = steps_to_wait_;
+  }
   // Without a history the factors are not known: what the polish finds then is where the next attempt begins.
-  bool made = false, found = true;
-  for (int tries = 0; found && !made && tries < (corrected_.count() == 0 ? 1 : 4); ++tries) {
-    bool const tried = tries == 0 && guess_is_enough();
-    found = tried && find_by_guess(w, size, report);
-    if (tried && !found) wait_ = steps_to_wait_;
-    if (!found) found = find(w, report) && settle(w, size);
-    if (found) finish_.find_end(w, end_), made = polish(w);
+  for (int tries = corrected_.count() == 0 ? 1 : 4; !made && tries > 0; --tries) {
+    if (!find(w, report) || !settle(w, size)) break;
+    finish_.find_end(w, middle_, end_);
+    made = polish(w);
+    if (made && static_cast<int>(past_.size()) >= explicit_steps_)
+      guess_error = error_of_guess(past_, explicit_steps_, next_);
   }
   if (!made) return plain_step(w);
-  // Wt = (W_0 + W_1)/2 + A Wt A: what the middle was off by counts in this by the square of A.
-  average_.real = 0.5 * (end_.real - w.real) + finish_.remainder().real;
-  average_.imaginary = 0.5 * (end_.imaginary - w.imaginary) + finish_.remainder().imaginary;
-  remember(next_, average_, factors_);
+  remember(w, next_, middle_, guess_error);
   w.real.swap(end_.real), w.imaginary.swap(end_.imaginary);
   return report;
 }
 
 template <class Stream>
-double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
-  return lanczos_radius(a);
-}
+double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) { return lanczos_radius(a); }
 
 #ifdef ACTIO_COMPILED_STEPS
 extern template class FastVorticityStep<SphereLaplacian>;

@@ -54,12 +54,23 @@ class IsospectralFinish {
   /// halves of three.
   double evaluate(SkewHermitian<Real> const& w, SkewHermitian<Real> const& a,
                   SkewHermitian<Real> const& middle) {
-    products_.multiply(a, middle, commutator_);
-    products_.multiply_again(a, remainder_);
-    residual_.real = (commutator_.real + remainder_.real - (middle.real - w.real)).template cast<float>();
-    residual_.imaginary = (commutator_.imaginary + remainder_.imaginary - (middle.imaginary - w.imaginary))
-                              .template cast<float>();
-    return static_cast<double>(norm(residual_));
+    products_.multiply_half(a, middle, commutator_);
+    products_.multiply_again_half(a, remainder_);
+    if (residual_.size() != w.size()) residual_ = SkewHermitian<float>(w.size());
+    double squares = 0;
+    for (Eigen::Index c = 0; c < w.size(); ++c) {
+      auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
+      auto const put =
+          [&](auto const& half_change, auto const& rest, auto const& mid, auto const& start, auto&& r) {
+        r = ((below(half_change) + below(rest)) - (below(mid) - below(start))).template cast<float>();
+        squares += 2 * static_cast<double>(r.squaredNorm()) - static_cast<double>(r[0]) * r[0];
+      };
+      put(commutator_.real, remainder_.real, middle.real, w.real, below(residual_.real));
+      put(commutator_.imaginary, remainder_.imaginary, middle.imaginary, w.imaginary,
+          below(residual_.imaginary));
+    }
+    mirror_lower(residual_);
+    return std::sqrt(squares);
   }
   /// The middle Wt + r in the place of Wt: C and r become C + [A, r] and [A, r] + A r A.
   ///
@@ -67,7 +78,9 @@ class IsospectralFinish {
   /// the same rounded A makes the squares of W grow by |[dA, W_0]|^2: always to the same side, so that it
   /// would add up. So A is rounded afresh here, otherwise in each step.
   /// @param number  another one in each of some steps that follow one another
-  void better_middle(SkewHermitian<Real> const& a, int number) {
+  /// @param middle  Wt, on and below the diagonal
+  void better_middle(SkewHermitian<Real> const& a, int number, SkewHermitian<Real>& middle) {
+    add_lower(residual_, middle);
     // Multiples of the golden section lie evenly, and none of the first is near a power of two.
     double const golden = 0.6180339887498949 * (number + 1);
     cayley_.evaluate(a, 0.5 + 0.5 * (golden - std::floor(golden)), residual_, twice_, square_);
@@ -76,27 +89,35 @@ class IsospectralFinish {
     commutator_.real += twice_.real.template cast<Real>();
     commutator_.imaginary += twice_.imaginary.template cast<Real>();
   }
-  /// \f$W_1 = W_0 + 2C + (U r U^* - r)\f$, by the transform.
-  void find_end(SkewHermitian<Real> const& w, SkewHermitian<Real>& end) {
+  /// \f$W_1 = W_0 + 2C + (U r U^* - r)\f$, by the transform; and the middle that belongs to A, which is
+  /// \f$(1-A)^{-1}r(1+A)^{-1}\f$ away from Wt, on and below its diagonal.
+  void find_end(SkewHermitian<Real> const& w, SkewHermitian<Real>& middle, SkewHermitian<Real>& end) {
     if (end.size() != w.size()) end = SkewHermitian<Real>(w.size());
     cayley_.conjugate(residual_, twice_, square_);
     for (Eigen::Index c = 0; c < w.size(); ++c) {
       auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
-      auto const put =
-          [&](auto const& start, auto const& half_change, auto const& f, auto const& e, auto& to) {
+      auto const put = [&](auto const& start, auto const& half_change, auto const& r, auto const& f,
+                           auto const& e, auto& mid, auto& to) {
+        below(mid) += (below(r) + (below(f) + below(e))).template cast<Real>();
         below(to) = below(start) +
                     (2 * below(half_change) + (2.F * (below(f) + 2.F * below(e))).template cast<Real>());
       };
-      put(w.real, commutator_.real, twice_.real, square_.real, end.real);
-      put(w.imaginary, commutator_.imaginary, twice_.imaginary, square_.imaginary, end.imaginary);
+      put(w.real, commutator_.real, residual_.real, twice_.real, square_.real, middle.real, end.real);
+      put(w.imaginary, commutator_.imaginary, residual_.imaginary, twice_.imaginary, square_.imaginary,
+          middle.imaginary, end.imaginary);
     }
     mirror_lower(end);
   }
 
-  SkewHermitian<Real> const& half_change() const { return commutator_; }  ///< C
-  SkewHermitian<Real> const& remainder() const { return remainder_; }     ///< A Wt A, of the middle as it was
-
  private:
+  /// Adds a matrix on and below the diagonal.
+  static void add_lower(SkewHermitian<float> const& x, SkewHermitian<Real>& to) {
+    for (Eigen::Index c = 0; c < x.size(); ++c) {
+      auto const rows = x.size() - c;
+      to.real.col(c).tail(rows) += x.real.col(c).tail(rows).template cast<Real>();
+      to.imaginary.col(c).tail(rows) += x.imaginary.col(c).tail(rows).template cast<Real>();
+    }
+  }
   SkewProducts<Real> products_;
   SingleCayley cayley_;
   SkewHermitian<Real> commutator_, remainder_;

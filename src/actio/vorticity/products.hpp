@@ -60,9 +60,7 @@ class EigenProducts : public ProductsBy<EigenProducts> {
 };
 
 template <class Part>
-void EigenProducts::whole(Part const& a, Part const& b, Part& out) const {
-  out.noalias() = a * b;
-}
+void EigenProducts::whole(Part const& a, Part const& b, Part& out) const { out.noalias() = a * b; }
 template <class Part>
 void EigenProducts::lower(Part const& a, Part const& b, Part& out) const {
   out.template triangularView<Eigen::Lower>() = a * b;
@@ -86,42 +84,59 @@ class SkewProducts {
   /// B = A W of two skew-Hermitian matrices, whole: three real products. Keeps the commutator
   /// \f$C = [A, W] = B - B^*\f$ beside it.
   void multiply(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c) {
-    allocate(a.size());
+    multiply_half(a, w, c);
+    mirror_lower(c);
+  }
+  /// The same, but of C what is on and below its diagonal.
+  void multiply_half(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c) {
+    auto const n = a.size();
+    allocate(n);
+    if (c.size() != n) c = SkewHermitian<Real>(n);
     products_->multiply(a.real, w.real, real_);
     products_->multiply(a.imaginary, w.imaginary, other_);
-    left_ = a.real + a.imaginary, right_ = w.real + w.imaginary;
-    products_->multiply(left_, right_, imaginary_);
+    sum_ = a.real + a.imaginary, other_sum_ = w.real + w.imaginary;
+    products_->multiply(sum_, other_sum_, imaginary_);
     imaginary_ -= real_ + other_;
     real_ -= other_;
-    c.real = real_ - real_.transpose();
-    c.imaginary = imaginary_ + imaginary_.transpose();
+    over_tiles(n, [&](auto i, auto j, auto rows, auto columns) {
+      c.real.block(i, j, rows, columns) =
+          real_.block(i, j, rows, columns) - real_.block(j, i, columns, rows).transpose();
+      c.imaginary.block(i, j, rows, columns) =
+          imaginary_.block(i, j, rows, columns) + imaginary_.block(j, i, columns, rows).transpose();
+    });
   }
-  /// E = B A = A W A with the B of the last product: skew-Hermitian, so that half of it is computed.
+  /// E = B A = A W A with the A and the B of the last product: skew-Hermitian, so that half of it is
+  /// computed.
   void multiply_again(SkewHermitian<Real> const& a, SkewHermitian<Real>& e) {
-    if (e.size() != a.size()) e = SkewHermitian<Real>(a.size());
-    left_ = real_ + imaginary_, right_ = a.real + a.imaginary;
+    multiply_again_half(a, e);
+    mirror_lower(e);
+  }
+  /// The same, on and below the diagonal.
+  void multiply_again_half(SkewHermitian<Real> const& a, SkewHermitian<Real>& e) {
+    auto const n = a.size();
+    if (e.size() != n) e = SkewHermitian<Real>(n);
+    other_sum_ = real_ + imaginary_;
     products_->multiply_lower(real_, a.real, e.real);
     products_->multiply_lower(imaginary_, a.imaginary, other_);
-    products_->multiply_lower(left_, right_, e.imaginary);
-    auto const n = a.size();
+    products_->multiply_lower(other_sum_, sum_, e.imaginary);
     for (Eigen::Index j = 0; j < n; ++j) {
       auto const below = n - j;
       e.imaginary.col(j).tail(below) -= e.real.col(j).tail(below) + other_.col(j).tail(below);
       e.real.col(j).tail(below) -= other_.col(j).tail(below);
       e.real(j, j) = 0;
     }
-    mirror_lower(e);
   }
 
  private:
   void allocate(Eigen::Index n) {
     if (real_.rows() == n) return;
-    for (Part* part : {&real_, &imaginary_, &other_, &left_, &right_}) part->resize(n, n);
+    for (Part* part : {&real_, &imaginary_, &other_, &sum_, &other_sum_}) part->resize(n, n);
   }
 
   Products products_;
   Part real_, imaginary_;  ///< B
-  Part other_, left_, right_;
+  Part sum_;               ///< of the two parts of A
+  Part other_, other_sum_;
 };
 
 // Our own programs have these compiled once (compiled_products.cpp).

@@ -76,6 +76,15 @@ S norm(SkewHermitian<S> const& x) {
   return sqrt(x.real.squaredNorm() + x.imaginary.squaredNorm());
 }
 
+/// Calls `use(i, j, rows, columns)` for the tiles of a matrix of the size n that are on and below its
+/// diagonal: two tiles that mirror one another are both near.
+template <class Use>
+void over_tiles(Eigen::Index n, Use const& use) {
+  constexpr Eigen::Index tile = 32;
+  for (Eigen::Index j = 0; j < n; j += tile)
+    for (Eigen::Index i = j; i < n; i += tile) use(i, j, std::min(tile, n - i), std::min(tile, n - j));
+}
+
 /// Completes a matrix of which what is on and below the diagonal is known.
 template <class S>
 void mirror_lower(SkewHermitian<S>& w) {

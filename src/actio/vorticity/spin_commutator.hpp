@@ -42,15 +42,16 @@ inline SkewHermitian<> spin_commutator(QuantizedSphere const& sphere, int axis, 
   return out;
 }
 
-/// \f$\langle iS_j, W\rangle = \mathrm{Tr}(S_j(-iW))\f$: the part of W along the axis j.
+/// \f$\langle iS_j, W\rangle = \mathrm{Tr}(S_j(-iW))\f$: the part of W along the axis j. What is
+/// above the diagonal is not looked at.
 inline double spin_component(QuantizedSphere const& sphere, int axis, SkewHermitian<> const& w) {
   int const n = sphere.n;
   double sum = 0;
   for (int k = 0; k < n; ++k) {
     if (axis == 2) sum += sphere.weight(k) * w.imaginary(k, k);
     // S_1 has the entries of the ladder on both sides; -iW = J - iR.
-    if (axis == 0 && k + 1 < n) sum += 2 * sphere.ladder(k) * w.imaginary(k, k + 1);
-    if (axis == 1 && k + 1 < n) sum += 2 * sphere.ladder(k) * w.real(k, k + 1);
+    if (axis == 0 && k + 1 < n) sum += 2 * sphere.ladder(k) * w.imaginary(k + 1, k);
+    if (axis == 1 && k + 1 < n) sum -= 2 * sphere.ladder(k) * w.real(k + 1, k);
   }
   return sum;
 }

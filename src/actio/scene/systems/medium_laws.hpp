@@ -43,35 +43,4 @@ struct GasLaw {
   }
 };
 
-/// \f$U = \tfrac b2(J-1)^2+(b-c)J-a\log J\f$, \f$U' = bJ-a/J-c\f$: with a the shear modulus and b = c that
-/// of the volume it is the part of a neo-Hookean solid that knows the volume, free of stress at rest.
-struct ReciprocalLaw {
-  static constexpr bool in_lanes = true;  ///< slopes come four at a time
-  double a;                               ///< of the logarithm, modulus over the mass density
-  double b;                               ///< of the square, the same
-  double c;                               ///< of J, the same
-
-  /// U, speed squared.
-  template <class T>
-  T energy(T const& J) const {
-    using std::log;
-    return 0.5 * b * ((J - 1.0) * (J - 1.0)) + (b - c) * J - a * log(J);
-  }
-  /// \f$U'\f$, speed squared.
-  template <class T>
-  [[gnu::always_inline]] T slope(T const& J) const {
-    return T(b) * J - T(a) / J - T(c);
-  }
-  /// \f$U'\f$ at four corners.
-  template <class T>
-  [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
-#pragma GCC unroll 4
-    for (int k = 0; k < 4; ++k) out[k] = slope(J[k]);
-  }
-  /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
-  ReciprocalLaw scaled(double unit, double weight) const {
-    return {weight * a * unit, weight * b / unit, weight * c};
-  }
-};
-
 }  // namespace actio::scene

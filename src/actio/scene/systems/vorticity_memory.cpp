@@ -15,15 +15,16 @@ double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved, boo
   bool const poisson = conserved == Conserved::lie_poisson;
   // The state and a copy for a row between steps, the Laplacian, the start, and what a step has on the way.
   double count = 4 + 2 + 2 + 10;
-  // Each substep: products, unknowns and what they are made of, directions, and five steps to guess from;
-  // matrices of single precision count for half.
+  // Each substep: products, unknowns and what they are made of, directions, and steps to guess from, five, or
+  // eight halves of two matrices; matrices of single precision count for half.
   bool const all = conserved == Conserved::all_invariants;
-  double const before = 5 * (!to_rounding ? 3 : poisson ? 2 : 4), plain = 5 + 14 + (all ? 6 : 0);
-  count += static_cast<double>(substeps) * ((to_rounding ? plain : 18 + 5 + 15) + before);
+  double const before = to_rounding ? 5 * (poisson ? 2 : 4) : (poisson ? 8 : 5) * 2;
+  double const plain = 5 + 14 + (all ? 6 : 0);
+  count += static_cast<double>(substeps) * ((to_rounding ? plain : 18 + 5 + 16) + before);
   // A step that cannot be found in single precision is made by another one.
   if (!to_rounding) count += plain + 2;
   // A checkpoint holds half of each skew matrix, and is there twice while it is written.
-  count += 2 * (1 + static_cast<double>(substeps) * before / 2);
+  count += 2 * (1 + static_cast<double>(substeps) * (to_rounding ? before / 2 : before));
   // One quantity is evaluated after the other.
   double most = 2;
   for (auto const& [name, matrices] : {std::pair("casimirs", 14),

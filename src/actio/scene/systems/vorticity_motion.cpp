@@ -43,8 +43,6 @@ void remember_matrix(CheckpointStream& stream, SkewHermitian<Real>& w, int n) {
 }
 /// In double precision.
 template void remember_matrix(CheckpointStream&, SkewHermitian<double>&, int);
-/// In single precision.
-template void remember_matrix(CheckpointStream&, SkewHermitian<float>&, int);
 
 StateDistance VorticityMotion::distance(Motion const& other) const {
   auto const& w = absolute_vorticity();

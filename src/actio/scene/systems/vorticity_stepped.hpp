@@ -105,13 +105,18 @@ class SteppedVorticity : public VorticityMotion {
   void remember_past(CheckpointStream& stream, typename Step::Past& past) const {
     int const n = flow_->sphere.n;
     std::span<double> factors(past.factors.data(), 4);
-    remember_matrix(stream, past.increment, n);
     if constexpr (requires { past.half_change; }) {
+      remember_matrix(stream, past.increment, n);
       if (scheme_.conserved != Conserved::lie_poisson) remember_matrix(stream, past.half_change, n);
       stream(factors);
     } else {
-      remember_matrix(stream, past.displacement, n);
-      stream(factors), stream(past.first_change), stream(past.wait), stream(past.radius), stream(past.age);
+      for (auto* half : {&past.displacement, &past.increment})
+        for (auto* part : {&half->real, &half->imaginary}) {
+          if (stream.reading()) part->resize(LowerHalf::count(n));
+          std::span<double> numbers(part->data(), static_cast<std::size_t>(part->size()));
+          stream(numbers);
+        }
+      stream(factors), stream(past.guess_error), stream(past.wait), stream(past.radius), stream(past.age);
     }
   }
 
