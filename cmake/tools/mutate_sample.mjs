@@ -243,7 +243,7 @@ function sources() {
 function shuffled() {
   const all = [];
   for (const file of sources()) {
-    const text = fs.readFileSync(path.join(root, file), 'utf8');
+    const text = textOf(file);
     for (const e of errorsOf(text)) all.push({ file, line: text.slice(0, e.at).split('\n').length, ...e });
   }
   const below = generator(seed);
@@ -299,8 +299,14 @@ constexpr bool on(int k) {
 let changed = false;
 
 /// Writes a file of the copy with all errors that are planted in it.
+/// What a source was when this began: whoever edits it meanwhile changes no error that is planted.
+const original = new Map();
+function textOf(file) {
+  if (!original.has(file)) original.set(file, fs.readFileSync(path.join(root, file), 'utf8'));
+  return original.get(file);
+}
 function writeFile(file, planted) {
-  let text = fs.readFileSync(path.join(root, file), 'utf8');
+  let text = textOf(file);
   const here = planted.filter(m => m.file === file).sort((a, b) => b.at - a.at);
   for (const m of here) text = `${text.slice(0, m.at)}(actio::mutants::${m.operands ? `on_product(${m.k}, ${m.operands})` : `on(${m.k})`} ? (${m.mutated}) : (${m.original}))${text.slice(m.end)}`;
   if (here.length) {
@@ -380,7 +386,7 @@ async function eachSource(planted, passedBy, times) {
   for (const unit of units().filter(u => u.program.startsWith('checks_'))) {
     let line = null, tried = 0;
     for (const m of planted.filter(p => passedBy.get(p.k)?.includes(unit))) {
-      const text = fs.readFileSync(path.join(root, m.file), 'utf8');
+      const text = textOf(m.file);
       if (/\n/.test(m.original)) continue;
       // The shortest text around it that occurs once, up to its line.
       const begin = text.lastIndexOf('\n', m.at) + 1, end = text.indexOf('\n', m.at);

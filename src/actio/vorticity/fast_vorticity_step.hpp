@@ -148,9 +148,8 @@ class FastVorticityStep : public StepSetting<Stream> {
     sum_.put_sum(w, middle_);
     double const found = finish_.evaluate(w, a_, middle_);
     if (!(found <= largest_residual_ * size)) return false;
-    // r is added to what has the rounding of double precision: the smaller it is, the less of the transform
-    // matters.
-    double const error = std::clamp(1e-17 * size / found, 2e-9, 1e-5);
+    // What the transform is off by is multiplied by r, and should not add up to a rounding in many steps.
+    double const error = std::clamp(1e-18 * size / found, 2e-9, 1e-6);
     finish_.transform().factor(a_, radius_.bound(a_), error);
     if (found > smallest_residual_ * size) finish_.better_middle(a_, radius_.age, middle_);
     return true;
@@ -306,7 +305,9 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
 }
 
 template <class Stream>
-double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) { return lanczos_radius(a); }
+double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
+  return lanczos_radius(a);
+}
 
 #ifdef ACTIO_COMPILED_STEPS
 extern template class FastVorticityStep<SphereLaplacian>;
