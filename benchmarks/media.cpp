@@ -64,6 +64,21 @@ struct Pass {
   }
 };
 
+/// A gas as its reader would write it, who knows nothing of lanes.
+struct OwnGas {
+  double K, gamma;
+  template <class T>
+  T energy(T const& J) const {
+    using std::pow;
+    return K / (gamma - 1) * pow(J, 1 - gamma);
+  }
+  template <class T>
+  T slope(T const& J) const {
+    using std::pow;
+    return -K * pow(J, -gamma);
+  }
+};
+
 Point place(Point const& X) {
   return {X[0] + 0.01 * std::sin(6 * X[0] + 2 * X[1]), X[1] + 0.02 * std::cos(3 * X[0])};
 }
@@ -134,6 +149,11 @@ int main(int argc, char** argv) {
   double const rubber = counted("neo-Hookean, square", FastNeoHookean{1, ReciprocalLaw{1, 2, 2}},
                                 peers::NeoHookeanSquareStress{1, 2});
   add("neo-Hookean, logarithm", neo_hookean(1, 1), peers::NeoHookeanStress{1, 1}, 0);
+  // Number by number, which is not what the limits are of.
+  auto const own = benchmark::cost_of(program, FastFluid{OwnGas{1, 1.37}}, peers::GasStress{1, 1.37}, box,
+                                      small, size.steps, place, velocity, sum);
+  rows.push_back({"a law of one's own", number(own.one), number(own.two), number(own.plain),
+                  number(own.plain / own.one), "", "", ""});
   program.table(
       "plane", {"medium", "one thread", "two", "Eigen", "Eigen / one", "operations", "floor", "one / floor"},
       rows,
@@ -144,6 +164,7 @@ int main(int argc, char** argv) {
   program.figure("rubber", rubber, "ns for a cell and step of a neo-Hookean solid");
   program.figure("named", named, "ns for a cell and step of a gas with an exponent by roots, the slowest");
   program.figure("any", any, "ns for a cell and step of a gas with any exponent");
+  program.figure("own", own.one / any, "times that the same gas takes as a law of one's own, without lanes");
   program.figure("ratio", ratio, "times that the Eigen loop takes longer, least");
   program.figure("shared", shared, "what two threads take of the time of one, most");
   program.figure("sum", sum, "sum of the last states, so that nothing is left out");
