@@ -84,6 +84,30 @@ BOOST_AUTO_TEST_CASE(the_finish_is_exact_for_an_unconverged_middle) {
              1e-14 * n * norm(w));
 }
 
+BOOST_AUTO_TEST_CASE(the_finish_finds_the_middle_that_belongs_to_the_displacement) {
+  int const n = 16;
+  SkewHermitian<> const w = random_state(n, 9), off = random_state(n, 15);
+  SkewHermitian<> a = SphereLaplacian(n).solve(w), end;
+  a *= 0.2 / FastVorticityStep<>::spectral_radius(a);
+  for (bool better : {false, true}) {
+    IsospectralFinish<> finish(eigen_products());
+    finish.transform().factor(a, 0.21);
+    SkewHermitian<> middle, average;
+    finish.find_middle(w, w.cast<float>(), false, middle, average);
+    middle += 1e-4 * off;
+    double const before = finish.evaluate(w, a, middle);
+    BOOST_TEST(before > 1e-5 * norm(w));
+    if (better) finish.better_middle(a, 1, middle);
+    finish.find_end(w, middle, end);
+    mirror_lower(middle);
+    // What single precision makes of r: some ten products, each with n roundings at the most.
+    BOOST_TEST(finish.evaluate(w, a, middle) <= 10 * n * std::numeric_limits<float>::epsilon() * before);
+    // Of the step with that middle, the end is that of the step without an iteration.
+    SkewHermitian<> const apart = end - w - 2.0 * commutator(a, middle);
+    BOOST_TEST(norm(apart) <= 10 * n * std::numeric_limits<float>::epsilon() * before);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_fast_step_is_the_plain_one_to_its_tolerance_and_conserves_to_rounding) {
   int const n = 16, steps = 60;
   QuantizedSphere const sphere(n);
