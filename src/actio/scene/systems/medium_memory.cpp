@@ -1,5 +1,9 @@
 #include "actio/scene/systems/medium_memory.hpp"
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +11,9 @@
 
 namespace actio::scene {
 namespace {
+
+/// Lists of that size have pages of their own, which are given back with them; bytes.
+constexpr int least_list_apart = 1 << 20;
 
 /// What is counted, for a mesh and a request.
 struct Counted {
@@ -69,11 +76,11 @@ double bytes_of_constants(Counted const& body, SnapshotRequest const& snapshots)
 double bytes_on_fast_road(Counted const& body, MediumMesh const& mesh, double snapshot, double constants) {
   double const row = mesh.cells[0] + !mesh.periodic[0], packs = (mesh.cells[0] + 4) / 4,
                padded = (8 * packs + (std::fmod(packs, 8) == 0 ? 4 : 0)) / (2 * row);
-  // Velocities half a step later take the forces and the places besides. Lists of up to 32 MB leave gaps
-  // behind, into which larger ones do not fit.
-  double const gap = body.vector < 33554432 ? body.vector : 0;
-  double const besides = std::max(
-      {3 * body.vector + 2.5 * gap, snapshot + gap, constants - body.observed * body.vector + 2.5 * gap});
+  // Velocities half a step later take the forces and the places besides. Lists that are not kept apart leave
+  // gaps behind, into which larger ones do not fit.
+  double const gap = body.vector < least_list_apart ? body.vector : 0;
+  double const besides = std::max({3 * body.vector + 2.5 * gap, snapshot + 2.5 * gap,
+                                   constants - body.observed * body.vector + 2.5 * gap});
   return (4 * padded + body.observed) * body.vector + besides;
 }
 
@@ -105,12 +112,18 @@ double bytes_on_plain_road(Counted const& body, MediumMesh const& mesh, Request 
 
 }  // namespace
 
+void keep_large_lists_apart() {
+#ifdef M_MMAP_THRESHOLD
+  ::mallopt(M_MMAP_THRESHOLD, least_list_apart);
+#endif
+}
+
 double bytes_for_medium(MediumMesh const& mesh, bool fast, Request const& request) {
   Counted const body(mesh, request);
   double const snapshot = request.snapshots ? bytes_of_snapshot(body, *request.snapshots) : 0,
                constants = request.snapshots ? bytes_of_constants(body, *request.snapshots) : 0;
   bool const frames = request.snapshots && request.snapshots->in("hdf5");
-  constexpr double program = 11.2e6, library = 11.5e6;
+  constexpr double program = 11.2e6, library = 11.0e6;
   return program + (frames ? library : 0) +
          (fast ? bytes_on_fast_road(body, mesh, snapshot, constants)
                : bytes_on_plain_road(body, mesh, request, snapshot, constants));

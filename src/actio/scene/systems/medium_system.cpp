@@ -88,6 +88,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   auto const road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
   if (!road) return false;
   simulation.bytes = require_memory(request.file, mesh, true, request);
+  keep_large_lists_apart();
   BoxCells<Box> const cells(*box);
   // Places of the start are let go of before there is a motion.
   auto begin = examined_start<d>(request.file, *start, cells, mesh);
