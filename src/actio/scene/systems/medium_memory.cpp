@@ -79,9 +79,11 @@ double bytes_on_fast_road(Counted const& body, MediumMesh const& mesh, double sn
   // Velocities half a step later take the forces and the places besides. Lists that are not kept apart leave
   // gaps behind, into which larger ones do not fit.
   double const gap = body.vector < least_list_apart ? body.vector : 0;
+  // Places and velocities of the start are there until the first row, and what quantities keep from then on.
+  double const kept = std::max(body.observed, 2.0);
   double const besides = std::max({3 * body.vector + 2.5 * gap, snapshot + 2.5 * gap,
-                                   constants - body.observed * body.vector + 2.5 * gap});
-  return (4 * padded + body.observed) * body.vector + besides;
+                                   constants - kept * body.vector + 2.5 * gap});
+  return (4 * padded + kept) * body.vector + besides;
 }
 
 /// Plain steps: the mesh, the points of its cells with their inverse edges, states, forces, copies.
