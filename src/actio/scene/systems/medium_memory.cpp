@@ -81,8 +81,8 @@ double bytes_on_fast_road(Counted const& body, MediumMesh const& mesh, double sn
   double const gap = body.vector < least_list_apart ? body.vector : 0;
   // Places and velocities of the start are there until the first row, and what quantities keep from then on.
   double const kept = std::max(body.observed, 2.0);
-  double const besides = std::max({3 * body.vector + 2.5 * gap, snapshot + 2.5 * gap,
-                                   constants - kept * body.vector + 2.5 * gap});
+  double const besides = std::max(
+      {3 * body.vector + 2.5 * gap, snapshot + 2.5 * gap, constants - kept * body.vector + 2.5 * gap});
   return (4 * padded + kept) * body.vector + besides;
 }
 
