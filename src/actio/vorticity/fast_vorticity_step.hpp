@@ -248,7 +248,9 @@ class FastVorticityStep : public StepSetting<Stream> {
     bool const is_short = move_.length() <= longest;
     if (corrected_.count() != 0 || !is_short) factors_.head(move.size()) += 0.5 * move;
     if (!is_short) return false;
-    if (corrected_.count() != 0) move_displacement(w);
+    // Commutators with the spins reach across the diagonal, above which the finish leaves the middle as it
+    // was.
+    if (corrected_.count() != 0) mirror_lower(middle_), move_displacement(w);
     move_.move(finish_.transform(), single_, end_);
     return true;
   }
@@ -305,9 +307,7 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
 }
 
 template <class Stream>
-double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
-  return lanczos_radius(a);
-}
+double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) { return lanczos_radius(a); }
 
 #ifdef ACTIO_COMPILED_STEPS
 extern template class FastVorticityStep<SphereLaplacian>;
