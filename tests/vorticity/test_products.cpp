@@ -4,24 +4,12 @@
 
 #include "actio/vorticity/blas_products.hpp"
 #include "actio/vorticity/products.hpp"
+#include "loops_blas.hpp"
 
 using namespace actio;
+using actio::testing::by_loops;
 
 namespace {
-
-/// A BLAS as its definition reads: three loops.
-template <class Real>
-void loops(char const*, char const*, int const* m, int const* n, int const* k, Real const* alpha,
-           Real const* a, int const* lda, Real const* b, int const* ldb, Real const*, Real* c,
-           int const* ldc) {
-  for (int j = 0; j < *n; ++j)
-    for (int i = 0; i < *m; ++i) {
-      Real sum = 0;
-      for (int l = 0; l < *k; ++l) sum += a[i + l * *lda] * b[l + j * *ldb];
-      c[i + j * *ldc] = *alpha * sum;
-    }
-}
-BlasFunctions const slow{&loops<double>, &loops<float>};
 
 SkewHermitian<> random_matrix(int n, unsigned seed) {
   std::mt19937 random(seed);
@@ -40,10 +28,10 @@ BOOST_AUTO_TEST_CASE(a_second_backend_gives_the_products_of_complex_matrices) {
   // Around the width of a panel, and where the last one is narrower.
   for (int n : {3, 31, 33, 70, 131}) {
     SkewHermitian<> const a = random_matrix(n, 1), w = random_matrix(n, 2);
-    SkewProducts<double> by_loops(std::make_shared<BlasProducts>(slow));
+    SkewProducts<double> other(std::make_shared<BlasProducts>(by_loops));
     SkewProducts<double> by_eigen;
     SkewHermitian<> c, e, c2, e2;
-    by_loops.multiply(a, w, c), by_loops.multiply_again(a, e);
+    other.multiply(a, w, c), other.multiply_again(a, e);
     by_eigen.multiply(a, w, c2), by_eigen.multiply_again(a, e2);
     // Sums of n products, three of them added: 10 n roundings of |A||W|, |A|^2|W|.
     double const rounding = 10 * n * std::numeric_limits<double>::epsilon();
@@ -59,9 +47,9 @@ BOOST_AUTO_TEST_CASE(products_are_equal_bit_for_bit_for_any_number_of_threads) {
   for (int n : {64, 128, 150}) {
     SkewHermitian<> const a = random_matrix(n, 3), w = random_matrix(n, 4);
     Eigen::MatrixXd one(n, n), many(n, n);
-    BlasProducts const alone(slow);
+    BlasProducts const alone(by_loops);
     for (int threads : {2, 3, 7}) {
-      BlasProducts const shared(slow, threads);
+      BlasProducts const shared(by_loops, threads);
       // Often, so that a lost wake-up or a panel done twice shows.
       for (int k = 0; k < 5; ++k) {
         many.setConstant(1e300);

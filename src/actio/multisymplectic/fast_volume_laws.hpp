@@ -106,7 +106,7 @@ struct PolytropicByRoots {
   /// In lanes: \f$U'\f$ from that, speed squared.
   [[gnu::always_inline]] detail::Fourfold second_half(detail::Fourfold const& J,
                                                       detail::Fourfold const& y) const {
-    return -K * detail::second_power<root, power>(J, y);
+    return detail::second_power<root, power>(-K, J, y);
   }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   PolytropicByRoots scaled(double unit, double weight) const { return {weight * K * std::pow(unit, gamma)}; }

@@ -109,22 +109,23 @@ class BlasProducts : public ProductsBy<BlasProducts> {
 
   /// out = a b.
   template <class Part>
-  void whole(Part const& a, Part const& b, Part& out) const {
+  void whole(Part const& a, Part const& b, Part& out, Reach reach = {}) const {
     int const n = static_cast<int>(a.rows());
     // Alone it is one panel below the size that is shared. Products of up to a million terms have a kernel of
     // their own in OpenBLAS, and it is worth four panels to be among them; then two lose the least.
-    int const width = n < smallest_shared ? n : n < 256 || n > 512 ? 2 * panel(n) : 4 * panel(n);
-    over_panels(n, width, [&](int first, int columns) {
-      gemm(n, columns, n, a.data(), n, b.col(first).data(), n, out.col(first).data(), n);
-    });
+    int const width = n < smallest_shared       ? n
+                      : reach.product() < n / 2 ? panel(n)
+                      : n < 256 || n > 512      ? 2 * panel(n)
+                                                : 4 * panel(n);
+    over_panels(n, width,
+                [&](int first, int columns) { multiply_columns(a, b, out, reach, 0, first, columns); });
   }
   /// What is on and below the diagonal of out = a b, and some of what is above.
   template <class Part>
-  void lower(Part const& a, Part const& b, Part& out) const {
+  void lower(Part const& a, Part const& b, Part& out, Reach reach = {}) const {
     int const n = static_cast<int>(a.rows());
-    over_panels(n, panel(n), [&](int first, int columns) {
-      gemm(n - first, columns, n, a.data() + first, n, b.col(first).data(), n, &out(first, first), n);
-    });
+    over_panels(n, panel(n),
+                [&](int first, int columns) { multiply_columns(a, b, out, reach, first, first, columns); });
   }
 
  private:
@@ -135,6 +136,20 @@ class BlasProducts : public ProductsBy<BlasProducts> {
       blas_.dgemm("N", "N", &m, &n, &k, &one, a, &lda, b, &ldb, &zero, c, &ldc);
     else
       blas_.sgemm("N", "N", &m, &n, &k, &one, a, &lda, b, &ldb, &zero, c, &ldc);
+  }
+  /// Some columns of out = a b, from the row `top` on.
+  template <class Part>
+  void multiply_columns(Part const& a, Part const& b, Part& out, Reach reach, int top, int first,
+                        int columns) const {
+    int const n = static_cast<int>(a.rows());
+    auto const within = [n](Eigen::Index k) { return static_cast<int>(std::clamp<Eigen::Index>(k, 0, n)); };
+    // What is not zero of these columns of b, and what of a meets it.
+    int const inner = within(first - reach.right), inner_end = within(first + columns + reach.right);
+    int const begin = std::max(top, within(inner - reach.left)), end = within(inner_end + reach.left);
+    gemm(end - begin, columns, inner_end - inner, &a(begin, inner), n, &b(inner, first), n,
+         &out(begin, first), n);
+    out.block(top, first, begin - top, columns).setZero();
+    out.block(end, first, n - end, columns).setZero();
   }
   template <class Work>
   void over_panels(int n, int width, Work const& work) const {

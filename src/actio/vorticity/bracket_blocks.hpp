@@ -50,14 +50,17 @@ class SymmetricProducts : public ProductsBy<SymmetricProducts> {
 
   /// out = a b.
   template <class Part>
-  void whole(Part const& a, Part const& b, Part& out) const {
-    over_blocks(a, b, out, [&](Part const& x, Part const& y, Part& z) { products_->multiply(x, y, z); });
+  void whole(Part const& a, Part const& b, Part& out, Reach reach = {}) const {
+    Reach const of_block{reach.left / fold_, reach.right / fold_};
+    over_blocks(a, b, out,
+                [&](Part const& x, Part const& y, Part& z) { products_->multiply(x, y, z, of_block); });
   }
   /// out = a b, on and below the diagonal.
   template <class Part>
-  void lower(Part const& a, Part const& b, Part& out) const {
+  void lower(Part const& a, Part const& b, Part& out, Reach reach = {}) const {
+    Reach const of_block{reach.left / fold_, reach.right / fold_};
     over_blocks(a, b, out,
-                [&](Part const& x, Part const& y, Part& z) { products_->multiply_lower(x, y, z); });
+                [&](Part const& x, Part const& y, Part& z) { products_->multiply_lower(x, y, z, of_block); });
   }
 
  private:

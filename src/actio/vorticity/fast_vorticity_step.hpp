@@ -146,11 +146,12 @@ class FastVorticityStep : public StepSetting<Stream> {
   bool find_by_guess(SkewHermitian<> const& w, double size) {
     extrapolate(past_, &Past::increment, std::min(extrapolated_steps, middle_steps_), sum_);
     sum_.put_sum(w, middle_);
-    double const found = finish_.evaluate(w, a_, middle_);
+    double const radius = radius_.bound(a_);
+    double const found = finish_.evaluate(w, a_, middle_, Negligible::beside(radius, size, w.size()));
     if (!(found <= largest_residual_ * size)) return false;
     // What the transform is off by is multiplied by r, and should not add up to a rounding in many steps.
     double const error = std::clamp(1e-18 * size / found, 2e-9, 1e-6);
-    finish_.transform().factor(a_, radius_.bound(a_), error);
+    finish_.transform().factor(a_, radius, error);
     if (found > smallest_residual_ * size) finish_.better_middle(a_, radius_.age, middle_);
     return true;
   }
@@ -199,7 +200,9 @@ class FastVorticityStep : public StepSetting<Stream> {
   bool settle(SkewHermitian<> const& w, double size) {
     // The polynomial of the transform is good on an interval of which the end was estimated.
     double found;
-    for (int tries = 0; !((found = finish_.evaluate(w, a_, middle_)) <= largest_residual_ * size); ++tries) {
+    Negligible const nothing = Negligible::beside(radius_.bound(a_), size, w.size());
+    for (int tries = 0; !((found = finish_.evaluate(w, a_, middle_, nothing)) <= largest_residual_ * size);
+         ++tries) {
       if (tries == 4) return false;
       radius_.ratio *= 1.2;
       finish_.transform().factor(a_, radius_.bound(a_));

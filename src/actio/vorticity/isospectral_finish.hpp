@@ -18,6 +18,20 @@
 
 namespace actio {
 
+/// Entries up to which size count for nothing: far from the diagonals of smooth flows there are no others.
+struct Negligible {
+  double of_a = 0;  ///< those of A
+  double of_w = 0;  ///< those of W
+
+  /// Those that are below the rounding of double precision in what A and W do to one another.
+  /// @param radius  of A: its largest eigenvalue
+  /// @param size    |W|, of n eigenvalues
+  static Negligible beside(double radius, double size, Eigen::Index n) {
+    constexpr double share = 1e-16;
+    return {share * radius, share * size / std::sqrt(static_cast<double>(n))};
+  }
+};
+
 /// From A to the middle of a step, found in single precision, and from there to its end.
 /// @tparam Real  of the state
 template <class Real = double>
@@ -36,7 +50,7 @@ class IsospectralFinish {
                    SkewHermitian<Real>& middle, SkewHermitian<Real>& average) {
     for (SkewHermitian<Real>* m : {&middle, &average})
       if (m->size() != w.size()) *m = SkewHermitian<Real>(w.size());
-    cayley_.conjugate(rounded, twice_, square_);
+    cayley_.conjugate(rounded, twice_, square_, reach_in_single(rounded));
     for (Eigen::Index c = 0; c < w.size(); ++c) {
       auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
       auto const put = [&](auto const& start, auto const& f, auto const& e, auto& to, auto& to_mean) {
@@ -52,9 +66,12 @@ class IsospectralFinish {
 
   /// Evaluates the equation of a step: C, A Wt A and r; \f$|r|\f$. Three products of real matrices, and the
   /// halves of three.
+  /// @param negligible  what may be left out of them, and of those with r
   double evaluate(SkewHermitian<Real> const& w, SkewHermitian<Real> const& a,
-                  SkewHermitian<Real> const& middle) {
-    products_.multiply_half(a, middle, commutator_);
+                  SkewHermitian<Real> const& middle, Negligible const& negligible = {}) {
+    negligible_ = negligible;
+    products_.multiply_half(a, middle, commutator_,
+                            {reach_of(a, negligible.of_a), reach_of(middle, negligible.of_w)});
     products_.multiply_again_half(a, remainder_);
     if (residual_.size() != w.size()) residual_ = SkewHermitian<float>(w.size());
     double squares = 0;
@@ -83,7 +100,8 @@ class IsospectralFinish {
     add_lower(residual_, middle);
     // Multiples of the golden section lie evenly, and none of the first is near a power of two.
     double const golden = 0.6180339887498949 * (number + 1);
-    cayley_.evaluate(a, 0.5 + 0.5 * (golden - std::floor(golden)), residual_, twice_, square_);
+    cayley_.evaluate(a, 0.5 + 0.5 * (golden - std::floor(golden)), residual_, twice_, square_,
+                     reach_of_residual());
     residual_.real = twice_.real + square_.real, residual_.imaginary = twice_.imaginary + square_.imaginary;
     mirror_lower(residual_), mirror_lower(twice_);
     commutator_.real += twice_.real.template cast<Real>();
@@ -93,7 +111,7 @@ class IsospectralFinish {
   /// \f$(1-A)^{-1}r(1+A)^{-1}\f$ away from Wt, on and below its diagonal.
   void find_end(SkewHermitian<Real> const& w, SkewHermitian<Real>& middle, SkewHermitian<Real>& end) {
     if (end.size() != w.size()) end = SkewHermitian<Real>(w.size());
-    cayley_.conjugate(residual_, twice_, square_);
+    cayley_.conjugate(residual_, twice_, square_, reach_of_residual());
     for (Eigen::Index c = 0; c < w.size(); ++c) {
       auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
       auto const put = [&](auto const& start, auto const& half_change, auto const& r, auto const& f,
@@ -110,6 +128,7 @@ class IsospectralFinish {
   }
 
  private:
+  Eigen::Index reach_of_residual() const { return reach_of(residual_, static_cast<float>(negligible_.of_w)); }
   /// Adds a matrix on and below the diagonal.
   static void add_lower(SkewHermitian<float> const& x, SkewHermitian<Real>& to) {
     for (Eigen::Index c = 0; c < x.size(); ++c) {
@@ -122,6 +141,7 @@ class IsospectralFinish {
   SingleCayley cayley_;
   SkewHermitian<Real> commutator_, remainder_;
   SkewHermitian<float> residual_, twice_, square_;
+  Negligible negligible_;  ///< as the equation was evaluated
 };
 
 }  // namespace actio

@@ -1,13 +1,14 @@
 // Products of the matrices that a step is made of, by products of real matrices.
 //
 // A complex product by three real ones, (A + iB)(C + iD): AC, BD and (A + B)(C + D); and of a product that is
-// known to be skew-Hermitian only the lower half. Whatever multiplies real matrices can serve
-// (MatrixProducts): Eigen, a BLAS, block by block, or what a reader has.
+// known to be skew-Hermitian only the lower half. Where the factors are smooth they are nothing but rounding
+// far from their diagonals, and there nothing is multiplied (Reach). Whatever multiplies real matrices can
+// serve (MatrixProducts): Eigen, a BLAS, block by block, or what a reader has.
 #pragma once
 
 #include <memory>
 
-#include "actio/vorticity/skew_hermitian.hpp"
+#include "actio/vorticity/reach.hpp"
 
 namespace actio {
 
@@ -19,33 +20,57 @@ class MatrixProducts {
 
   virtual ~MatrixProducts() = default;
   /// out = a b; out is another matrix than both, of their size.
-  virtual void multiply(Double const& a, Double const& b, Double& out) const = 0;
+  /// @param reach  beyond it the factors may be taken for zero
+  virtual void multiply(Double const& a, Double const& b, Double& out, Reach reach = {}) const = 0;
   /// The same.
-  virtual void multiply(Single const& a, Single const& b, Single& out) const = 0;
+  virtual void multiply(Single const& a, Single const& b, Single& out, Reach reach = {}) const = 0;
   /// At least what is on and below the diagonal of out = a b.
-  virtual void multiply_lower(Double const& a, Double const& b, Double& out) const = 0;
+  virtual void multiply_lower(Double const& a, Double const& b, Double& out, Reach reach = {}) const = 0;
   /// The same.
-  virtual void multiply_lower(Single const& a, Single const& b, Single& out) const = 0;
+  virtual void multiply_lower(Single const& a, Single const& b, Single& out, Reach reach = {}) const = 0;
 };
 /// Steps share what multiplies their matrices.
 using Products = std::shared_ptr<MatrixProducts const>;
 
 /// Both precisions by one template.
-/// @tparam By  has the members `whole(a, b, out)` and `lower(a, b, out)` for matrices of any real numbers
+/// @tparam By  has the members `whole(a, b, out)` and `lower(a, b, out)` for matrices of any real numbers, or
+///             `whole(a, b, out, reach)` and `lower(a, b, out, reach)`
 template <class By>
 class ProductsBy : public MatrixProducts {
  public:
   /// By `whole`.
-  void multiply(Double const& a, Double const& b, Double& out) const final { by().whole(a, b, out); }
+  void multiply(Double const& a, Double const& b, Double& out, Reach reach = {}) const final {
+    whole_by(a, b, out, reach);
+  }
   /// By `whole`.
-  void multiply(Single const& a, Single const& b, Single& out) const final { by().whole(a, b, out); }
+  void multiply(Single const& a, Single const& b, Single& out, Reach reach = {}) const final {
+    whole_by(a, b, out, reach);
+  }
   /// By `lower`.
-  void multiply_lower(Double const& a, Double const& b, Double& out) const final { by().lower(a, b, out); }
+  void multiply_lower(Double const& a, Double const& b, Double& out, Reach reach = {}) const final {
+    lower_by(a, b, out, reach);
+  }
   /// By `lower`.
-  void multiply_lower(Single const& a, Single const& b, Single& out) const final { by().lower(a, b, out); }
+  void multiply_lower(Single const& a, Single const& b, Single& out, Reach reach = {}) const final {
+    lower_by(a, b, out, reach);
+  }
 
  private:
   By const& by() const { return static_cast<By const&>(*this); }
+  template <class Part>
+  void whole_by(Part const& a, Part const& b, Part& out, Reach reach) const {
+    if constexpr (requires { by().whole(a, b, out, reach); })
+      by().whole(a, b, out, reach);
+    else
+      by().whole(a, b, out);
+  }
+  template <class Part>
+  void lower_by(Part const& a, Part const& b, Part& out, Reach reach) const {
+    if constexpr (requires { by().lower(a, b, out, reach); })
+      by().lower(a, b, out, reach);
+    else
+      by().lower(a, b, out);
+  }
 };
 
 /// Products of real matrices by Eigen: always there.
@@ -60,7 +85,9 @@ class EigenProducts : public ProductsBy<EigenProducts> {
 };
 
 template <class Part>
-void EigenProducts::whole(Part const& a, Part const& b, Part& out) const { out.noalias() = a * b; }
+void EigenProducts::whole(Part const& a, Part const& b, Part& out) const {
+  out.noalias() = a * b;
+}
 template <class Part>
 void EigenProducts::lower(Part const& a, Part const& b, Part& out) const {
   out.template triangularView<Eigen::Lower>() = a * b;
@@ -83,19 +110,23 @@ class SkewProducts {
 
   /// B = A W of two skew-Hermitian matrices, whole: three real products. Keeps the commutator
   /// \f$C = [A, W] = B - B^*\f$ beside it.
-  void multiply(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c) {
-    multiply_half(a, w, c);
+  /// @param reach  beyond it A and W may be taken for zero
+  void multiply(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c,
+                Reach reach = {}) {
+    multiply_half(a, w, c, reach);
     mirror_lower(c);
   }
   /// The same, but of C what is on and below its diagonal.
-  void multiply_half(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c) {
+  void multiply_half(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c,
+                     Reach reach = {}) {
     auto const n = a.size();
     allocate(n);
+    reach_ = reach;
     if (c.size() != n) c = SkewHermitian<Real>(n);
-    products_->multiply(a.real, w.real, real_);
-    products_->multiply(a.imaginary, w.imaginary, other_);
+    products_->multiply(a.real, w.real, real_, reach);
+    products_->multiply(a.imaginary, w.imaginary, other_, reach);
     sum_ = a.real + a.imaginary, other_sum_ = w.real + w.imaginary;
-    products_->multiply(sum_, other_sum_, imaginary_);
+    products_->multiply(sum_, other_sum_, imaginary_, reach);
     imaginary_ -= real_ + other_;
     real_ -= other_;
     over_tiles(n, [&](auto i, auto j, auto rows, auto columns) {
@@ -116,9 +147,10 @@ class SkewProducts {
     auto const n = a.size();
     if (e.size() != n) e = SkewHermitian<Real>(n);
     other_sum_ = real_ + imaginary_;
-    products_->multiply_lower(real_, a.real, e.real);
-    products_->multiply_lower(imaginary_, a.imaginary, other_);
-    products_->multiply_lower(other_sum_, sum_, e.imaginary);
+    Reach const reach{reach_.product(), reach_.left};
+    products_->multiply_lower(real_, a.real, e.real, reach);
+    products_->multiply_lower(imaginary_, a.imaginary, other_, reach);
+    products_->multiply_lower(other_sum_, sum_, e.imaginary, reach);
     for (Eigen::Index j = 0; j < n; ++j) {
       auto const below = n - j;
       e.imaginary.col(j).tail(below) -= e.real.col(j).tail(below) + other_.col(j).tail(below);
@@ -137,6 +169,7 @@ class SkewProducts {
   Part real_, imaginary_;  ///< B
   Part sum_;               ///< of the two parts of A
   Part other_, other_sum_;
+  Reach reach_;  ///< of A and W
 };
 
 // Our own programs have these compiled once (compiled_products.cpp).

@@ -31,17 +31,23 @@ class SingleCayley {
     auto const n = a.size();
     allocate(n);
     a_.real = a.real.cast<float>(), a_.imaginary = a.imaginary.cast<float>(), a_.sum = a_.real + a_.imaginary;
+    // What is left out of the factors is by far less than the error that is allowed.
+    auto const negligible = static_cast<float>(0.02 * error * radius);
+    auto const measure = [negligible](Split& m) {
+      m.reach = reach_of(m.imaginary, negligible, reach_of(m.real, negligible));
+    };
+    measure(a_);
     // X = -A^2, and X^2.
     lower(a_, a_);
     over_columns([&](auto below) {
       below(x_.real) = below(t2_) - below(t1_), below(x_.imaginary) = below(t1_) + below(t2_) - below(t3_);
     });
-    complete(x_);
+    complete(x_), measure(x_);
     lower(x_, x_);
     over_columns([&](auto below) {
       below(y_.real) = below(t1_) - below(t2_), below(y_.imaginary) = below(t3_) - below(t1_) - below(t2_);
     });
-    complete(y_);
+    complete(y_), measure(y_);
     // S - 1 by Horner's rule in X^2.
     Eigen::VectorXf const c = reciprocal(radius * radius, error).cast<float>();
     Eigen::Index k = c.size() - 3;
@@ -50,7 +56,7 @@ class SingleCayley {
       below(h_.imaginary) = c[k + 1] * below(x_.imaginary) + c[k + 2] * below(y_.imaginary);
     });
     h_.real.diagonal().array() += c[k];
-    complete(h_);
+    complete(h_), measure(h_);
     while (k > 0) {
       k -= 2;
       lower(y_, h_);
@@ -59,7 +65,7 @@ class SingleCayley {
         below(h_.imaginary) = c[k + 1] * below(x_.imaginary) + (below(t3_) - below(t1_) - below(t2_));
       });
       h_.real.diagonal().array() += c[k];
-      complete(h_);
+      complete(h_), measure(h_);
     }
     // A S = A + A (S - 1), skew-Hermitian.
     lower(a_, h_);
@@ -73,32 +79,38 @@ class SingleCayley {
       adjoin(k_, star_, i, j, rows, columns), adjoin(star_, k_, i, j, rows, columns);
     });
     k_.sum = k_.real + k_.imaginary, star_.sum = star_.real + star_.imaginary;
+    measure(k_), measure(star_);
   }
 
   /// F and E of a skew-Hermitian X, on and below their diagonals; both are skew-Hermitian.
-  void conjugate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e) {
-    both_sides(k_, x, star_, f, e);
+  /// @param reach  beyond it X may be taken for zero
+  void conjugate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e,
+                 Eigen::Index reach = Reach::everything) {
+    both_sides(k_, x, reach, star_, f, e);
   }
   /// \f$[A, X]\f$ and \f$AXA\f$ of a skew-Hermitian X, on and below their diagonals, with the A of which K
   /// is.
   /// @param factor  A is rounded to single precision times this number, and the results are divided by it:
   ///                where it is no power of two, the roundings are others than those of K
+  /// @param reach   beyond it X may be taken for zero
   void evaluate(SkewHermitian<> const& a, double factor, SkewHermitian<float> const& x,
-                SkewHermitian<float>& f, SkewHermitian<float>& e) {
+                SkewHermitian<float>& f, SkewHermitian<float>& e, Eigen::Index reach = Reach::everything) {
     // The squares that led to K are done with.
     Split& left = x_;
     left.real = (factor * a.real).cast<float>(), left.imaginary = (factor * a.imaginary).cast<float>();
-    left.sum = left.real + left.imaginary;
-    both_sides(left, x, a_, f, e);
+    left.sum = left.real + left.imaginary, left.reach = a_.reach;
+    both_sides(left, x, reach, a_, f, e);
     f *= static_cast<float>(1 / factor), e *= static_cast<float>(1 / factor);
   }
 
   /// \f$[Y, X]\f$ of skew-Hermitian matrices, on and below its diagonal, in single precision.
   void commutator(SkewHermitian<float> const& y, SkewHermitian<float> const& x, SkewHermitian<float>& c) {
     allocate(x.size());
-    products_->multiply(y.real, x.real, t1_), products_->multiply(y.imaginary, x.imaginary, t2_);
+    Reach const reach{reach_in_single(y), reach_in_single(x)};
+    products_->multiply(y.real, x.real, t1_, reach);
+    products_->multiply(y.imaginary, x.imaginary, t2_, reach);
     g_.real = y.real + y.imaginary, g_.imaginary = x.real + x.imaginary;
-    products_->multiply(g_.real, g_.imaginary, t3_);
+    products_->multiply(g_.real, g_.imaginary, t3_, reach);
     g_.real = t1_ - t2_, g_.imaginary = t3_ - t1_ - t2_;
     skew_part(c);
   }
@@ -117,6 +129,7 @@ class SingleCayley {
   /// A complex matrix for products by three real ones.
   struct Split {
     Part real, imaginary, sum;
+    Eigen::Index reach = Reach::everything;  ///< beyond it is nothing but rounding
   };
   void allocate(Eigen::Index n) {
     if (t1_.rows() == n) return;
@@ -170,15 +183,20 @@ class SingleCayley {
 
   /// The lower half of a product, as three real ones.
   void lower(Split const& a, Split const& b) {
-    products_->multiply_lower(a.real, b.real, t1_), products_->multiply_lower(a.imaginary, b.imaginary, t2_),
-        products_->multiply_lower(a.sum, b.sum, t3_);
+    Reach const reach{a.reach, b.reach};
+    products_->multiply_lower(a.real, b.real, t1_, reach);
+    products_->multiply_lower(a.imaginary, b.imaginary, t2_, reach);
+    products_->multiply_lower(a.sum, b.sum, t3_, reach);
   }
   /// With G = L X: F = G - G^* and E = G R, on and below their diagonals.
-  void both_sides(Split const& left, SkewHermitian<float> const& x, Split const& right,
-                  SkewHermitian<float>& f, SkewHermitian<float>& e) {
+  void both_sides(Split const& left, SkewHermitian<float> const& x, Eigen::Index reach_of_x,
+                  Split const& right, SkewHermitian<float>& f, SkewHermitian<float>& e) {
+    Reach const reach{left.reach, reach_of_x};
     t3_ = x.real + x.imaginary;
-    products_->multiply(left.real, x.real, t1_), products_->multiply(left.imaginary, x.imaginary, t2_);
-    products_->multiply(left.sum, t3_, g_.sum);
+    products_->multiply(left.real, x.real, t1_, reach);
+    products_->multiply(left.imaginary, x.imaginary, t2_, reach);
+    products_->multiply(left.sum, t3_, g_.sum, reach);
+    g_.reach = reach.product();
     g_.real = t1_ - t2_, g_.imaginary = g_.sum - t1_ - t2_;
     g_.sum = g_.real + g_.imaginary;
     skew_part(f);
