@@ -382,6 +382,26 @@ BOOST_AUTO_TEST_CASE(schemes_of_every_order_refuse_steps_that_have_no_solution) 
   }
 }
 
+// A body that is heavier turns alike where its momentum is larger by as much, and so does each step.
+BOOST_AUTO_TEST_CASE(the_longest_step_does_not_depend_on_the_unit_of_mass) {
+  Vector3d const I(0.6, 0.8, 1), M(0.9, 0.3, -0.5);
+  auto const longest = [&](double unit, int order) {
+    try {
+      body_of(unit * I, unit * M).moser_veselov_parameters(1000, order);
+    } catch (StepTooLong const& error) {
+      return error.largest_step;
+    }
+    return 0.0;
+  };
+  for (int const order : {4, 6, 10}) {
+    double const one = longest(1, order);
+    BOOST_TEST(one > 0);
+    // Bisection ends at a width of 1e-12.
+    for (double const unit : {1e-6, 1e-3, 1e3, 1e6})
+      BOOST_TEST(std::abs(longest(unit, order) / one - 1) <= 1e-11);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(next_to_a_steady_turn_the_setting_back_disturbs_nothing) {
   // A turn about the axis of the largest moment that wobbles by 1e-6: the gradients of amount and energy are
   // nearly parallel, and what they are set back by must not be rounding.

@@ -284,6 +284,7 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_one_body_does) {
       BOOST_TEST(batch.refused().empty());
       batch.step(steps - 70), batch.step(69), batch.step();
       BOOST_TEST(batch.time() == steps * 0.05);
+      BOOST_CHECK_THROW((void)batch.state(batch.size()), OutsideDomain);
       double most = 0;
       for (std::size_t i = 0; i < batch.size(); ++i) {
         TorquedBody alone(inertias[i], momenta[i], attitudes[i], torques[i], 0.05, method);

@@ -76,6 +76,11 @@ BOOST_AUTO_TEST_CASE(functions_undo_each_other_in_50_digits) {
   BOOST_TEST(to_double(abs(sin(value<dec50>("pi")))) < 1e-48);
 }
 
+BOOST_AUTO_TEST_CASE(odd_functions_vanish_at_zero_in_50_digits) {
+  for (auto const* f : {"sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "cbrt"})
+    BOOST_TEST_CONTEXT(f) BOOST_TEST((value<dec50>(std::string(f) + "(x)", {dec50(0)}) == 0));
+}
+
 BOOST_AUTO_TEST_CASE(a_power_binds_before_a_sign_and_to_the_right) {
   BOOST_TEST(value("-2^2") == -4);
   BOOST_TEST(value("2^3^2") == 512);

@@ -183,6 +183,17 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_is_none_of_a_body_is_refused_with_the_cell_that
   BOOST_CHECK_THROW(require_body_mesh(with([](BodyMesh& m) { m.nodes[3][1] = std::nan(""); })), NotFinite);
 }
 
+BOOST_AUTO_TEST_CASE(a_mesh_tells_the_memory_that_it_takes) {
+  BodyMesh mesh = box_mesh({0, 0}, {3, 1}, {3, 1}, {true, false});
+  mesh.node_tags.assign(mesh.nodes.size(), 1), mesh.element_tags.assign(mesh.cells.size(), 1);
+  // Of a node three numbers, of a cell eight corners and how many periods each of them is away.
+  std::size_t const all = 6 * 3 * sizeof(double) + 3 * 8 * sizeof(int) +
+                          mesh.wraps.size() * sizeof(mesh.wraps[0]) + 6 * sizeof(mesh.node_tags[0]) +
+                          3 * sizeof(mesh.element_tags[0]);
+  BOOST_TEST(mesh.wraps.size() == 3);
+  BOOST_TEST(mesh.bytes() == all);
+}
+
 BOOST_AUTO_TEST_CASE(boxes_and_shapes_that_do_not_exist_are_refused_before_memory_is_taken) {
   BOOST_CHECK_THROW(box_mesh({}, {}, {}), NotABodyMesh);
   BOOST_CHECK_THROW(box_mesh({0, 0}, {1}, {1, 1}), NotABodyMesh);

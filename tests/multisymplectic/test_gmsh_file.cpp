@@ -200,6 +200,20 @@ BOOST_AUTO_TEST_CASE(all_four_forms_give_the_same_mesh_of_every_shape) {
   BOOST_TEST((square.sides.at("4") == std::vector<std::array<int, 4>>{{3, 0, -1, -1}, {2, 3, -1, -1}}));
 }
 
+// What is left of a third coordinate is measured by the size of the mesh, whatever its unit.
+BOOST_AUTO_TEST_CASE(a_plane_mesh_may_have_the_rounding_of_its_size_across_the_plane) {
+  for (double const size : {1e-9, 1.0, 1e9}) {
+    auto sample = triangles();
+    for (auto& node : sample.nodes)
+      for (double& x : node) x *= size;
+    sample.nodes[3][2] = 32 * std::numeric_limits<double>::epsilon() * size;
+    BOOST_TEST(gmsh_mesh_of(Writer(true, true).write(sample), "sample").nodes[2][2] == 0);
+    // A thousand times as much is a place outside of the plane.
+    sample.nodes[3][2] *= 1000;
+    refused(Writer(true, true).write(sample), "is not in the plane");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_text_is_named_with_its_line) {
   auto const text = Writer(false, false).write(triangles());
   refused(text.substr(0, text.find("$Elements")), "the file has no section $Elements");
