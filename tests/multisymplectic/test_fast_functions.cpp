@@ -35,7 +35,7 @@ long double exact(long double x) {
 template <class Law>
 struct Slopes {
   Law law;
-  Quad J[4], q[4];
+  Quad J[4]{}, q[4]{};
   [[gnu::always_inline]] void operator()() { law.slopes(J, q); }
 };
 /// The largest relative error, in units of the last place, over arguments of all sizes and next to 1.
