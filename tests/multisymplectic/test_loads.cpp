@@ -132,8 +132,8 @@ BOOST_AUTO_TEST_CASE(a_piston_drives_the_exact_wave) {
   }
 }
 
-// A line that moves with the side that moves it stays as it is: each substep has to ask for the side at its own
-// beginning and end.
+// A line that moves with the side that moves it stays as it is: each substep has to ask for the side at its
+// own beginning and end.
 BOOST_AUTO_TEST_CASE(a_side_moves_with_the_substeps_of_order_four) {
   auto const chi = []<class T>(Spot<1> const& X, T const& t) { return std::array<T, 1>{0.7 * t + X[0]}; };
   BodyStart<1> start;
