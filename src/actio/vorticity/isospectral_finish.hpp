@@ -71,7 +71,8 @@ class IsospectralFinish {
                   SkewHermitian<Real> const& middle, Negligible const& negligible = {}) {
     negligible_ = negligible;
     products_.multiply_half(a, middle, commutator_,
-                            {reach_of(a, negligible.of_a), reach_of(middle, negligible.of_w)});
+                            {useful_reach(a.real, a.imaginary, negligible.of_a),
+                             useful_reach(middle.real, middle.imaginary, negligible.of_w)});
     products_.multiply_again_half(a, remainder_);
     if (residual_.size() != w.size()) residual_ = SkewHermitian<float>(w.size());
     double squares = 0;
@@ -128,7 +129,9 @@ class IsospectralFinish {
   }
 
  private:
-  Eigen::Index reach_of_residual() const { return reach_of(residual_, static_cast<float>(negligible_.of_w)); }
+  Eigen::Index reach_of_residual() const {
+    return useful_reach(residual_.real, residual_.imaginary, static_cast<float>(negligible_.of_w));
+  }
   /// Adds a matrix on and below the diagonal.
   static void add_lower(SkewHermitian<float> const& x, SkewHermitian<Real>& to) {
     for (Eigen::Index c = 0; c < x.size(); ++c) {

@@ -44,11 +44,21 @@ Eigen::Index reach_of(SkewHermitian<S> const& m, S negligible) {
   return reach_of(m.imaginary, negligible, reach_of(m.real, negligible));
 }
 
+/// Matrices smaller than this are multiplied whole: their reach takes longer to find than it saves.
+inline constexpr Eigen::Index smallest_with_reach = 96;
+/// That of both parts of a matrix, where it is worth knowing.
+template <class Part>
+Eigen::Index useful_reach(Part const& real, Part const& imaginary, typename Part::Scalar negligible) {
+  if (real.rows() < smallest_with_reach) return Reach::everything;
+  return reach_of(imaginary, negligible, reach_of(real, negligible));
+}
+
 /// That beyond which are no entries that count in single precision.
 inline Eigen::Index reach_in_single(SkewHermitian<float> const& m) {
+  if (m.size() < smallest_with_reach) return Reach::everything;
   // A sixtieth of the rounding of its eigenvalues, by their root mean square.
-  float const root = norm(m) / std::sqrt(static_cast<float>(std::max<Eigen::Index>(1, m.size())));
-  return reach_of(m, 1e-9F * root);
+  float const root = norm(m) / std::sqrt(static_cast<float>(m.size()));
+  return useful_reach(m.real, m.imaginary, 1e-9F * root);
 }
 
 }  // namespace actio

@@ -33,9 +33,7 @@ class SingleCayley {
     a_.real = a.real.cast<float>(), a_.imaginary = a.imaginary.cast<float>(), a_.sum = a_.real + a_.imaginary;
     // What is left out of the factors is by far less than the error that is allowed.
     auto const negligible = static_cast<float>(0.02 * error * radius);
-    auto const measure = [negligible](Split& m) {
-      m.reach = reach_of(m.imaginary, negligible, reach_of(m.real, negligible));
-    };
+    auto const measure = [negligible](Split& m) { m.reach = useful_reach(m.real, m.imaginary, negligible); };
     measure(a_);
     // X = -A^2, and X^2.
     lower(a_, a_);
