@@ -60,11 +60,13 @@ concept QuadOrFour = std::same_as<T, Quad> || std::same_as<T, Fourfold>;
 /// What \ref inverse_root begins with: \f$x^{-1/n}\f$ within some per cent.
 template <int n>
 [[gnu::always_inline]] inline Quad root_guess(Quad const& x) {
-  // Bits are shifted by 12 places, which leaves 52: 1023 * 2^40 stands for 1. The last term halves the error.
-  constexpr double c = 1.0 / n, unit = 1099511627776.0, offset = (1023.0 - 0.0450466) * unit * (1 + c);
+  // Bits are shifted by 12 places, which leaves 52: 1023 * 2^40 stands for 1. The term 0.045 halves the error.
+  // That 2^52 is added to what is read and to what is written is taken into the offset.
+  constexpr double c = 1.0 / n, unit = 1099511627776.0,
+                   offset = ((1023.0 - 0.0450466) * unit + two_52) * (1 + c);
   Quad::Bits bits;
   move_down(x, 0, 12, bits);
-  Quad const log_x = Quad(Quad::Bits(bits | two_52_bits)) - two_52, log_y = (offset - c * log_x) + two_52;
+  Quad const log_x(Quad::Bits(bits | two_52_bits)), log_y = offset - c * log_x;
   return Quad(Quad::Bits(reinterpret_cast<Quad::Bits>(log_y.lane) << 12));
 }
 template <int n>
@@ -191,8 +193,8 @@ template <int n, QuadOrFour T>
   T const y = root_guess<n>(x);
   if constexpr (FittedRoot<n>) {
     constexpr auto& q = RootFit<n>::q;
-    T t = y;
-    power_and_distance<n, 1>(x, y, t);
+    // In this order the powers of y need not be waited for.
+    T const t = 1.0 - (x * y) * power_of<n - 1>(y);
     if constexpr (std::size(q) == 3)
       return y * (q[0] + t * (q[1] + q[2] * t));
     else
