@@ -85,6 +85,30 @@ BOOST_AUTO_TEST_CASE(both_roads_are_the_same_to_rounding) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_homogeneous_deformation_stores_its_energy_times_the_volume) {
+  Eigen::Matrix3d F;
+  F << 1.1, 0.2, -0.1, 0.05, 0.9, 0.3, -0.15, 0.1, 1.2;
+  Eigen::Matrix3d const C = F.transpose() * F, E = (C - Eigen::Matrix3d::Identity()) / 2;
+  double const J = F.determinant(), density = 2.5, volume = 0.4 * 0.39 * 0.22;
+  auto const stored = [&](auto const& medium) {
+    FastMedium3d const body(
+        medium, FastBox3d{{4, 3, 2}, {0.1, 0.13, 0.11}}, 0.01, density,
+        [&](Place const& X) {
+      Eigen::Vector3d const x = F * Eigen::Vector3d(X.data());
+      return Place{x[0], x[1], x[2]};
+        },
+        [](Place const&) { return Place{}; });
+    // Rounding of places is 10 to 30 times as large in the edges of the cells.
+    return body.energy() / (density * volume);
+  };
+  double const log_J = std::log(J), trace = C.trace() - 3, bound = 200 * eps;
+  BOOST_TEST(std::abs(stored(FastFluid{PolytropicByRoots<1, 2>{0.7}}) - 0.7 / J) <= bound);
+  BOOST_TEST(std::abs(stored(neo_hookean(0.9, 0.6)) - (0.3 * trace - 0.6 * log_J + 0.45 * log_J * log_J)) <=
+             bound);
+  BOOST_TEST(std::abs(stored(FastStVenantKirchhoff{0.9, 0.6}) -
+                      (0.45 * E.trace() * E.trace() + 0.6 * (E * E).trace())) <= bound);
+}
+
 namespace {
 /// A solid that does not resist collapse, whose left side is thrown against the right.
 FastMedium3d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {

@@ -200,6 +200,18 @@ BOOST_AUTO_TEST_CASE(all_four_forms_give_the_same_mesh_of_every_shape) {
   BOOST_TEST((square.sides.at("4") == std::vector<std::array<int, 4>>{{3, 0, -1, -1}, {2, 3, -1, -1}}));
 }
 
+BOOST_AUTO_TEST_CASE(a_section_that_is_not_known_is_passed_whatever_it_holds) {
+  for (bool const new_version : {true, false})
+    for (bool const binary : {true, false}) {
+      auto sample = triangles();
+      sample.names += "$Comments\nall of $Nodes\n$Nodes\n$EndComments\n$Other\n$EndOther\n";
+      auto const mesh = gmsh_mesh_of(Writer(new_version, binary).write(sample), "sample");
+      BOOST_TEST(mesh.nodes.size() == 4u);
+      BOOST_TEST(mesh.cells.size() == 2u);
+    }
+  refused("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n$Nodes\n", "$Comments has no end");
+}
+
 // What is left of a third coordinate is measured by the size of the mesh, whatever its unit.
 BOOST_AUTO_TEST_CASE(a_plane_mesh_may_have_the_rounding_of_its_size_across_the_plane) {
   for (double const size : {1e-9, 1.0, 1e9}) {

@@ -80,6 +80,13 @@ BOOST_AUTO_TEST_CASE(moments_that_no_body_has_are_refused_with_the_excess) {
     BOOST_TEST(error.bound < 1e-13);
     BOOST_TEST(std::string(error.what()).find("triangle") != std::string::npos);
   }
+  try {
+    inertia_from_moments(1, -0.25, 2);
+    BOOST_ERROR("accepted");
+  } catch (UnphysicalInertia const& error) {
+    BOOST_TEST(error.measured == -0.125);  // in units of the largest
+    BOOST_TEST(std::string(error.what()).find("I_2") != std::string::npos);
+  }
   BOOST_CHECK_THROW(inertia_from_moments(1, 1, 3), UnphysicalInertia);
   BOOST_CHECK_THROW(inertia_from_moments(1e-47, 1e-47, 3e-47), UnphysicalInertia);
   BOOST_CHECK_THROW(inertia_from_moments(1e47, 1e47, 3e47), UnphysicalInertia);

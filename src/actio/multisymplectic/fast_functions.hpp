@@ -60,8 +60,8 @@ concept QuadOrFour = std::same_as<T, Quad> || std::same_as<T, Fourfold>;
 /// What \ref inverse_root begins with: \f$x^{-1/n}\f$ within some per cent.
 template <int n>
 [[gnu::always_inline]] inline Quad root_guess(Quad const& x) {
-  // Bits are shifted by 12 places, which leaves 52: 1023 * 2^40 stands for 1. The term 0.045 halves the error.
-  // That 2^52 is added to what is read and to what is written is taken into the offset.
+  // Bits are shifted by 12 places, which leaves 52: 1023 * 2^40 stands for 1. The term 0.045 halves the
+  // error. That 2^52 is added to what is read and to what is written is taken into the offset.
   constexpr double c = 1.0 / n, unit = 1099511627776.0,
                    offset = ((1023.0 - 0.0450466) * unit + two_52) * (1 + c);
   Quad::Bits bits;
