@@ -382,7 +382,8 @@ BOOST_AUTO_TEST_CASE(sides_are_held_and_what_cannot_be_stepped_is_refused) {
   auto too_long = steps;
   too_long[5] = 1.2 * longest[5];
   BOOST_CHECK_EXCEPTION(make(mesh, too_long, start.places, {}), StepTooLong, [&](StepTooLong const& e) {
-    return e.largest_step == longest[5] && std::string(e.what()).find("cell 5") != std::string::npos;
+    return e.measured == too_long[5] && e.largest_step == longest[5] &&
+           std::string(e.what()).find("cell 5") != std::string::npos;
   });
   too_long[5] = -1;
   BOOST_CHECK_THROW(make(mesh, too_long, start.places, {}), OutsideDomain);

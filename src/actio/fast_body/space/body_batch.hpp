@@ -211,17 +211,15 @@ class BodyBatch {
     w[far] += 1;
     w = normalized(w);
     Three<double> const& stretch = parameters.stretch;
-    if (!std::isfinite(dot(stretch, stretch) + dot(parameters.gap, parameters.gap)))
+    Three<double> const& d = parameters.delta;
+    double const product = d[0] * d[1] * d[2], newton = 1 / (1 + d[0] * d[1] + d[1] * d[2] + d[2] * d[0]);
+    if (!std::isfinite(dot(stretch, stretch) + dot(parameters.gap, parameters.gap) + product + newton))
       throw NotFinite("free body: parameters of a step");
     leave_out();
     std::size_t const i = size() - 1;
     int const l = static_cast<int>(i % 4);
     detail::FreeLanes& lanes = lanes_[i / 4];
-    Three<double> const& d = parameters.delta;
-    lanes.product.set(l, d[0] * d[1] * d[2]),
-        lanes.newton.set(l, 1 / (1 + d[0] * d[1] + d[1] * d[2] + d[2] * d[0]));
-    if (!std::isfinite(lanes.product[l]) || !std::isfinite(lanes.newton[l]))
-      lanes.product.set(l, 0), lanes.newton.set(l, 0);
+    lanes.product.set(l, product), lanes.newton.set(l, newton);
     for (int k = 0; k < 3; ++k) {
       lanes.u[k].set(l, u[k]), lanes.w[k].set(l, w[k]);
       lanes.stretch[k].set(l, stretch[k]), lanes.shear[k].set(l, parameters.gap[k]),
