@@ -76,8 +76,12 @@ struct Sweep2d {
     return out;
   }
   /// Registers of cells for which the slopes of a law of the area are found ahead: cells do not wait for one
-  /// another, and a processor finds more to do at a time than in one cell after the other.
-  static constexpr int ahead = 16;
+  /// another, and a processor finds more to do at a time than in one cell after the other. Half as many where
+  /// the law has two halves, between which they are kept.
+  static constexpr int ahead = [] {
+    if constexpr (WithVolume<Cell>) return InHalves<decltype(Cell::volume)> ? 8 : 16;
+    return 16;
+  }();
   /// The slopes of the law at the corners of `count` registers of cells, between nodes from these on.
   [[gnu::always_inline]] static void look_ahead(Cell const& law, Plane<Quad> const* low,
                                                 Plane<Quad> const* high, int count, Quad (*q)[4],
