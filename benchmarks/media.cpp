@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
   struct Size {
     int across, up, steps;
   };
-  Size const size = program.length(Size{2048, 1024, 32}, Size{1024, 256, 8});
+  Size const size = program.length(Size{2048, 1024, 20}, Size{1024, 256, 8});
   double const h = 1.0 / size.across;
   FastBox2d const box{{size.across, size.up}, {h, h}}, small{{100, 60}, {0.01, 0.01}};
 

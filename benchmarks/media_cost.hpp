@@ -48,7 +48,7 @@ Cost cost_of(Benchmark const& program, Medium const& medium, Stress const& stres
     for (int const n : of.cells) all *= n;
     return all;
   };
-  auto const t = nanoseconds_on_the_wall(program.rounds(15),
+  auto const t = nanoseconds_on_the_wall(program.rounds(30),
                                          {{"one thread", [&] { one.step(steps); }, cells(box) * steps},
                                           {"two threads", [&] { two.step(steps); }, cells(box) * steps},
                                           {"plain loop", [&] { plain.step(); }, cells(small)}});
