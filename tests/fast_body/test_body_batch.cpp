@@ -201,6 +201,7 @@ BOOST_AUTO_TEST_CASE(momenta_alone_are_the_same_momenta) {
   }
   BOOST_CHECK_THROW(half.step(), OutsideDomain);
   BOOST_CHECK_THROW(whole.step(-1), OutsideDomain);
+  BOOST_CHECK_NO_THROW(whole.step(0));
 }
 
 BOOST_AUTO_TEST_CASE(what_free_motion_conserves_stays) {
