@@ -15,7 +15,8 @@
 // What does not compile is withdrawn and another place is drawn: also a sign between matrices, where the two
 // versions are expressions of types that have nothing in common; of these the sample has fewer than its
 // share. Then each error is awakened alone, and the theorem checks (prime field and double, a tenth of the
-// points) and the library's tests that come by its place run until one of them fails. Result:
+// points) and the cases of the library's tests that come by its place run, the shortest first, until one of
+// them fails. Result:
 // BUILD/report/mutation_sample.tsv; a run that was stopped goes on after its last trial unless a file has
 // changed since. A survivor either changes nothing, which a line of
 // proofs_checks/mutate/equivalent.tsv may explain, or is a gap. Status 1 where fewer than 95 of 100 of the
@@ -201,7 +202,8 @@ function errorsOf(text) {
       const head = t.text;
       if (/^inverse(_matrix)?$/.test(head)) plant('inverse', operandBefore(list, i + 1), end, `(${cut(i + 2, commas[0] ? commas[0] - 1 : end - 1)})`);
       if (/_star$/.test(head)) plant('star', i, i, head.replace(/_star$/, ''));
-      if (commas.length === 1 && end > i + 3) plant('arguments', i + 2, end - 1, `${cut(commas[0] + 1, end - 1)}, ${cut(i + 2, commas[0] - 1)}`, around(list, i, end));
+      // For the order of these two nothing changes.
+      if (commas.length === 1 && end > i + 3 && !/^(min|max|hypot)$/.test(head)) plant('arguments', i + 2, end - 1, `${cut(commas[0] + 1, end - 1)}, ${cut(i + 2, commas[0] - 1)}`, around(list, i, end));
     }
     if (/^[A-Za-z_]/.test(t.text))
       for (const [one, other] of sides)
@@ -362,16 +364,29 @@ function compile(planted, targets) {
 
 // ---- The trial
 
-/// What is run against the errors: each section of the theorem checks, and the library's tests.
+/// What is run against the errors: each section of the theorem checks, and each case of the library's tests.
 const sections = () => fs.readdirSync(path.join(root, 'proofs_checks')).map(n => /^((?:ch\d\d|bridge)_.*)\.cpp$/.exec(n)?.[1]).filter(Boolean);
-const units = () => [...sections().map(name => ({ name, program: `checks_${/^[a-z]+\d*/.exec(name)[0]}`, words: ['--quick', '--brief', '--columns', 'prime,double', '--source', name] })),
-  ...testPrograms.map(name => ({ name, program: name, words: ['--color_output=no'] }))];
+let allUnits = null;
+const units = () => (allUnits ??= [
+  ...sections().map(name => ({ name, passed: name, program: `checks_${/^[a-z]+\d*/.exec(name)[0]}`, words: ['--quick', '--brief', '--columns', 'prime,double', '--source', name] })),
+  ...testPrograms.flatMap(name => casesOf(name).map((one, i) => ({ name, passed: `${name}_${i}`, program: name, words: ['--color_output=no', `--run_test=${one}`] })))]);
+
+/// The cases of a test program, which lists them as a tree by indentation.
+function casesOf(program) {
+  const said = spawnSync(path.join(work, 'bin', program), ['--list_content'], { encoding: 'utf8' });
+  const lines = said.stderr.split('\n').map(l => /^( *)(\S.*?)\*?$/.exec(l)).filter(Boolean).map(m => ({ depth: m[1].length / 4, name: m[2] }));
+  const above = [];
+  return lines.flatMap((l, i) => {
+    above.length = l.depth, above.push(l.name);
+    return (lines[i + 1]?.depth ?? 0) > l.depth ? [] : [above.join('/')];
+  });
+}
 
 /// Runs a unit with an error awake, or with none. @return { failed, seconds, said }
 function trial(unit, k, limit) {
   return new Promise(resolve => {
     const began = Date.now();
-    const env = { ...process.env, ...(k === null ? { ACTIO_MUTANTS_PASSED: path.join(copy, `passed_${unit.name}`) } : { ACTIO_MUTANT: String(k) }) };
+    const env = { ...process.env, ...(k === null ? { ACTIO_MUTANTS_PASSED: path.join(copy, `passed_${unit.passed}`) } : { ACTIO_MUTANT: String(k) }) };
     execFile(path.join(work, 'bin', unit.program), unit.words, { env, timeout: Math.round(limit * 1000), killSignal: 'SIGKILL', maxBuffer: 1 << 26, cwd: copy }, (error, out, err) => {
       const text = `${out}\n${err}`;
       const names = [...text.matchAll(/^FAILED \w+ (\w+):|in "([^"]+)"/gm)].map(m => m[1] ?? m[2]);
@@ -444,21 +459,26 @@ async function main() {
   console.log(`${planted.length} planted, ${withdrawn} did not compile`);
 
   const times = new Map(), passedBy = new Map(), ofNumbers = new Set();
-  for (const unit of units()) {
-    const passed = path.join(copy, `passed_${unit.name}`);
-    // A program that comes by no place of the sample writes none.
-    fs.writeFileSync(passed, '');
-    const plain = await trial(unit, null, 600);
-    if (plain.failed) {
-      console.error(`mutate: ${unit.name} fails with no error awake: ${plain.said}`);
-      process.exit(1);
+  const toPass = [...units()];
+  const pass = async () => {
+    for (let unit; (unit = toPass.shift());) {
+      const passed = path.join(copy, `passed_${unit.passed}`);
+      // A program that comes by no place of the sample writes none.
+      fs.writeFileSync(passed, '');
+      const plain = await trial(unit, null, 600);
+      if (plain.failed) {
+        console.error(`mutate: ${unit.name} ${unit.words.at(-1)} fails with no error awake: ${plain.said}`);
+        process.exit(1);
+      }
+      times.set(unit, plain.seconds);
+      for (const k of fs.readFileSync(passed, 'utf8').split('\n').filter(Boolean).map(l => l.split(' ').map(Number))) {
+        if (k[1] & 1) passedBy.set(k[0], [...(passedBy.get(k[0]) ?? []), unit]);
+        else ofNumbers.add(k[0]);
+      }
     }
-    times.set(unit, plain.seconds);
-    for (const k of fs.readFileSync(passed, 'utf8').split('\n').filter(Boolean).map(l => l.split(' ').map(Number))) {
-      if (k[1] & 1) passedBy.set(k[0], [...(passedBy.get(k[0]) ?? []), unit]);
-      else ofNumbers.add(k[0]);
-    }
-  }
+  };
+  const workers = Math.max(1, Math.min(Number(jobs), os.cpus().length));
+  await Promise.all(Array.from({ length: workers }, pass));
 
   if (words.includes('--each-source')) return eachSource(planted, passedBy, times);
   const explained = new Map();
@@ -496,7 +516,7 @@ async function main() {
       console.log(`${String(results.length).padStart(4)} ${result.padEnd(13)} ${m.file}:${m.line} [${m.rule}] ${flat(m.shown[0])} -> ${flat(m.shown[1])}${who ? `  by ${who}` : ''}`);
     }
   };
-  await Promise.all(Array.from({ length: Math.max(1, Math.min(Number(jobs), os.cpus().length)) }, worker));
+  await Promise.all(Array.from({ length: workers }, worker));
   const report = path.join(build, 'report/mutation_sample.tsv');
   fs.mkdirSync(path.dirname(report), { recursive: true });
   fs.writeFileSync(report, `result\tby\trule\tfile\tline\toriginal\tmutated\n${results.map(r => [r.result, r.who, r.rule, r.file, r.line, flat(r.original), flat(r.mutated)].join('\t')).join('\n')}\n`);
