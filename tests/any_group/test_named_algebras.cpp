@@ -6,6 +6,7 @@
 #include "actio/groups/semidirect_product.hpp"
 #include "actio/groups/unit_quaternions.hpp"
 #include "message_of.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using testing::message_of;
@@ -187,7 +188,7 @@ BOOST_AUTO_TEST_CASE(a_name_that_is_no_group_is_answered_with_the_nearest_one) {
                                                         {"SP(4)", "'Sp(4)'"},
                                                         {"SO", "'SO(n)'"},
                                                         {"SO(3) x se(2)", "'SE(2)'"}}) {
-    BOOST_CHECK_THROW(named_algebra(wrong), UnknownGroup);
+    CHECK_REFUSED(named_algebra(wrong), UnknownGroup);
     std::string const message = message_of([&, w = wrong] { named_algebra(w); });
     BOOST_TEST(message.find("did you mean " + right) != std::string::npos, message);
   }

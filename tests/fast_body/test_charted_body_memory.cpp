@@ -5,28 +5,13 @@
 #include "../rigid_body/random_bodies.hpp"
 #include "actio/fast_body/any_dimension/natural_chart_n.hpp"
 #include "bytes.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 
 namespace {
 
 constexpr int n_ = Eigen::Dynamic;
-
-/// Gives back what was saved, but one of the whole numbers at its head changed.
-struct Damaged {
-  testing::Bytes& bytes;
-  int place, value, seen = 0;
-  template <class... T>
-  void operator()(T&... values) {
-    bytes(values...);
-    (one(values), ...);
-  }
-  template <class T>
-  void one(T& number) {
-    if constexpr (std::is_same_v<T, int>)
-      if (seen++ == place) number = value;
-  }
-};
 
 void is_the_same(ChartedBody const& a, ChartedBody const& b) {
   BOOST_TEST((a.momentum().components == b.momentum().components));
@@ -74,20 +59,30 @@ BOOST_AUTO_TEST_CASE(what_is_no_memory_of_such_a_body_is_refused) {
     body.remember(bytes);
     auto other = scheme.release(momentum(inertia.group, Eigen::VectorXd::Ones(6)));
     bytes.rewind();
-    Damaged damaged{bytes, place, value};
+    testing::Damaged damaged{bytes, place, value};
     other.remember(damaged);
   };
   BOOST_CHECK_NO_THROW(restore(-1, 0));
   for (auto const& [place, value] : std::initializer_list<std::pair<int, int>>{{size, 3},
                                                                                {size, 5},
                                                                                {continuation, -1},
+                                                                               {continuation, 36},
                                                                                {continuation, 1000},
                                                                                {latest, -1},
+                                                                               {latest, 17},
                                                                                {latest, 1000},
                                                                                {past, -1},
+                                                                               {past, 18},
                                                                                {past, 1000}})
     BOOST_TEST_CONTEXT("number " << place << " is " << value)
-  BOOST_CHECK_THROW(restore(place, value), OutsideDomain);
+  CHECK_REFUSED(restore(place, value), OutsideDomain);
+  // The last numbers that a body may have. So many turns are not there, and are missed.
+  for (auto const& [place, value] :
+       {std::pair{continuation, 0}, {continuation, 35}, {latest, 0}, {latest, 16}, {past, 0}})
+    BOOST_CHECK_NO_THROW(restore(place, value));
+  BOOST_CHECK_EXCEPTION(restore(past, 17), std::runtime_error, [](std::runtime_error const& e) {
+    return std::string(e.what()) == "bytes: they end too early";
+  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

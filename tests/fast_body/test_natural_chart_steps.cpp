@@ -9,6 +9,7 @@
 #include "actio/reduction/composition.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "hard_bodies.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using Eigen::Vector3d;
@@ -110,7 +111,7 @@ BOOST_AUTO_TEST_CASE(momenta_alone_are_the_same_to_the_bit_and_the_attitude_is_t
   for (int k = 0; k < 500; ++k) one.advance();
   BOOST_TEST((both.body_momentum().components == alone.body_momentum().components));
   BOOST_TEST((both.state().attitude.value == one.state().attitude.value));
-  BOOST_CHECK_THROW(alone.state(), OutsideDomain);
+  CHECK_REFUSED(alone.state(), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(steps_beyond_half_a_turn_are_refused_with_the_longest_that_would_do) {
@@ -135,10 +136,77 @@ BOOST_AUTO_TEST_CASE(steps_beyond_half_a_turn_are_refused_with_the_longest_that_
         BOOST_ERROR("problem " << trial << ": took a step of many turns");
       } catch (StepTooLong const& error) {
         BOOST_CHECK_NO_THROW(NaturalChartSteps(body, M, upright, error.largest_step, fractions).advance());
-        BOOST_CHECK_THROW(NaturalChartSteps(body, M, upright, 1.000001 * error.largest_step, fractions),
-                          StepTooLong);
+        CHECK_REFUSED(NaturalChartSteps(body, M, upright, 1.000001 * error.largest_step, fractions),
+                      StepTooLong);
       }
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_turn_of_a_momentum_is_found_up_to_half_a_turn) {
+  std::mt19937 random(testing::seed + 2);
+  for (int trial = 0; trial < 60; ++trial) {
+    auto const [body, turn] = testing::random_body<3>(random);
+    auto const& I = body.moments;
+    NaturalChartStep const scheme({I[0], I[1], I[2]});
+    for (double const angle : {1e-12, 1e-3, 0.49, 0.51, 1.0, 2.0, 2.6}) {
+      Vector3d const v = turn.coordinates.normalized() * angle;
+      Three<double> const p = scheme.momentum({v[0], v[1], v[2]});
+      auto const found = scheme.followed(p);
+      // Where the derivative is singular before this turn another one has the momentum too, or none is found.
+      if (!found.found) continue;
+      BOOST_TEST((angle > 2 || (vector(found.v) - v).norm() <= 64 * eps * angle));
+      BOOST_TEST((vector(scheme.momentum(found.v)) - vector(p)).norm() <= 32 * eps * vector(p).norm());
+      BOOST_TEST(std::abs(found.angle_squared - vector(found.v).squaredNorm()) <=
+                 4 * eps * found.angle_squared);
+      // From nearby Newton's method alone gets there, to the same digits.
+      auto const near = scheme.turn(p, {found.v[0] * 1.1, found.v[1] * 0.95, found.v[2] * 1.05});
+      BOOST_TEST((near.found && (vector(near.v) - vector(found.v)).norm() <= 64 * eps * angle));
+    }
+  }
+}
+
+// Steps that are nearly the longest at the start: on its way the body turns faster, and after a few of them
+// there is no other.
+BOOST_AUTO_TEST_CASE(a_run_that_ends_leaves_the_body_at_the_last_step_that_had_a_solution) {
+  auto const body = inertia_from_moments(0.5, 0.6, 1.05);
+  Moment const M{SO<3>{}, Vector3d(0.8, 0.4, 0.4)};
+  for (auto const& fractions : {std::vector<double>{1}, suzuki<double>()})
+    for (double const sign : {1.0, -1.0}) {
+      double h = 0;
+      try {
+        NaturalChartSteps(body, M, upright, sign * 100, fractions);
+      } catch (StepTooLong const& error) {
+        h = sign * 0.98 * error.largest_step;
+      }
+      NaturalChartSteps motion(body, M, upright, h, fractions), one(body, M, upright, h, fractions);
+      int taken = 0;
+      try {
+        for (; taken < 1000; ++taken) one.advance();
+        BOOST_ERROR("no step was too long");
+      } catch (StepTooLong const&) {
+      }
+      BOOST_TEST(taken > 0);
+      auto const last = one.state();
+      double longest = 0;
+      for (int again = 0; again < 2; ++again) try {
+          (again ? one : motion).advance(taken + 5);
+          BOOST_ERROR("went on");
+        } catch (StepTooLong const& error) {
+          BOOST_TEST(error.measured == std::abs(h));
+          BOOST_TEST((longest == 0 || error.largest_step == longest));
+          longest = error.largest_step;
+        }
+      BOOST_TEST((motion.state().attitude.value == last.attitude.value));
+      BOOST_TEST((motion.body_momentum().components == last.body_momentum.components));
+      BOOST_TEST((one.state().attitude.value == last.attitude.value));
+      // From here a step of the length that is named has a solution, and a little more has none.
+      BOOST_CHECK_NO_THROW(
+          NaturalChartSteps(body, last.body_momentum, last.attitude, sign * longest * (1 - 1e-9), fractions));
+      CHECK_REFUSED(
+          NaturalChartSteps(body, last.body_momentum, last.attitude, sign * longest * (1 + 1e-6), fractions),
+          StepTooLong);
+      BOOST_TEST(motion.step() == h);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(units_do_not_matter) {
@@ -160,11 +228,11 @@ BOOST_AUTO_TEST_CASE(rest_and_next_to_rest_and_input_that_has_no_answer) {
   rest.advance(10), slow.advance(10);
   BOOST_TEST((rest.state().attitude.value == upright.value));
   BOOST_TEST((slow.body_momentum().components / 1e-300 - start.components).norm() <= 8 * eps);
-  BOOST_CHECK_THROW(NaturalChartSteps(inertia, start, upright, 0), OutsideDomain);
-  BOOST_CHECK_THROW(NaturalChartSteps(inertia, start, upright, std::nan("")), NotFinite);
-  BOOST_CHECK_THROW(NaturalChartSteps(inertia, {SO<3>{}, Vector3d(1, INFINITY, 0)}, upright, 0.1), NotFinite);
-  BOOST_CHECK_THROW(NaturalChartSteps(inertia, 1e200 * start, upright, 0.1), NotFinite);
-  BOOST_CHECK_THROW(NaturalChartSteps(inertia, start, upright, 0.1, {0.5, 0.4}), OutsideDomain);
+  CHECK_REFUSED(NaturalChartSteps(inertia, start, upright, 0), OutsideDomain);
+  CHECK_REFUSED(NaturalChartSteps(inertia, start, upright, std::nan("")), NotFinite);
+  CHECK_REFUSED(NaturalChartSteps(inertia, {SO<3>{}, Vector3d(1, INFINITY, 0)}, upright, 0.1), NotFinite);
+  CHECK_REFUSED(NaturalChartSteps(inertia, 1e200 * start, upright, 0.1), NotFinite);
+  CHECK_REFUSED(NaturalChartSteps(inertia, start, upright, 0.1, {0.5, 0.4}), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,7 @@
 #include "../rigid_body/random_bodies.hpp"
 #include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 #include "bytes.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 
@@ -64,7 +65,45 @@ BOOST_AUTO_TEST_CASE(a_body_of_another_size_is_not_restored) {
   testing::Bytes bytes;
   body.remember(bytes);
   auto other = FastMoserVeselov(large, 0.1).release(momentum(large.group, Eigen::VectorXd::Ones(10)));
-  BOOST_CHECK_THROW(other.remember(bytes.rewind()), OutsideDomain);
+  CHECK_REFUSED(other.remember(bytes.rewind()), OutsideDomain);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_memory_of_such_a_body_is_refused) {
+  auto const inertia = inertia_from_lambda<n_, double>(Eigen::VectorXd::LinSpaced(4, 1, 2));
+  FastMoserVeselov const scheme(inertia, 0.1);
+  auto body = scheme.release(momentum(inertia.group, Eigen::VectorXd::Ones(6)));
+  take(scheme, body, 5, false);
+  int const size = 0, continuation = 1, latest = 2, past = 3;
+  auto restore = [&](int place, int value) {
+    testing::Bytes bytes;
+    body.remember(bytes);
+    auto other = scheme.release(momentum(inertia.group, Eigen::VectorXd::Ones(6)));
+    testing::Damaged damaged{bytes.rewind(), place, value};
+    other.remember(damaged);
+    return other.remembered();
+  };
+  BOOST_TEST(restore(-1, 0) == body.remembered());
+  for (std::pair<int, int> const& change : std::initializer_list<std::pair<int, int>>{{size, 3},
+                                                                                      {size, 5},
+                                                                                      {continuation, -2},
+                                                                                      {continuation, 36},
+                                                                                      {latest, -1},
+                                                                                      {latest, 17},
+                                                                                      {past, -1},
+                                                                                      {past, 18}})
+    BOOST_TEST_CONTEXT("number " << change.first << " is " << change.second)
+  BOOST_CHECK_EXCEPTION(restore(change.first, change.second), OutsideDomain, [&](OutsideDomain const& e) {
+    return e.measured == (change.first == size ? change.second : 4) && e.bound == 4;
+  });
+  // The last numbers that a body may have. So many squares are not there, and are missed.
+  for (auto const& [place, value] : {std::pair{latest, 0}, {latest, 16}, {past, 0}})
+    BOOST_CHECK_NO_THROW(restore(place, value));
+  BOOST_TEST(restore(continuation, -1) == 0);
+  BOOST_TEST(restore(continuation, 0) == 1);
+  BOOST_TEST(restore(continuation, 35) == 16);
+  BOOST_CHECK_EXCEPTION(restore(past, 17), std::runtime_error, [](std::runtime_error const& e) {
+    return std::string(e.what()) == "bytes: they end too early";
+  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

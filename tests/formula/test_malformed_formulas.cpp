@@ -8,6 +8,7 @@
 
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using namespace std::string_literals;
@@ -114,11 +115,11 @@ BOOST_AUTO_TEST_CASE(the_place_and_the_reason_are_told) {
 
 BOOST_AUTO_TEST_CASE(names_that_are_none_are_refused) {
   for (auto const* name : {"", "1x", "a b", "x-y", "\xCF\x89", "pi", "sin", "hypot", "x\n"})
-    BOOST_CHECK_THROW(parse_formula("1", {name}), FormulaError);
-  BOOST_CHECK_THROW(parse_formula("1", {"x", "x"}), FormulaError);
-  BOOST_CHECK_THROW(parse_formula("1", {"x"}, {{"x", 1}}), FormulaError);
-  BOOST_CHECK_THROW(parse_formula("1", {}, {{"c", std::nan("")}}), FormulaError);
-  BOOST_CHECK_THROW(parse_formula("1", {}, {{"c", HUGE_VAL}}), FormulaError);
+    CHECK_REFUSED(parse_formula("1", {name}), FormulaError);
+  CHECK_REFUSED(parse_formula("1", {"x", "x"}), FormulaError);
+  CHECK_REFUSED(parse_formula("1", {"x"}, {{"x", 1}}), FormulaError);
+  CHECK_REFUSED(parse_formula("1", {}, {{"c", std::nan("")}}), FormulaError);
+  CHECK_REFUSED(parse_formula("1", {}, {{"c", HUGE_VAL}}), FormulaError);
 }
 
 BOOST_AUTO_TEST_CASE(a_formula_that_ends_too_soon_is_refused) {

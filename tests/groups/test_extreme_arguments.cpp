@@ -7,6 +7,7 @@
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/numbers/eigenvalues.hpp"
+#include "refused.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
@@ -49,9 +50,9 @@ BOOST_AUTO_TEST_CASE(eigenvalues_of_any_size_and_no_others) {
     BOOST_TEST(std::abs(real[2] / unit - 2) <= 8 * eps);
     BOOST_TEST(std::abs(largest_eigenvalue(a.transpose() * a * unit) / unit - 9) <= 32 * eps);
   }
-  BOOST_CHECK_THROW(symmetric_eigen(Matrix<double>(0, 0)), OutsideDomain);
-  BOOST_CHECK_THROW(largest_eigenvalue(Matrix<double>::Zero(2, 3)), OutsideDomain);
-  BOOST_CHECK_THROW(real_parts_of_eigenvalues(Matrix<double>::Constant(2, 2, std::nan(""))), NotFinite);
+  CHECK_REFUSED(symmetric_eigen(Matrix<double>(0, 0)), OutsideDomain);
+  CHECK_REFUSED(largest_eigenvalue(Matrix<double>::Zero(2, 3)), OutsideDomain);
+  CHECK_REFUSED(real_parts_of_eigenvalues(Matrix<double>::Constant(2, 2, std::nan(""))), NotFinite);
 }
 
 BOOST_AUTO_TEST_CASE(a_reference_starts_from_zero_and_refuses_no_tolerance) {
@@ -60,6 +61,6 @@ BOOST_AUTO_TEST_CASE(a_reference_starts_from_zero_and_refuses_no_tolerance) {
   };
   Matrix<double, 1, 1> const zero(0.0);
   BOOST_TEST(std::abs(reference_solution(f, zero, 0, 30)[0] / (1e-47 * std::sin(30)) - 1) < 1e-11);
-  BOOST_CHECK_THROW(reference_solution(f, zero, 0, 1, std::nan("")), OutsideDomain);
-  BOOST_CHECK_THROW(reference_solution(f, zero, 0, 1, -1), OutsideDomain);
+  CHECK_REFUSED(reference_solution(f, zero, 0, 1, std::nan("")), OutsideDomain);
+  CHECK_REFUSED(reference_solution(f, zero, 0, 1, -1), OutsideDomain);
 }

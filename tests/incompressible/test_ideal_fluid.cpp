@@ -5,6 +5,7 @@
 #include "actio/incompressible/bracket_of_fields.hpp"
 #include "actio/incompressible/ideal_fluid.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
+#include "refused.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;
@@ -72,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_sphere_rotates_with_a_pressure_that_feels_its_curvature
 }
 
 BOOST_AUTO_TEST_CASE(at_the_pole_polar_coordinates_have_no_inverse_metric) {
-  BOOST_CHECK_THROW(eulerian_acceleration(Sphere{}, Meridians{}, Vector<double, 3>(0, 0, 0)), Singular);
+  CHECK_REFUSED(eulerian_acceleration(Sphere{}, Meridians{}, Vector<double, 3>(0, 0, 0)), Singular);
 }
 
 BOOST_AUTO_TEST_CASE(the_bracket_of_translation_and_rotation_is_a_translation) {
@@ -105,6 +106,6 @@ BOOST_AUTO_TEST_CASE(the_motion_alone_tells_the_slope_of_the_pressure) {
     using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
     return Matrix<T, 2, 1>(T(x[1]), T(x[1] * 2.0));
   };
-  BOOST_CHECK_THROW(required_pressure_gradient(fluid, second_jet(flat, Vector<double, 3>(1, 0.5, 0.8))),
-                    NotOrientationPreserving);
+  CHECK_REFUSED(required_pressure_gradient(fluid, second_jet(flat, Vector<double, 3>(1, 0.5, 0.8))),
+                NotOrientationPreserving);
 }

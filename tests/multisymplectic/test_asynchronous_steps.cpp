@@ -10,6 +10,7 @@
 
 #include "actio/multisymplectic/asynchronous_steps.hpp"
 #include "media.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using namespace actio::testing;
@@ -386,12 +387,12 @@ BOOST_AUTO_TEST_CASE(sides_are_held_and_what_cannot_be_stepped_is_refused) {
            std::string(e.what()).find("cell 5") != std::string::npos;
   });
   too_long[5] = -1;
-  BOOST_CHECK_THROW(make(mesh, too_long, start.places, {}), OutsideDomain);
+  CHECK_REFUSED(make(mesh, too_long, start.places, {}), OutsideDomain);
   too_long[5] = std::nan("");
-  BOOST_CHECK_THROW(make(mesh, too_long, start.places, {}), OutsideDomain);
-  BOOST_CHECK_THROW(make(mesh, std::vector<double>(7, 0.01), start.places, {}), OutsideDomain);
-  BOOST_CHECK_THROW(make(mesh, steps, Level<double, 2>(8), {}), OutsideDomain);
-  BOOST_CHECK_THROW(make(mesh, steps, start.places, std::vector<unsigned>(3, 0)), OutsideDomain);
-  BOOST_CHECK_THROW(make(box_mesh({0, 0}, {1, 1}, {2, 2}), std::vector<double>(4, 0.01), start.places, {}),
-                    NotABodyMesh);
+  CHECK_REFUSED(make(mesh, too_long, start.places, {}), OutsideDomain);
+  CHECK_REFUSED(make(mesh, std::vector<double>(7, 0.01), start.places, {}), OutsideDomain);
+  CHECK_REFUSED(make(mesh, steps, Level<double, 2>(8), {}), OutsideDomain);
+  CHECK_REFUSED(make(mesh, steps, start.places, std::vector<unsigned>(3, 0)), OutsideDomain);
+  CHECK_REFUSED(make(box_mesh({0, 0}, {1, 1}, {2, 2}), std::vector<double>(4, 0.01), start.places, {}),
+                NotABodyMesh);
 }

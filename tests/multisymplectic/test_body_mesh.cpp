@@ -5,6 +5,7 @@
 
 #include "actio/multisymplectic/body_mesh_check.hpp"
 #include "actio/multisymplectic/body_shapes.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 
@@ -180,7 +181,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_is_none_of_a_body_is_refused_with_the_cell_that
   refused(with([](BodyMesh& m) { m.sides["left"].push_back({0, 5, -1, -1}); }), "side left, facet 2", -1);
   refused(with([](BodyMesh& m) { m.dimension = 3; }), "it has the dimension of its cells", -1);
   refused(with([](BodyMesh& m) { m.cells.clear(); }), "there are cells", -1);
-  BOOST_CHECK_THROW(require_body_mesh(with([](BodyMesh& m) { m.nodes[3][1] = std::nan(""); })), NotFinite);
+  CHECK_REFUSED(require_body_mesh(with([](BodyMesh& m) { m.nodes[3][1] = std::nan(""); })), NotFinite);
 }
 
 BOOST_AUTO_TEST_CASE(a_mesh_tells_the_memory_that_it_takes) {
@@ -195,18 +196,18 @@ BOOST_AUTO_TEST_CASE(a_mesh_tells_the_memory_that_it_takes) {
 }
 
 BOOST_AUTO_TEST_CASE(boxes_and_shapes_that_do_not_exist_are_refused_before_memory_is_taken) {
-  BOOST_CHECK_THROW(box_mesh({}, {}, {}), NotABodyMesh);
-  BOOST_CHECK_THROW(box_mesh({0, 0}, {1}, {1, 1}), NotABodyMesh);
-  BOOST_CHECK_THROW(box_mesh({0}, {0}, {1}), NotABodyMesh);
-  BOOST_CHECK_THROW(box_mesh({0}, {1}, {0}), NotABodyMesh);
-  BOOST_CHECK_THROW(box_mesh({0}, {1}, {1}, {true}), NotABodyMesh);
-  BOOST_CHECK_THROW(box_mesh({0}, {std::nan("")}, {1}), NotFinite);
-  BOOST_CHECK_THROW(box_mesh({0, 0, 0}, {1, 1, 1}, {2000, 2000, 2000}), NotABodyMesh);
-  BOOST_CHECK_THROW(ball_mesh(1, {2000, 2000}), NotABodyMesh);
-  BOOST_CHECK_THROW(disc_mesh(-1, {2, 2}), NotABodyMesh);
-  BOOST_CHECK_THROW(disc_mesh(1, {0, 2}), NotABodyMesh);
-  BOOST_CHECK_THROW(annulus_mesh(0, 1, {2, 8}), NotABodyMesh);
-  BOOST_CHECK_THROW(annulus_mesh(1, 2, {2, 2}), NotABodyMesh);
-  BOOST_CHECK_THROW(shell_mesh(2, 1, {2, 2}), NotABodyMesh);
-  BOOST_CHECK_THROW(facets_of_side(disc_mesh(1, {1, 1}), "left"), NotABodyMesh);
+  CHECK_REFUSED(box_mesh({}, {}, {}), NotABodyMesh);
+  CHECK_REFUSED(box_mesh({0, 0}, {1}, {1, 1}), NotABodyMesh);
+  CHECK_REFUSED(box_mesh({0}, {0}, {1}), NotABodyMesh);
+  CHECK_REFUSED(box_mesh({0}, {1}, {0}), NotABodyMesh);
+  CHECK_REFUSED(box_mesh({0}, {1}, {1}, {true}), NotABodyMesh);
+  CHECK_REFUSED(box_mesh({0}, {std::nan("")}, {1}), NotFinite);
+  CHECK_REFUSED(box_mesh({0, 0, 0}, {1, 1, 1}, {2000, 2000, 2000}), NotABodyMesh);
+  CHECK_REFUSED(ball_mesh(1, {2000, 2000}), NotABodyMesh);
+  CHECK_REFUSED(disc_mesh(-1, {2, 2}), NotABodyMesh);
+  CHECK_REFUSED(disc_mesh(1, {0, 2}), NotABodyMesh);
+  CHECK_REFUSED(annulus_mesh(0, 1, {2, 8}), NotABodyMesh);
+  CHECK_REFUSED(annulus_mesh(1, 2, {2, 2}), NotABodyMesh);
+  CHECK_REFUSED(shell_mesh(2, 1, {2, 2}), NotABodyMesh);
+  CHECK_REFUSED(facets_of_side(disc_mesh(1, {1, 1}), "left"), NotABodyMesh);
 }

@@ -66,6 +66,8 @@ std::vector<FastBox3d> boxes() {
           {{size[0], size[1], size[2]}, {0.1, 0.13, 0.11}, {first, second, third}, {0.4, -0.3, 0.2}});
       ++k;
     }
+  // A row of eight registers, whose places in memory are further apart than others'.
+  out.push_back({{29, 2, 2}, {0.1, 0.13, 0.11}, {slides, round, held}, {0.4, -0.3, 0.2}});
   // A block that is sheared and stretched, and periodic as such.
   out.push_back({{5, 4, 3},
                  {0.1, 0.08, 0.12},

@@ -61,6 +61,8 @@ std::vector<FastBox2d> boxes() {
   // Rows of more registers than the sixteen of which slopes are found ahead, once and twice.
   out.push_back({{70, 2}, {0.1, 0.13}, {periodic, periodic}, {free, free}});
   out.push_back({{141, 2}, {0.1, 0.13}, {free, fixed}, {periodic, periodic}});
+  // A row of sixteen registers, whose places in memory are further apart than others'.
+  out.push_back({{61, 3}, {0.1, 0.13}, {sliding, fixed}, {free, sliding}});
   // A block that is sheared and stretched, and periodic as such.
   out.push_back(
       {{9, 8}, {0.1, 0.08}, {periodic, periodic}, {periodic, periodic}, {0, 0}, {{{0.99, 0.1}, {0.2, 0.7}}}});

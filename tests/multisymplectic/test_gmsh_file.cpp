@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/multisymplectic/gmsh_mesh.hpp"
+#include "refused.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;
@@ -262,8 +263,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_in_a_text_is_named_with_its_line) {
   refused(replaced(bytes, std::string("\1\0\0\0", 4), std::string("\0\0\0\1", 4)), "byte 20: the number one");
   refused(bytes.substr(0, 400), "byte 278: 8 nodes are announced, and the file has room for 3");
   refused(replaced(text, "$Nodes", "$Periodic\n$EndPeriodic\n$Nodes"), "without periodic sides");
-  BOOST_CHECK_THROW(gmsh_mesh("/no/such/file.msh"), Error);
-  BOOST_CHECK_THROW(gmsh_mesh("/"), Error);
+  CHECK_REFUSED(gmsh_mesh("/no/such/file.msh"), Error);
+  CHECK_REFUSED(gmsh_mesh("/"), Error);
 }
 
 BOOST_AUTO_TEST_CASE(a_damaged_file_is_refused_or_is_another_mesh_of_a_body) {

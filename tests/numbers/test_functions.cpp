@@ -88,4 +88,46 @@ BOOST_AUTO_TEST_CASE(stumpffs_functions_are_right_to_rounding) {
   stumpff_is_its_series<4>();
 }
 
+// The rate of a dual number is the derivative of the series, or of the closed form.
+BOOST_AUTO_TEST_CASE(dual_numbers_carry_the_derivatives_of_the_series) {
+  auto const moved = [](double x) {
+    Dual<double> m(x);
+    m.part[0] = -3;
+    return m;
+  };
+  auto const stumpff_slope = [](int k, long double x) {
+    long double sum = 0, term = -1;  // -1/(2 + k)!, and so on, times n
+    for (int i = 2; i <= 2 + k; ++i) term /= i;
+    for (int n = 1; n < 60; ++n) {
+      sum += n * term;
+      term *= -x / ((2.0L * n + k + 1) * (2.0L * n + k + 2));
+    }
+    return static_cast<double>(sum);
+  };
+  for (double const x : {-0.9, -1.0 / 65, 0.0, 1.0 / 63, 0.99, 1.01, 7.0, 30.0}) {
+    BOOST_TEST_CONTEXT("at " << x) {
+      auto const close = [&](Dual<double> const& found, double value, double slope) {
+        BOOST_TEST(found.value == value);
+        BOOST_TEST(std::abs(found.part[0] + 3 * slope) <= 128 * eps);
+      };
+      close(stumpff<0>(moved(x)), stumpff<0>(x), stumpff_slope(0, x));
+      close(stumpff<1>(moved(x)), stumpff<1>(x), stumpff_slope(1, x));
+      close(stumpff<2>(moved(x)), stumpff<2>(x), stumpff_slope(2, x));
+      close(stumpff<3>(moved(x)), stumpff<3>(x), stumpff_slope(3, x));
+      // b = (1 - (y/2) cot(y/2))/x with y = sqrt(x), and its derivative; by its series below 1.
+      long double const y = std::sqrt(std::abs(static_cast<long double>(x))), c = 1 / std::tan(y / 2);
+      double const b = x < 1 ? half_cotangent_derivative<0>(x) : static_cast<double>((1 - y / 2 * c) / x);
+      double const slope = x < 1 ? static_cast<double>(derivative_of_series<1>(of_half_cotangent, x))
+                                 : static_cast<double>((y * (1 + c * c) / 8 - c / 4) / y / x - b / x);
+      BOOST_TEST(std::abs(half_cotangent(x) - b) <= 16 * eps * (1 + b));
+      auto const found = half_cotangent(moved(x));
+      BOOST_TEST(std::abs(found.value - b) <= 16 * eps * (1 + b));
+      BOOST_TEST(std::abs(found.part[0] + 3 * slope) <= 128 * eps * (1 + std::abs(slope)) * (1 + b));
+    }
+  }
+  for (double const x : {-0.2, 0.0, 0.24})
+    BOOST_TEST(
+        roundings(asinc_derivative<0>(moved(x)).part[0], -3 * derivative_of_series<1>(of_arcsine, x)) <= 8);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

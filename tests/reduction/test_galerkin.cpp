@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/reduction/galerkin.hpp"
+#include "refused.hpp"
 #include "uneven_lagrangian.hpp"
 
 using namespace actio;
@@ -135,22 +136,22 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   auto const step = galerkin<-1>(l, 2);
   auto const start = momentum_state(l, draw.velocity<double>(group));
   double const nan = std::nan("");
-  for (double const bad : {0.0, nan, HUGE_VAL, -HUGE_VAL}) BOOST_CHECK_THROW(step(start, bad), Error);
+  for (double const bad : {0.0, nan, HUGE_VAL, -HUGE_VAL}) CHECK_REFUSED(step(start, bad), Error);
   for (double const bad : {nan, HUGE_VAL}) {
     auto momentum = start, velocity = start;
     momentum.momentum.components[1] = bad, velocity.velocity.coordinates[0] = bad;
-    BOOST_CHECK_THROW(step(momentum, 0.1), NotFinite);
-    BOOST_CHECK_THROW(step(velocity, 0.1), NotFinite);
+    CHECK_REFUSED(step(momentum, 0.1), NotFinite);
+    CHECK_REFUSED(step(velocity, 0.1), NotFinite);
   }
-  for (double const far : {30.0, 1e3, 1e6, 1e300}) BOOST_CHECK_THROW(step(start, far), Error);
-  BOOST_CHECK_THROW(galerkin<-1>(l, 0), OutsideDomain);
+  for (double const far : {30.0, 1e3, 1e6, 1e300}) CHECK_REFUSED(step(start, far), Error);
+  CHECK_REFUSED(galerkin<-1>(l, 0), OutsideDomain);
   // A Lagrangian that does not depend on a direction, and one that is no number.
   auto const blind = [](auto const& xi) {
     return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1];
   };
-  BOOST_CHECK_THROW(galerkin_step_left<double>(blind, 2)(start, 0.1), Singular);
+  CHECK_REFUSED(galerkin_step_left<double>(blind, 2)(start, 0.1), Singular);
   auto const broken = [nan](auto const& xi) { return xi.coordinates[0] * nan; };
-  BOOST_CHECK_THROW(galerkin_step_left<double>(broken, 2)(start, 0.1), Error);
+  CHECK_REFUSED(galerkin_step_left<double>(broken, 2)(start, 0.1), Error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

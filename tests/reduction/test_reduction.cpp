@@ -13,6 +13,7 @@
 #include "actio/reduction/natural_chart.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "group_from_basis.hpp"
+#include "refused.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_discrete_lagrangian_that_is_blind_to_a_direction_is_refus
   auto const f = exp(velocity(SO<3>{}, Vector<double, 3>(0, 0, 0.1)));
   BOOST_CHECK_EXCEPTION(step_euler_poincare_right(flat, f), Singular,
                         [](Singular const& e) { return e.measured <= e.bound; });
-  BOOST_CHECK_THROW(step_euler_lagrange(lift_right(flat), f, identity<double>(SO<3>{})), Singular);
+  CHECK_REFUSED(step_euler_lagrange(lift_right(flat), f, identity<double>(SO<3>{})), Singular);
 }
 
 BOOST_AUTO_TEST_CASE(a_step_past_the_chart_throws_and_never_returns) {
@@ -117,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_step_past_the_chart_throws_and_never_returns) {
   double const h = 1;
   auto const l = natural_chart_lagrangian_left(spinning_body, h);
   auto const pi = momentum(SO<3>{}, Vector<double, 3>(0.5, 9.4, 1.1));
-  BOOST_CHECK_THROW(
+  CHECK_REFUSED(
       relative_motion_from_momentum_left(l, pi, exp(velocity(SO<3>{}, Vector<double, 3>(-0.5, -3, -0.3)))),
       Error);
 }
@@ -136,16 +137,15 @@ BOOST_AUTO_TEST_CASE(nothing_that_is_no_number_gets_in) {
   for (double const bad : {nan, infinity, -infinity}) {
     auto broken = f;
     broken.value(1, 2) = bad;
-    BOOST_CHECK_THROW(step_euler_poincare_left(l, broken), NotFinite);
-    BOOST_CHECK_THROW(step_euler_lagrange(lift_left(l), f, broken), NotFinite);
-    BOOST_CHECK_THROW(
-        relative_motion_from_momentum_left(l, momentum(SO<3>{}, Vector<double, 3>(bad, 0, 0)), f), NotFinite);
+    CHECK_REFUSED(step_euler_poincare_left(l, broken), NotFinite);
+    CHECK_REFUSED(step_euler_lagrange(lift_left(l), f, broken), NotFinite);
+    CHECK_REFUSED(relative_motion_from_momentum_left(l, momentum(SO<3>{}, Vector<double, 3>(bad, 0, 0)), f),
+                  NotFinite);
     auto const broken_energy = [bad](auto const& xi) { return spinning_body(xi) * bad; };
-    BOOST_CHECK_THROW(step_euler_poincare_left(natural_chart_lagrangian_left(broken_energy, 0.1), f),
-                      NotFinite);
-    BOOST_CHECK_THROW(natural_chart_lagrangian_left(spinning_body, bad), Error);
+    CHECK_REFUSED(step_euler_poincare_left(natural_chart_lagrangian_left(broken_energy, 0.1), f), NotFinite);
+    CHECK_REFUSED(natural_chart_lagrangian_left(spinning_body, bad), Error);
   }
-  BOOST_CHECK_THROW(natural_chart_lagrangian_left(spinning_body, 0.0), OutsideDomain);
+  CHECK_REFUSED(natural_chart_lagrangian_left(spinning_body, 0.0), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(a_fall_is_solved_in_metres_and_in_micrometres) {

@@ -4,6 +4,7 @@
 
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "random_bodies.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_planar_body_has_a_lambda_of_zero_and_moves_all_the_same) 
     auto const f = MoserVeselov<3>(inertia, part * longest).relative_motion(pi).value;
     BOOST_TEST(defect<3>(inertia, part * longest, f.value, pi.components) <= 64 * eps);
   }
-  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, 1.001 * longest).relative_motion(pi), StepTooLong);
+  CHECK_REFUSED(MoserVeselov<3>(inertia, 1.001 * longest).relative_motion(pi), StepTooLong);
 }
 
 BOOST_AUTO_TEST_CASE(bodies_of_every_size_give_the_same_digits) {
@@ -169,21 +170,21 @@ BOOST_AUTO_TEST_CASE(a_symmetric_body_and_a_sphere_move) {
 
 BOOST_AUTO_TEST_CASE(no_number_and_no_step_are_refused) {
   auto const inertia = inertia_from_moments(0.6, 0.8, 1.0);
-  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, std::nan("")), NotFinite);
-  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, INFINITY), NotFinite);
-  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, 0.0), OutsideDomain);
+  CHECK_REFUSED(MoserVeselov<3>(inertia, std::nan("")), NotFinite);
+  CHECK_REFUSED(MoserVeselov<3>(inertia, INFINITY), NotFinite);
+  CHECK_REFUSED(MoserVeselov<3>(inertia, 0.0), OutsideDomain);
   MoserVeselov<3> const scheme(inertia, 0.1);
-  BOOST_CHECK_THROW(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
-  BOOST_CHECK_THROW(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1, INFINITY, 0))), NotFinite);
-  BOOST_CHECK_THROW(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1e300, 0, 0))), StepTooLong);
-  BOOST_CHECK_THROW(largest_step(inertia, momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
+  CHECK_REFUSED(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
+  CHECK_REFUSED(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1, INFINITY, 0))), NotFinite);
+  CHECK_REFUSED(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1e300, 0, 0))), StepTooLong);
+  CHECK_REFUSED(largest_step(inertia, momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
 }
 
 BOOST_AUTO_TEST_CASE(a_reflection_is_no_relative_motion) {
   MoserVeselov<3> const scheme(inertia_from_moments(1.5, 2, 3), 0.1);
   Element<SO<3>, double> const mirror{{}, Matrix<double, 3, 3>(Vector3d(1, 1, -1).asDiagonal())};
-  BOOST_CHECK_THROW(scheme.relative_motion({{}, Vector3d(0.1, 0.2, 0.3)}, mirror), OutsideDomain);
-  BOOST_CHECK_THROW(scheme.step_euler_poincare(mirror), OutsideDomain);
+  CHECK_REFUSED(scheme.relative_motion({{}, Vector3d(0.1, 0.2, 0.3)}, mirror), OutsideDomain);
+  CHECK_REFUSED(scheme.step_euler_poincare(mirror), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(a_generalized_body_with_a_negative_lambda_moves_in_short_steps) {
@@ -192,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_generalized_body_with_a_negative_lambda_moves_in_short_st
   auto const pi = body_momentum(inertia, testing::random_body<4>(random).spin);
   auto const f = MoserVeselov<4>(inertia, 0.01).relative_motion(pi).value;
   BOOST_TEST(defect<4>(inertia, 0.01, f.value, pi.components) <= 64 * eps);
-  BOOST_CHECK_THROW(MoserVeselov<4>(inertia, 100.0).relative_motion(pi), Error);
+  CHECK_REFUSED(MoserVeselov<4>(inertia, 100.0).relative_motion(pi), Error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

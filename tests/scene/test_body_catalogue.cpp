@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "actio/bodies/body_catalogue.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using Matrix3d = actio::Matrix<double, 3, 3>;
@@ -48,7 +49,7 @@ BOOST_AUTO_TEST_CASE(has_its_bodies_with_their_sources) {
     BOOST_TEST(!body.source.empty());
     BOOST_TEST(body.spin.coordinates.norm() > 0);
   }
-  BOOST_CHECK_THROW(read_body(ACTIO_DATA "/bodies.toml", "teapot"), CatalogueError);
+  CHECK_REFUSED(read_body(ACTIO_DATA "/bodies.toml", "teapot"), CatalogueError);
 }
 
 BOOST_AUTO_TEST_CASE(computes_the_moments_of_water_which_is_planar) {
@@ -123,8 +124,8 @@ BOOST_AUTO_TEST_CASE(complaints_name_the_file_the_body_and_the_key) {
   BOOST_TEST(says(
       complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = 1.0, at = [0.0, 0.0, 0.0], heigth = 2.0}]"),
       "heigth: unknown key"));
-  BOOST_CHECK_THROW(read_bodies("/nowhere/bodies.toml"), CatalogueError);
-  BOOST_CHECK_THROW(read_bodies(std::filesystem::temp_directory_path()), CatalogueError);
+  CHECK_REFUSED(read_bodies("/nowhere/bodies.toml"), CatalogueError);
+  CHECK_REFUSED(read_bodies(std::filesystem::temp_directory_path()), CatalogueError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

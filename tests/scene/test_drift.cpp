@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "actio/scene/drift.hpp"
+#include "refused.hpp"
 
 using actio::Error;
 using actio::scene::Drift, actio::scene::CheckpointStream;
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back_and_nothing_is_left) {
   std::vector<double> again, empty;
   CheckpointStream back(stream.bytes());
   back(y, again);
-  BOOST_CHECK_THROW(back.end(), Error);
+  CHECK_REFUSED(back.end(), Error);
   back(empty);
   back.end();
   BOOST_TEST((x == y && again == list && empty.empty()));
@@ -99,19 +100,19 @@ BOOST_AUTO_TEST_CASE(it_is_not_trusted) {
   for (std::size_t size = 0; size < stream.bytes().size(); ++size) {
     std::vector<double> back;
     CheckpointStream cut(stream.bytes().substr(0, size));
-    BOOST_CHECK_THROW(cut(back), Error);
+    CHECK_REFUSED(cut(back), Error);
   }
   // A list of another size; lists that would be longer than memory, and so long that their bytes have no
   // number.
   std::vector<double> other(4);
   CheckpointStream whole(stream.bytes());
-  BOOST_CHECK_THROW(whole(other), Error);
+  CHECK_REFUSED(whole(other), Error);
   for (std::size_t claimed : {std::size_t{4}, std::size_t{1} << 40, std::size_t{1} << 61, ~std::size_t{0}}) {
     std::string bytes = stream.bytes();
     std::memcpy(bytes.data(), &claimed, sizeof claimed);
     std::vector<double> back;
     CheckpointStream lying(bytes);
-    BOOST_CHECK_THROW(lying(back), Error);
+    CHECK_REFUSED(lying(back), Error);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "actio/scene/run.hpp"
 #include "readable_folder.hpp"
+#include "refused.hpp"
 
 using namespace actio::scene;
 
@@ -165,7 +166,7 @@ BOOST_AUTO_TEST_CASE(the_seconds_between_checkpoints_are_a_number_that_is_not_ne
   BOOST_TEST(checkpoint_interval() == 0.5);
   for (char const* text : {"", "soon", "1s", "-1", "nan"}) {
     ::setenv("ACTIO_CHECKPOINT_SECONDS", text, 1);
-    BOOST_CHECK_THROW(checkpoint_interval(), SceneError);
+    CHECK_REFUSED(checkpoint_interval(), SceneError);
   }
   ::unsetenv("ACTIO_CHECKPOINT_SECONDS");
   BOOST_TEST(checkpoint_interval() == RunOptions{}.checkpoint_interval);

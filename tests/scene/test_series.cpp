@@ -15,6 +15,7 @@
 
 #include "actio/scene/series.hpp"
 #include "hdf5_table.hpp"
+#include "refused.hpp"
 
 using namespace actio::scene;
 using command::Folder;
@@ -200,25 +201,25 @@ BOOST_AUTO_TEST_CASE(a_device_without_room_is_said_and_every_later_call_says_so_
     // Nothing is written through a link.
     Folder const folder;
     std::filesystem::create_symlink("elsewhere", folder / (format == "csv" ? "series.csv" : "series.h5"));
-    BOOST_CHECK_THROW(open_series(folder / "", format, head(), false), FileError);
+    CHECK_REFUSED(open_series(folder / "", format, head(), false), FileError);
     BOOST_TEST(!std::filesystem::exists(folder / "elsewhere"));
   }
   // A file that was there when the disk filled up.
   std::unique_ptr<Series> const series = in_background(csv_series("/dev/full", {"t"}, true));
   add_rows(*series, 0, 10);
-  BOOST_CHECK_THROW(series->flush(), FileError);
-  BOOST_CHECK_THROW(series->sync(), FileError);
+  CHECK_REFUSED(series->flush(), FileError);
+  CHECK_REFUSED(series->sync(), FileError);
   CheckpointStream stream;
-  BOOST_CHECK_THROW(series->remember(stream), FileError);
+  CHECK_REFUSED(series->remember(stream), FileError);
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_is_no_table_is_refused) {
   Folder const folder;
   std::filesystem::create_directory(folder / "series.csv");
-  BOOST_CHECK_THROW(csv_series(folder / "series.csv", {"t"}, false), FileError);
-  BOOST_CHECK_THROW(hdf5_series(folder / "series.csv", head(), false), FileError);
-  BOOST_CHECK_THROW(hdf5_series(folder / "none/series.h5", head(), false), FileError);
-  BOOST_CHECK_THROW(hdf5_series(folder / "series.h5", head(), true), FileError);
+  CHECK_REFUSED(csv_series(folder / "series.csv", {"t"}, false), FileError);
+  CHECK_REFUSED(hdf5_series(folder / "series.csv", head(), false), FileError);
+  CHECK_REFUSED(hdf5_series(folder / "none/series.h5", head(), false), FileError);
+  CHECK_REFUSED(hdf5_series(folder / "series.h5", head(), true), FileError);
 }
 
 BOOST_AUTO_TEST_CASE(rows_wait_for_a_slow_writer_in_bounded_memory_and_in_their_order) {
@@ -251,13 +252,13 @@ BOOST_AUTO_TEST_CASE(an_error_of_the_writer_comes_out_of_what_is_called_next) {
   auto const series = in_background(std::make_unique<SlowSeries>(&written, 100));
   double t = 0;
   for (; t < 150; ++t) series->add(std::span(&t, 1));
-  BOOST_CHECK_THROW(series->flush(), FileError);
+  CHECK_REFUSED(series->flush(), FileError);
   BOOST_TEST(written == 100);
-  BOOST_CHECK_THROW(series->sync(), FileError);
+  CHECK_REFUSED(series->sync(), FileError);
   auto const add_many = [&] {
     for (long k = 0; k < 100000; ++k) series->add(std::span(&t, 1));
   };
-  BOOST_CHECK_THROW(add_many(), FileError);
+  CHECK_REFUSED(add_many(), FileError);
 }
 
 BOOST_AUTO_TEST_CASE(what_a_killed_writer_leaves_is_a_beginning_and_can_be_gone_on_with) {

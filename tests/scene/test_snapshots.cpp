@@ -10,6 +10,7 @@
 #include "actio/scene/run.hpp"
 #include "readable_folder.hpp"
 #include "refusal.hpp"
+#include "refused.hpp"
 
 using namespace actio::scene;
 
@@ -189,7 +190,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_them_is_told) {
   std::string const body =
       "[system]\nkind = \"rigid_body\"\nbody = \"apophis\"\n[run]\nuntil = 1\n[output]\n"
       "quantities = [\"energy\"]\nsnapshots = []\n";
-  BOOST_CHECK_THROW(Scene::read(SceneFile::parse(body, "body.toml")), SceneError);
+  CHECK_REFUSED(Scene::read(SceneFile::parse(body, "body.toml")), SceneError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

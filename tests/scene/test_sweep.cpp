@@ -10,6 +10,7 @@
 
 #include "actio/scene/sweep_crew.hpp"
 #include "actio/scene/sweep_table.hpp"
+#include "refused.hpp"
 
 using namespace actio::scene;
 
@@ -58,7 +59,7 @@ BOOST_AUTO_TEST_CASE(more_members_than_have_names_are_refused) {
   std::string other = thousand;
   other[0] = 'y';
   BOOST_TEST(SweepPlan("a.toml", {thousand, other}, {}, "out").size() == 1000000);
-  BOOST_CHECK_THROW(SweepPlan("a.toml", {thousand, other, "z=1,2"}, {}, "out"), SceneError);
+  CHECK_REFUSED(SweepPlan("a.toml", {thousand, other, "z=1,2"}, {}, "out"), SceneError);
 }
 
 BOOST_AUTO_TEST_CASE(a_result_is_the_same_behind_the_wall_of_its_process) {

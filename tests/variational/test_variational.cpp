@@ -9,6 +9,7 @@
 #include "actio/variational/euler_poincare.hpp"
 #include "actio/variational/lie_poisson.hpp"
 #include "actio/variational/momentum_map.hpp"
+#include "refused.hpp"
 #include "spinning_body.hpp"
 #include "witness/taylor_reference.hpp"
 
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(a_vector_that_leaves_the_coadjoint_orbit_is_refused) {
   auto const along = momentum(SO<3>{}, Vector<double, 3>(2, -1, 0));
   BOOST_TEST((ad_star(orbit_generator(mu, along), mu).components - along.components).norm() < 20 * eps);
   // At the origin the orbit is a point.
-  BOOST_CHECK_THROW(orbit_generator(momentum(SO<3>{}, Vector<double, 3>(0, 0, 0)), along), OutsideDomain);
+  CHECK_REFUSED(orbit_generator(momentum(SO<3>{}, Vector<double, 3>(0, 0, 0)), along), OutsideDomain);
   // Units do not matter: a body of 1e-47 kg m^2 has its orbits too.
   auto const tiny = 1e-47 * mu;
   BOOST_TEST(

@@ -156,7 +156,11 @@ BOOST_AUTO_TEST_CASE(the_report_of_a_state_adds_up) {
   // Nothing moves where there is no vorticity.
   Resolution const none = resolution_of(SphereHarmonics(5));
   BOOST_TEST(none.energy_degree == 0);
-  BOOST_TEST(none.error == 0);
+  BOOST_TEST(none.enstrophy_degree == 0);
+  BOOST_TEST((none.error == 0 && none.error_of_straining == 0));
+  BOOST_TEST((told.size == n && none.size == 5));
+  BOOST_TEST(std::abs(told.error_of_straining - std::pow(told.energy_degree * 34.0 / 9, 2) / (6.0 * n * n)) <=
+             1e-15);
   // Berezin's factor at the degree where it is said to be a half, from its product.
   double factor = 1;
   for (int l = 1; l <= std::lround(told.cut_off); ++l)

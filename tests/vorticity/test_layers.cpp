@@ -4,6 +4,7 @@
 #include "actio/vorticity/helmholtz_stream.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "flows.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using testing::random_matrix, testing::random_state;
@@ -18,10 +19,10 @@ constexpr Conserved forms[] = {Conserved::lie_poisson, Conserved::energy_casimir
 
 BOOST_AUTO_TEST_SUITE(layers)
 BOOST_AUTO_TEST_CASE(the_stream_of_a_layer_is_divided_by_degrees) {
-  BOOST_CHECK_THROW(HelmholtzStream(8, 0), OutsideDomain);
-  BOOST_CHECK_THROW(HelmholtzStream(8, -1), OutsideDomain);
-  BOOST_CHECK_THROW(HelmholtzStream(8, std::nan("")), NotFinite);
-  BOOST_CHECK_THROW(HelmholtzStream(1, 1), OutsideDomain);
+  CHECK_REFUSED(HelmholtzStream(8, 0), OutsideDomain);
+  CHECK_REFUSED(HelmholtzStream(8, -1), OutsideDomain);
+  CHECK_REFUSED(HelmholtzStream(8, std::nan("")), NotFinite);
+  CHECK_REFUSED(HelmholtzStream(1, 1), OutsideDomain);
   for (int n : {2, 3, 30})
     for (double gamma : {1e-6, 2.0, 500.0}) {
       HelmholtzStream const stream(n, gamma);
@@ -87,6 +88,21 @@ BOOST_AUTO_TEST_CASE(a_layer_on_a_rotating_sphere_is_a_free_one_in_another_frame
   };
   BOOST_TEST(norm(in_frame(stream.frame_rate(rotation)) - truth) <= 1e-14 * n * norm(truth));
   BOOST_TEST(norm(in_frame(rotation) - truth) > 0.1 * norm(truth));
+}
+
+// Rounding is 1/gamma times as large in the trace, and does not stay there.
+BOOST_AUTO_TEST_CASE(the_stream_of_a_layer_has_no_trace) {
+  for (int n : {2, 3, 30})
+    for (double gamma : {1e-9, 1.0}) {
+      SkewHermitian<> const p = HelmholtzStream(n, gamma).solve(random_matrix(n));
+      BOOST_TEST(std::abs(p.imaginary.trace()) <= 1e-15 * n * norm(p));
+    }
+  try {
+    HelmholtzStream(8, -0.5);
+    BOOST_ERROR("a negative gamma is none");
+  } catch (OutsideDomain const& error) {
+    BOOST_TEST((error.measured == -0.5 && error.bound == 0));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

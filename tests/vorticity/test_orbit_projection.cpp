@@ -4,6 +4,7 @@
 
 #include "actio/vorticity/orbit_projection.hpp"
 #include "flows.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using testing::random_state, testing::RossbyHaurwitz, testing::Invariants;
@@ -93,15 +94,75 @@ BOOST_AUTO_TEST_CASE(levels_that_the_orbit_does_not_reach_are_refused) {
   double const most = 0.25 * QuantizedSphere(n).area_element() * inner_product(w, w);
   EnergyMomentum const too_much{2 * most, levels.momentum}, too_fast{levels.energy, 1e3 * levels.momentum};
   for (auto const& bad : {too_much, too_fast}) {
-    BOOST_CHECK_THROW(projection.project(bad, w), OutsideDomain);
+    CHECK_REFUSED(projection.project(bad, w), OutsideDomain);
     BOOST_TEST(norm(w - start) == 0);
   }
   for (auto const& bad : {EnergyMomentum{nan, levels.momentum}, {levels.energy, {0, nan, 0}}})
-    BOOST_CHECK_THROW(projection.project(bad, w), NotFinite);
+    CHECK_REFUSED(projection.project(bad, w), NotFinite);
   w.real(1, 2) = nan;
-  BOOST_CHECK_THROW(projection.project(levels, w), NotFinite);
+  CHECK_REFUSED(projection.project(levels, w), NotFinite);
   SkewHermitian<> zero(n);
-  BOOST_CHECK_THROW(projection.project(levels, zero), OutsideDomain);
+  CHECK_REFUSED(projection.project(levels, zero), OutsideDomain);
+}
+
+// Newton's iteration with shorter steps, from states that a conjugation of the size of one has moved.
+BOOST_AUTO_TEST_CASE(levels_are_reached_from_afar) {
+  int const n = 8;
+  SphereLaplacian const laplacian(n);
+  OrbitProjection<> projection(laplacian);
+  for (unsigned seed : {1u, 2u, 3u, 4u}) {
+    SkewHermitian<> const start = random_state(n, 1, n - 1, 5);
+    SkewHermitian<> w = moved_along_orbit(start, 0.5, seed);
+    BOOST_TEST(norm(w - start) > 0.1 * norm(start));
+    Eigen::VectorXd const values = vorticity_values(w);
+    auto const report = projection.project(energy_momentum(laplacian, start), w);
+    testing::Changes const changes = Invariants(laplacian, w) - Invariants(laplacian, start);
+    BOOST_TEST_MESSAGE("from " << report.found << ": " << report.newton_steps << " Newton steps");
+    BOOST_TEST(changes.energy <= 32 * unit * n);
+    BOOST_TEST(changes.momentum <= 32 * unit * n);
+    // Each of the conjugations rounds.
+    BOOST_TEST((vorticity_values(w) - values).cwiseAbs().maxCoeff() <=
+               8 * unit * n * report.newton_steps * values.cwiseAbs().maxCoeff());
+    BOOST_TEST(report.newton_steps <= 20);
+  }
+}
+
+// W, and energies with its square: a power of two is exact.
+BOOST_AUTO_TEST_CASE(the_unit_changes_no_digit_of_a_projection) {
+  int const n = 10;
+  SphereLaplacian const laplacian(n);
+  OrbitProjection<> projection(laplacian);
+  SkewHermitian<> const start = random_state(n, 1, n - 1, 5), moved = moved_along_orbit(start, 1e-2, 8);
+  EnergyMomentum const levels = energy_momentum(laplacian, start);
+  SkewHermitian<> w = moved;
+  int const steps = projection.project(levels, w).newton_steps;
+  for (double scale : {0x1p-120, 0x1p120}) {
+    SkewHermitian<> scaled = scale * moved;
+    auto const report = projection.project({scale * scale * levels.energy, scale * levels.momentum}, scaled);
+    BOOST_TEST((scaled.real == scale * w.real && scaled.imaginary == scale * w.imaginary));
+    BOOST_TEST(report.newton_steps == steps);
+  }
+}
+
+// A constant has one state on its orbit, without energy and angular momentum.
+BOOST_AUTO_TEST_CASE(a_refusal_tells_by_how_much_the_levels_are_missed) {
+  int const n = 9;
+  QuantizedSphere const sphere(n);
+  SphereLaplacian const laplacian(n);
+  OrbitProjection<> projection(laplacian);
+  SkewHermitian<> constant(n);
+  constant.imaginary.diagonal().setConstant(-3);
+  Eigen::Vector3d const momentum(0.2, -0.3, 0.6);
+  try {
+    projection.project({0, momentum}, constant);
+    BOOST_ERROR("a constant has no angular momentum");
+  } catch (OutsideDomain const& error) {
+    // <iS_j, W>/|S_j|, with |S_j|^2 = N(N^2 - 1)/12, and |W| = 3 sqrt(N).
+    double const missed = 0.7 / (sphere.area_element() * sphere.hbar()) / std::sqrt(n * (n * n - 1) / 12.0) /
+                          (3 * std::sqrt(n));
+    BOOST_TEST(std::abs(error.measured / missed - 1) <= 1e-14);
+    BOOST_TEST(error.bound == 1e-12);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

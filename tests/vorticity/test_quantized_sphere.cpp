@@ -3,6 +3,7 @@
 
 #include "actio/vorticity/products.hpp"
 #include "flows.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using testing::random_matrix;
@@ -44,8 +45,8 @@ BOOST_AUTO_TEST_CASE(the_spin_matrices_turn_one_another_and_their_squares_add_up
 
 BOOST_AUTO_TEST_CASE(fewer_than_two_points_are_refused) {
   for (int n : {1, 0, -3}) {
-    BOOST_CHECK_THROW(QuantizedSphere{n}, OutsideDomain);
-    BOOST_CHECK_THROW(SphereLaplacian{n}, OutsideDomain);
+    CHECK_REFUSED(QuantizedSphere{n}, OutsideDomain);
+    CHECK_REFUSED(SphereLaplacian{n}, OutsideDomain);
   }
 }
 

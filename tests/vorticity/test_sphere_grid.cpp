@@ -132,16 +132,51 @@ BOOST_AUTO_TEST_CASE(values_are_the_sum_of_harmonics_on_any_grid) {
 }
 
 BOOST_AUTO_TEST_CASE(a_grid_that_does_not_hold_the_degrees_is_refused) {
-  auto const refused = [](SphereGrid const& grid, int degrees) {
-    GridField const field = GridField::Zero(grid.latitudes(), grid.longitudes);
-    BOOST_CHECK_THROW(harmonics_from(grid, field, degrees), OutsideDomain);
+  auto const refused = [](auto const& make, double measured, double bound) {
+    try {
+      make();
+      BOOST_ERROR("this grid does not do");
+    } catch (OutsideDomain const& error) {
+      BOOST_TEST((error.measured == measured && error.bound == bound));
+    }
   };
-  refused(SphereGrid::uniform(8, 16), 4);
-  refused(SphereGrid::gauss(7, 16), 8);
-  refused(SphereGrid::gauss(8, 14), 8);
-  BOOST_CHECK_THROW(harmonics_from(SphereGrid::gauss(8, 16), GridField::Zero(8, 15), 8), OutsideDomain);
-  BOOST_CHECK_THROW(SphereGrid::gauss(0, 1), OutsideDomain);
-  BOOST_CHECK_THROW(SphereGrid::uniform(1, 0), OutsideDomain);
+  auto const from = [](SphereGrid const& grid, int degrees) {
+    return [&grid, degrees] {
+      harmonics_from(grid, GridField::Zero(grid.latitudes(), grid.longitudes), degrees);
+    };
+  };
+  // Of parallels that are not Gauss's none counts.
+  refused(from(SphereGrid::uniform(8, 16), 4), 0, 4);
+  refused(from(SphereGrid::gauss(7, 16), 8), 7, 8);
+  refused(from(SphereGrid::gauss(8, 14), 8), 14, 15);
+  refused([] { harmonics_from(SphereGrid::gauss(8, 16), GridField::Zero(8, 15), 8); }, 120, 128);
+  refused([] { harmonics_from(SphereGrid::gauss(8, 16), GridField::Zero(9, 16), 8); }, 144, 128);
+  refused([] { SphereGrid::gauss(0, 3); }, 0, 1);
+  refused([] { SphereGrid::gauss(3, -1); }, -1, 1);
+  refused([] { SphereGrid::uniform(1, 0); }, 0, 1);
+  refused([] { SphereGrid::uniform(-2, 5); }, -2, 1);
+}
+
+// Between two circles of latitude the sphere has the area of the height between them.
+BOOST_AUTO_TEST_CASE(parallels_of_equal_steps_have_the_areas_of_their_cells) {
+  for (int rows : {1, 2, 9, 64}) {
+    SphereGrid const grid = SphereGrid::uniform(rows, 5);
+    BOOST_TEST((grid.latitudes() == rows && grid.longitudes == 5 && !grid.gaussian));
+    GridField field(rows, 5);
+    double sum = 0;
+    for (int j = 0; j < rows; ++j) {
+      double const height = std::cos(M_PI * j / rows) - std::cos(M_PI * (j + 1) / rows);
+      BOOST_TEST(std::abs(grid.weight[j] - height) <= 4e-16);
+      // In radians, from the north.
+      BOOST_TEST(std::abs(grid.latitude(j) - M_PI / 2 * (rows - 1 - 2 * j) / rows) <= 4e-16);
+      for (int k = 0; k < 5; ++k) field(j, k) = j + 10 * k, sum += height * field(j, k);
+    }
+    BOOST_TEST(std::abs(grid.integral(field) / (2 * M_PI / 5 * sum) - 1) <= 1e-15 * rows);
+    BOOST_TEST(std::abs(grid.integral(GridField::Ones(rows, 5)) / (4 * M_PI) - 1) <= 1e-15 * rows);
+    for (int k = 0; k < 5; ++k) BOOST_TEST(std::abs(grid.longitude(k) - 0.4 * M_PI * k) <= 1e-15);
+  }
+  BOOST_TEST(SphereGrid::gauss(3, 4).latitude(1) == 0);
+  BOOST_TEST(SphereGrid::gauss(3, 4).latitude(0) > 0.8);
 }
 
 BOOST_AUTO_TEST_CASE(a_rigid_rotation_blows_from_the_west) {

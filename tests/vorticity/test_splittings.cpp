@@ -55,6 +55,30 @@ BOOST_AUTO_TEST_CASE(steady_flows_have_no_rest) {
     BOOST_TEST(norm(canonical_splitting(laplacian, w).rest) <= 1e-13 * n * norm(w));
 }
 
+// Two values of P that are 16 N epsilon of the largest apart are one, and any others two: of diagonal
+// matrices the eigenvalues have no error.
+BOOST_AUTO_TEST_CASE(values_of_the_stream_that_rounding_cannot_tell_apart_are_one) {
+  int const n = 16;
+  SkewHermitian<> const w = random_matrix(n);
+  double const apart = 256 * std::numeric_limits<double>::epsilon();
+  for (double largest : {1.0, -1.0, 0x1p50, -0x1p50, 0x1p-50})
+    for (double part : {0.5, 1.0, 2.0}) {
+      SkewHermitian<> p(n);
+      for (int k = 0; k < n; ++k) p.imaginary(k, k) = (k - 8) / 32.0;
+      p.imaginary(3, 3) = p.imaginary(12, 12) + part * apart;
+      p.imaginary(9, 9) = 1;
+      p *= largest;
+      auto const [steady, rest] = split_along(p, w);
+      SkewHermitian<> truth(n);
+      truth.imaginary.diagonal() = w.imaginary.diagonal();
+      if (part <= 1)
+        for (auto const& [r, c] : {std::pair(3, 12), {12, 3}})
+          truth.real(r, c) = w.real(r, c), truth.imaginary(r, c) = w.imaginary(r, c);
+      BOOST_TEST(norm(steady - truth) <= 1e-14 * norm(w));
+      BOOST_TEST(norm(rest - (w - truth)) <= 1e-14 * norm(w));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(symmetries_are_seen) {
   for (int fold : {1, 2, 3, 4, 7}) {
     SkewHermitian<> w = symmetric_state(15, fold);

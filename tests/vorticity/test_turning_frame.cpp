@@ -160,9 +160,53 @@ BOOST_AUTO_TEST_CASE(where_there_is_no_angular_momentum_nothing_turns) {
     SphereLaplacian const laplacian(n);
     BOOST_TEST(calmest_frame(sphere, laplacian, random_state(n, 2, n - 1)).rate == 0);
     BOOST_TEST(calmest_frame(sphere, laplacian, SkewHermitian<>(n)).rate == 0);
+    BOOST_TEST((calmest_frame(sphere, laplacian, SkewHermitian<>(n)).axis == Eigen::Vector3d::UnitZ()));
     // A rotation alone is at rest in every frame about its axis.
     BOOST_TEST(calmest_frame(sphere, laplacian, random_state(n, 1, 1)).rate == 0);
   }
+}
+
+// By the sums of N terms that a moment is, up to N/2 sqrt(N) of |W|: what is within their rounding is none.
+BOOST_AUTO_TEST_CASE(an_angular_momentum_within_rounding_turns_no_frame) {
+  int const n = 25;
+  QuantizedSphere const sphere(n);
+  SphereLaplacian const laplacian(n);
+  SkewHermitian<> const rest = random_state(n, 2, n - 1, 3);
+  Eigen::Vector3d const axis(0.6, 0, 0.8);
+  for (double unit : {0x1p-50, 1.0, 0x1p50})
+    for (double part : {0.1, 10.0}) {
+      SkewHermitian<> w = rest;
+      double const bound = 1e-13 * norm(rest) * 125;  // N^(3/2)
+      add_spin(sphere, part * bound / sphere.spin_square() * axis, w);
+      TurningFrame const frame = calmest_frame(sphere, laplacian, unit * w);
+      BOOST_TEST((frame.rate != 0) == (part > 1));
+      if (part > 1) BOOST_TEST((frame.axis - axis).norm() <= 0.1);
+    }
+}
+
+// Along a coordinate axis it is that axis, to the last digit, and the rate goes with the unit of W.
+BOOST_AUTO_TEST_CASE(the_axis_of_a_frame_is_that_of_the_angular_momentum) {
+  int const n = 10;
+  QuantizedSphere const sphere(n);
+  SphereLaplacian const laplacian(n);
+  testing::RossbyHaurwitz const wave;
+  for (int j = 0; j < 3; ++j)
+    for (double sign : {1.0, -1.0}) {
+      Eigen::Vector3d const axis = sign * Eigen::Vector3d::Unit(j);
+      SkewHermitian<> w = wave.wave(n);
+      add_spin(sphere, wave.rotation * sphere.hbar() * axis, w);
+      for (double unit : {0x1p-60, 1.0, 0x1p60}) {
+        TurningFrame const frame = calmest_frame(sphere, laplacian, unit * w);
+        BOOST_TEST((frame.axis == axis));
+        BOOST_TEST(std::abs(frame.rate / (unit * wave.rate()) - 1) <= 1e-15 * n * n);
+      }
+    }
+  // A function of the first degree is added as the combination of the spin matrices.
+  SkewHermitian<> const before = random_state(n, 1, n - 1);
+  SkewHermitian<> sum = before;
+  Eigen::Vector3d const e(0.3, -0.7, 0.2);
+  add_spin(sphere, e, sum);
+  BOOST_TEST(norm(sum - before - TurningFrame{e, 0}.generator(sphere)) <= 1e-15 * n * norm(sum));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

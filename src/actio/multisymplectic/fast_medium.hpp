@@ -73,8 +73,7 @@ class FastMedium {
     x.reserve(count), v.reserve(count);
     detail::for_nodes(box, [&](auto const& node, std::size_t) {
       Point const place = placement(box.at(node)), rate = velocity(box.at(node));
-      for (std::size_t i = 0; i < place.size(); ++i)
-        if (!is_finite(place[i]) || !is_finite(rate[i])) refuse_node(node);
+      require_numbers(node, place, rate);
       x.push_back(detail::as_vector(place)), v.push_back(detail::as_vector(rate));
     });
     refuse_inverted(x);
@@ -124,6 +123,7 @@ class FastMedium {
   State state() const { return {places(), velocities_half_a_step_ago(), steps_}; }
   /// Goes on from a state: the run from there is that of the medium that it was taken from, bit for bit.
   /// @throws OutsideDomain  where it has not as many nodes as the box, or a negative number of steps
+  /// @throws NotFinite      where a place or a velocity is no number
   /// @throws CellInverts    with step 0, where a cell of it is inside out
   void go_on_from(State const& state) {
     auto const needed = static_cast<std::size_t>(box_.count());
@@ -136,8 +136,10 @@ class FastMedium {
                           static_cast<double>(state.steps), 0);
     std::vector<Vector> x, v;
     x.reserve(needed), v.reserve(needed);
-    for (auto const& p : state.places) x.push_back(detail::as_vector(p));
-    for (auto const& p : state.velocities) v.push_back(detail::as_vector(p));
+    detail::for_nodes(box_, [&](auto const& node, std::size_t k) {
+      require_numbers(node, state.places[k], state.velocities[k]);
+      x.push_back(detail::as_vector(state.places[k])), v.push_back(detail::as_vector(state.velocities[k]));
+    });
     refuse_inverted(x);
     nodes_.put(x, v);
     steps_ = kept_at_ = state.steps, kept_ = nodes_.state();
@@ -192,7 +194,11 @@ class FastMedium {
     return x;
   }
   template <class Node>
-  [[noreturn]] static void refuse_node(Node const& node) {
+  static void require_numbers(Node const& node, Point const& place, Point const& rate) {
+    bool finite = true;
+    for (std::size_t i = 0; i < place.size(); ++i)
+      finite = finite && is_finite(place[i]) && is_finite(rate[i]);
+    if (finite) return;
     std::string name;
     for (int const i : node) name += (name.empty() ? "(" : ", ") + std::to_string(i);
     throw NotFinite("medium: placement and velocity of node " + name + ")");
@@ -231,7 +237,7 @@ class FastMedium {
   double least_jacobian(std::array<int, Box::dimension> const& cell, std::vector<Vector> const& x) const {
     double least = HUGE_VAL;
     for (double const one : detail::corner_volumes(detail::edges_of(box_, detail::corners_of(box_, cell), x)))
-      if (!(one / box_.measure() >= least)) least = one / box_.measure();
+      if (least == least && !(one / box_.measure() >= least)) least = one / box_.measure();
     return least;
   }
   /// The cell with the least Jacobian, and that.

@@ -104,14 +104,11 @@ StepReport solve_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
   return report;
 }
 
-/// Appends a guess for the next level, solves for it, and takes it back where that fails.
+/// Appends a guess for the next level, which the mesh has, solves for it, and takes it back where that fails.
 template <class S, int n, int N, class L, class Wall, class Guess, class Momenta>
 StepReport append_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
                         DiscreteSection<S, n, N>& section, Wall const& wall, Guess const& guess,
                         Momenta const& momentum) {
-  int const next = section.last() + 1;
-  if (next >= mesh.levels())
-    throw NotAMesh("step", "the mesh has a level to step to; level", next, mesh.levels() - 1);
   Level<S, N> level;
   std::vector<SumOfTerms<Matrix<S, N, 1>, Base<S>>> momenta;
   for (Index node = 0; node < mesh.node_count(); ++node) {

@@ -180,7 +180,7 @@ Base<S> magnitude(DivergenceNumber<S, m, N> const& x) {
   auto const look = [&](detail::Row<S, N + 1> const& row) {
     for (int j = 0; j <= N; ++j) {
       Base<S> const size = magnitude(row[j]);
-      if (!(size <= largest)) largest = size;  // a NaN stays: nothing compares with it
+      if (largest == largest && !(size <= largest)) largest = size;  // a NaN stays
     }
   };
   look(x.head);

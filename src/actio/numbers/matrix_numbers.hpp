@@ -115,11 +115,6 @@ struct MatrixNumbers {
     using T = decltype(S() * typename B::Scalar());
     return Matrix<T, 3, 1>(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
   }
-  bool allFinite() const {
-    bool finite = true;
-    over([&](S const& x) { finite = finite && is_finite(x); });
-    return finite;
-  }
 
   /// Whether no number is larger than a bound.
   bool isZero(S const& bound = S(0)) const {

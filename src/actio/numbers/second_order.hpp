@@ -187,7 +187,7 @@ Base<S> magnitude(SecondOrder<S, m> const& x) {
   Base<S> largest = magnitude(x.value);
   auto const look = [&](S const& c) {
     Base<S> const size = magnitude(c);
-    if (!(size <= largest)) largest = size;  // a NaN stays: nothing compares with it
+    if (largest == largest && !(size <= largest)) largest = size;  // a NaN stays
   };
   for (S const& f : x.first) look(f);
   for (S const& s : x.second) look(s);

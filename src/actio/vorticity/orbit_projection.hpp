@@ -50,10 +50,11 @@ struct ProjectionReport {
 template <class Stream = SphereLaplacian>
 class OrbitProjection {
  public:
-  /// @param stream    of the Hamiltonian; referred to
+  /// @param stream    of the Hamiltonian; referred to, so that it may not be a temporary
   /// @param products  how real matrices are multiplied
   explicit OrbitProjection(Stream const& stream, Products products = eigen_products())
       : stream_(stream), sphere_(stream.size()), products_(std::move(products)) {}
+  explicit OrbitProjection(Stream const&& stream, Products products = eigen_products()) = delete;
 
   /// W on the levels, conjugated by a unitary matrix. Two Newton steps where W is the result of a step with
   /// small errors, none where W is there already. Accuracy: rounding, in the levels and in the spectrum.

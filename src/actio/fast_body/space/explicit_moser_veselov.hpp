@@ -110,19 +110,6 @@ class TwistFromMiddle {
   S beside_;
 };
 
-/// The parameters of a step from the numbers \f$j_i = hL/(2I_i)\f$ and the twist that goes with them.
-template <class S>
-StepParameters<S> parameters_of(Three<S> const& j, S const& kappa) {
-  using std::sqrt;
-  S const sum = S(1) + kappa * kappa, cosine = S(1) / S(sqrt(sum));
-  Three<S> const delta{sum * j[0] - kappa, sum * j[1] - kappa, sum * j[2] - kappa};
-  return {delta,
-          {sum * (j[2] - j[1]), sum * (j[0] - j[2]), sum * (j[1] - j[0])},
-          cosine,
-          kappa * cosine,
-          stretch_of(delta)};
-}
-
 /// What Newton's method found.
 template <class S>
 struct Twist {

@@ -40,7 +40,8 @@ void set_lane(std::array<Pack<4>, n>& x, int l, std::array<double, n> const& y) 
   for (std::size_t i = 0; i < n; ++i) x[i].set(l, y[i]);
 }
 
-/// The drift of each lane by itself.
+/// The drift of each lane by itself. A momentum that is no number any more stays: its body is refused after
+/// the run.
 [[gnu::noinline, gnu::cold]] inline void drift_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p,
                                                      Four<Pack<4>>& q) {
   for (int l = 0; l < 4; ++l) {
@@ -48,6 +49,7 @@ void set_lane(std::array<Pack<4>, n>& x, int l, std::array<double, n> const& y) 
     for (int i = 0; i < 3; ++i) body.J[i] = c.body.J[i][l];
     body.d12 = c.body.d12[l], body.d23 = c.body.d23[l], body.d13 = c.body.d13[l];
     TorquedState state{lane_of(p, l), lane_of(q, l)};
+    if (!is_finite(dot(state.p, state.p))) continue;
     int terms = 8;
     state = drift(body, scaled(body, part), part, state, terms);
     set_lane(p, l, state.p), set_lane(q, l, state.q);

@@ -1,0 +1,247 @@
+// A body on a mesh of any shape, counted by hand: energies as sums over corners over any scalar, and forces
+// as their derivatives. The meshes have no symmetry, and neither have the places of their nodes.
+#pragma once
+
+#include <boost/test/unit_test.hpp>
+
+#include "actio/multisymplectic/body_forces.hpp"
+#include "witness/draw.hpp"
+
+namespace actio::testing {
+
+template <int d>
+using Spot = std::array<double, d>;
+template <class T>
+using List = std::vector<T>;
+
+/// A solid with a fibre along the first direction, whose stored energy goes with the square of the density.
+struct Fibred {
+  template <class F>
+  auto operator()(F const& f) const {
+    auto const stretch = f.col(0).squaredNorm() - 1.0;
+    return f.squaredNorm() * 0.3 + stretch * stretch * 0.2 + 1.0 / small_determinant(f);
+  }
+};
+
+/// A mesh, and places of its nodes at the start: both with every node moved by a part of a cell.
+struct Sample {
+  BodyMesh mesh;
+  List<double> x, u;
+};
+template <int d>
+Sample sample(BodyMesh mesh, Draw& draw, double width) {
+  Sample out;
+  for (auto& node : mesh.nodes)
+    for (int a = 0; a < d; ++a) {
+      out.x.push_back(1.1 * node[a] + 0.2 * node[(a + 1) % d] + 0.07 * width * draw.number<double>());
+      node[a] += 0.07 * width * draw.number<double>(), out.u.push_back(draw.number<double>());
+    }
+  out.mesh = std::move(mesh);
+  return out;
+}
+inline BodyMesh two_triangles() {
+  BodyMesh mesh;
+  mesh.shape = CellShape::triangle, mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.cells = {{0, 1, 2}, {3, 2, 1}};
+  mesh.sides = {{"right", {{1, 3, -1, -1}}}, {"top", {{3, 2, -1, -1}}}};
+  return mesh;
+}
+inline BodyMesh two_tetrahedra() {
+  BodyMesh mesh;
+  mesh.dimension = 3, mesh.shape = CellShape::tetrahedron;
+  mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  mesh.cells = {{0, 1, 2, 3}, {4, 2, 1, 3}};
+  mesh.sides = {{"right", {facet_nodes(mesh, {1, 1})}}, {"top", {facet_nodes(mesh, {1, 2})}}};
+  return mesh;
+}
+
+inline double density_at(auto const& X) {
+  double sum = 1.5;
+  for (std::size_t a = 0; a < X.size(); ++a) sum += 0.2 / (1.0 + double(a)) * X[a];
+  return sum;
+}
+/// Of the fifth degree: two points of Gauss do not have its mean slope.
+struct Hill {
+  template <class X>
+  auto operator()(X const& x) const {
+    auto sum = x[0] * x[x.size() - 1] * 0.1;
+    for (int a = 0; a < int(x.size()); ++a) sum = sum + x[a] * x[a] * x[a] * x[a] * x[a] * (0.2 / (a + 1.0));
+    return sum;
+  }
+};
+
+/// Corners, or the single point of a simplex, counted by hand.
+template <int d>
+struct PlainBody {
+  BodyMesh const& mesh;
+  bool simplex = is_simplex(mesh.shape) || d == 1;
+  int corners = corner_count(mesh.shape), points = simplex ? 1 : corners;
+  double pressure = 0, hill = 0, bowl = 0;  // the pressure from outside, and factors of two potentials
+
+  template <class T>
+  Matrix<T, d, d> edges(List<T> const& x, int cell, int p) const {
+    Matrix<T, d, d> out;
+    auto const at = [&](int b, int i) {
+      bool const beyond = !mesh.wraps.empty() && (mesh.wraps[cell][b] >> i & 1);
+      return x[std::size_t(mesh.cells[cell][b] * d + i)] + (beyond ? mesh.periods[i] : 0.0);
+    };
+    for (int k = 0; k < d; ++k)
+      for (int i = 0; i < d; ++i)
+        out(i, k) = simplex ? at(k + 1, i) - at(0, i) : at(p | 1 << k, i) - at(p & ~(1 << k), i);
+    return out;
+  }
+  List<double> reference() const {
+    List<double> out;
+    for (auto const& node : mesh.nodes) out.insert(out.end(), node.begin(), node.begin() + d);
+    return out;
+  }
+  double volume(int cell, int p) const {
+    double const parts[] = {1, 2, 4, 6, 8};
+    return small_determinant(edges(reference(), cell, p)) / parts[int(mesh.shape)];
+  }
+  /// The mean of a density that is linear in X, or of its square, under the hat function of a corner; of all
+  /// (b = -1) on a line or a simplex.
+  double mean(int cell, int b, int power) const {
+    // The mean of a product of hat functions by exponents: of x^m (1-x)^n it is m! n!/(m+n+1)!.
+    double const factorial[] = {1, 1, 2, 6, 24, 120, 720};
+    auto const product = [&](List<int> const& hats) {
+      double out = 1;
+      if (is_simplex(mesh.shape)) {
+        out = factorial[d] / factorial[std::size_t(d) + hats.size()];
+        for (int c = 0; c < corners; ++c) out *= factorial[std::count(hats.begin(), hats.end(), c)];
+      } else
+        for (int k = 0; k < d; ++k) {
+          long const up = std::count_if(hats.begin(), hats.end(), [&](int c) { return c >> k & 1; }),
+                     all = long(hats.size());
+          out *= factorial[up] * factorial[all - up] / factorial[all + 1];
+        }
+      return out;
+    };
+    List<int> const with = b < 0 ? List<int>{} : List<int>{b};
+    auto const rho = [&](int c) {
+      auto const X = corner_place(mesh, cell, c);
+      Spot<d> at;
+      for (int a = 0; a < d; ++a) at[a] = X[a];
+      return density_at(at);
+    };
+    double sum = 0;
+    for (int c = 0; c < corners; ++c)
+      for (int e = 0; e < (power == 2 ? corners : 1); ++e) {
+        List<int> hats = with;
+        hats.push_back(c);
+        if (power == 2) hats.push_back(e);
+        sum += rho(c) * (power == 2 ? rho(e) : 1) * product(hats);
+      }
+    return sum / product(with);
+  }
+  double weight(int cell, int p) const { return volume(cell, p) * mean(cell, simplex ? -1 : p, 2); }
+  List<double> masses() const {
+    List<double> out(mesh.nodes.size(), 0);
+    for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
+      for (int b = 0; b < corners; ++b)
+        out[std::size_t(mesh.cells[cell][b])] +=
+            (simplex ? volume(cell, 0) / corners : volume(cell, b)) * mean(cell, b, 1);
+    return out;
+  }
+  template <class T>
+  Matrix<T, d, d> gradient(List<T> const& x, int cell, int p) const {
+    return edges(x, cell, p) * inverse_matrix(edges(reference(), cell, p)).template cast<T>();
+  }
+  /// Stored energy, that of the outside pressure and of the potential.
+  template <class T>
+  T energy(List<T> const& x) const {
+    T sum(0.0);
+    for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
+      for (int p = 0; p < points; ++p) {
+        auto const F = gradient(x, cell, p);
+        sum = sum + Fibred{}(F)*weight(cell, p) + small_determinant(F) * (pressure * volume(cell, p));
+      }
+    auto const m = masses();
+    for (std::size_t k = 0; k < m.size(); ++k) {
+      Matrix<T, d, 1> at;
+      for (int a = 0; a < d; ++a) at[a] = x[k * d + std::size_t(a)];
+      sum = sum + Hill{}(at) * (hill * m[k]) + at.squaredNorm() * (bowl * m[k]);
+    }
+    return sum;
+  }
+  /// Minus the derivative of the energy by each place.
+  template <class T>
+  List<T> forces(List<T> const& x) const {
+    List<T> f;
+    List<Dual<T>> moved;
+    for (T const& one : x) moved.emplace_back(one);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      moved[k] = variable(x[k]);
+      f.push_back(-rate_of(energy(moved)));
+      moved[k] = Dual<T>(x[k]);
+    }
+    return f;
+  }
+  /// The vectors of area of a facet at its corners, outwards: half of an edge, a third of a triangle, the
+  /// quarter of a parallelogram.
+  List<std::pair<int, Spot<d>>> areas(List<double> const& x, std::array<int, 4> const& facet) const {
+    int const n = int(std::count_if(facet.begin(), facet.end(), [](int node) { return node >= 0; }));
+    // The cell that has all of its nodes, and where these are as corners of that cell.
+    List<Spot<3>> at;
+    Spot<3> middle{};
+    for (int cell = 0; int(at.size()) < n; ++cell) {
+      at.clear(), middle = {};
+      for (int k = 0; k < n; ++k)
+        for (int b = 0; b < corners; ++b)
+          if (mesh.cells[cell][b] == facet[k]) at.push_back(corner(x, cell, b));
+      for (int b = 0; b < corners; ++b)
+        for (std::size_t a = 0; a < 3; ++a) middle[a] += corner(x, cell, b)[a] / corners;
+    }
+    List<std::pair<int, Spot<d>>> out;
+    for (int k = 0; k < n; ++k) {
+      Spot<3> const o = at[k], p = at[(k + 1) % n], q = at[(k + n - 1) % n];
+      Spot<3> area{1, 0, 0};
+      if (d == 2) area = {(p[1] - o[1]) / 2, (o[0] - p[0]) / 2, 0};
+      if (d == 3)
+        for (std::size_t i = 0, j = 1, l = 2; i < 3; ++i, j = (j + 1) % 3, l = (l + 1) % 3)
+          area[i] = ((p[j] - o[j]) * (q[l] - o[l]) - (p[l] - o[l]) * (q[j] - o[j])) / (n == 3 ? 6 : 4);
+      double outwards = 0;
+      for (std::size_t i = 0; i < 3; ++i) outwards += area[i] * (o[i] - middle[i]);
+      Spot<d> with_sign;
+      for (std::size_t i = 0; i < d; ++i) with_sign[i] = outwards > 0 ? area[i] : -area[i];
+      out.emplace_back(facet[k], with_sign);
+    }
+    return out;
+  }
+  Spot<3> corner(List<double> const& x, int cell, int b) const {
+    Spot<3> out{};
+    for (int a = 0; a < d; ++a) {
+      bool const beyond = !mesh.wraps.empty() && (mesh.wraps[cell][b] >> a & 1);
+      out[a] = x[std::size_t(mesh.cells[cell][b] * d + a)] + (beyond ? mesh.periods[a] : 0);
+    }
+    return out;
+  }
+};
+
+inline double apart(List<double> const& a, List<double> const& b) {
+  BOOST_REQUIRE(a.size() == b.size());
+  double worst = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) worst = std::max(worst, std::abs(a[k] - b[k]));
+  return worst;
+}
+inline List<double> plus(List<double> a, List<double> const& b, double by) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] += by * b[k];
+  return a;
+}
+
+/// A body of each shape, with and without a seam.
+template <class F>
+void on_every_shape(F const& f) {
+  Draw draw(3);
+  f.template operator()<1>(sample<1>(box_mesh({0}, {1}, {4}), draw, 0.25));
+  f.template operator()<1>(sample<1>(box_mesh({0}, {1}, {3}, {true}), draw, 0.3));
+  f.template operator()<2>(sample<2>(two_triangles(), draw, 1));
+  f.template operator()<2>(sample<2>(box_mesh({0, 0}, {1, 0.7}, {3, 2}), draw, 0.3));
+  f.template operator()<2>(sample<2>(box_mesh({0, 0}, {1, 0.7}, {3, 2}, {true, false}), draw, 0.3));
+  f.template operator()<3>(sample<3>(two_tetrahedra(), draw, 1));
+  f.template operator()<3>(sample<3>(box_mesh({0, 0, 0}, {1, 0.7, 0.9}, {2, 1, 2}), draw, 0.4));
+  f.template operator()<3>(
+      sample<3>(box_mesh({0, 0, 0}, {0.7, 1, 0.9}, {1, 3, 1}, {false, true, false}), draw, 0.3));
+}
+
+}  // namespace actio::testing
