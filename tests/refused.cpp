@@ -1,6 +1,7 @@
 // Refusals against the table of reviewed messages.
 #include "refused.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -13,15 +14,15 @@
 namespace refused {
 namespace {
 
-/// Messages by program, case and number within the case, in this order, with a tab between.
-std::map<std::string, std::string> const& reviewed() {
-  static std::map<std::string, std::string> const table = [] {
-    std::map<std::string, std::string> out;
+/// Messages by program and case, with a tab between.
+std::multimap<std::string, std::string> const& reviewed() {
+  static std::multimap<std::string, std::string> const table = [] {
+    std::multimap<std::string, std::string> out;
     std::ifstream in(ACTIO_REFUSALS);
     if (!in) throw std::runtime_error("the table of refusals " ACTIO_REFUSALS " cannot be read");
     for (std::string line; std::getline(in, line);)
       if (auto const last = line.rfind('\t'); last != std::string::npos && line[0] != '#')
-        out[line.substr(0, last)] = line.substr(last + 1);
+        out.emplace(line.substr(0, last), line.substr(last + 1));
     return out;
   }();
   return table;
@@ -55,28 +56,23 @@ bool alike(std::string const& a, std::string const& b) {
   return i == end && j == end && a.substr(at) == b.substr(bt);
 }
 
-/// The next refusal of the running case.
-std::string next_key() {
-  static std::map<std::string, int> seen;
+/// Of the running case.
+std::string key() {
   auto const& running = boost::unit_test::framework::current_test_case();
   auto const& master = boost::unit_test::framework::master_test_suite();
-  std::string const program = std::filesystem::path(master.argv[0]).filename().string();
-  std::string const name = running.full_name();
-  return program + '\t' + name + '\t' + std::to_string(++seen[name]);
+  return std::filesystem::path(master.argv[0]).filename().string() + '\t' + running.full_name();
 }
 
 }  // namespace
 
 void check(char const* message) {
-  std::string const key = next_key(), said = plain(message);
+  std::string const said = plain(message);
+  auto const [begin, end] = reviewed().equal_range(key());
+  if (std::any_of(begin, end, [&](auto const& line) { return alike(line.second, said); })) return;
   if (char const* file = std::getenv("ACTIO_WRITE_REFUSALS"))
-    std::ofstream(file, std::ios::app) << key << '\t' << said << '\n';
-  auto const found = reviewed().find(key);
-  bool const known = found != reviewed().end();
-  if (!known || !alike(found->second, said))
-    BOOST_ERROR("another message than the reviewed one, "
-                << (known ? found->second : "of which there is none") << ": as a line of tests/refusals.tsv\n"
-                << key << '\t' << said);
+    std::ofstream(file, std::ios::app) << key() << '\t' << said << '\n';
+  BOOST_ERROR("a message that is not among the reviewed ones; as a line of tests/refusals.tsv\n"
+              << key() << '\t' << said);
 }
 
 }  // namespace refused
