@@ -66,15 +66,27 @@ function tokens(text) {
 
 const closing = { '(': ')', '[': ']', '{': '}' }, opening = { ')': '(', ']': '[', '}': '{' };
 
+/// The token after the arguments of a template that begin here; 0 where this compares two numbers. They follow their name
+/// without a space, and are for the compiler.
+function endOfArguments(list, i) {
+  if (i === 0 || list[i - 1].end !== list[i].at || list[i + 1]?.at !== list[i].end) return 0;
+  for (let k = i + 1, open = 1; k < list.length && !/^[;{}]$/.test(list[k].text); ++k) {
+    if (list[k].text === '<' && list[k - 1].end === list[k].at) ++open;
+    if (list[k].text === '>' && --open === 0) return k;
+  }
+  return 0;
+}
+
 /// Gives each bracket its partner, and each token whether it stands in the body of a function.
 function nest(list) {
   const stack = [];
-  let constant = false;
+  let constant = false, ofTemplate = 0;
   list.forEach((t, i) => {
     // Conditions and constants of the compiler are no code that runs.
     if (t.text === 'constexpr') constant = stack.some(s => s.kind === 'code');
     if (t.text === ';' || (t.text === ')' && stack.at(-1)?.constant)) constant = false;
-    t.code = !constant && stack.some(s => s.kind === 'code') && !stack.some(s => s.kind === 'type');
+    t.code = !constant && !(i < ofTemplate) && stack.some(s => s.kind === 'code') && !stack.some(s => s.kind === 'type');
+    if (t.text === '<') ofTemplate = Math.max(ofTemplate, endOfArguments(list, i));
     if (closing[t.text]) stack.push({ i, kind: t.text === '{' ? kindOf(list, i, stack) : 'group', constant: t.text === '(' && list[i - 1]?.text === 'constexpr' });
     else if (opening[t.text]) {
       const from = stack.pop();
