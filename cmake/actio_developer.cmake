@@ -22,6 +22,12 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
+# GCC collects no garbage before it holds two gigabytes, which is more than a unit may take: 4 % of the time
+# of all units, and a third of that of the largest, for up to a fifth more memory.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-heapsize=2000000>)
+endif()
+
 # Gold links our programs, of which there are more than a hundred, in a third of the time.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold ACTIO_LINKS_WITH_GOLD)
@@ -53,12 +59,8 @@ function(actio_own target level)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og -UNDEBUG>)
     target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
   endif()
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Collecting garbage later saves a tenth of the time and costs a tenth of the memory.
-    target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=500000)
-    if(CCACHE)
-      target_compile_options(${target} PRIVATE -fpch-preprocess)
-    endif()
+  if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
   endif()
   if(TARGET actio_precompiled_${level} AND NOT target STREQUAL "actio_precompiled_${level}" AND NOT "OWN_HEADERS" IN_LIST ARGN)
     target_precompile_headers(${target} REUSE_FROM actio_precompiled_${level})
