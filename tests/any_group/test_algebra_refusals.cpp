@@ -5,27 +5,19 @@
 #include "actio/any_group/membership.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/semidirect_algebra.hpp"
+#include "caught.hpp"
 #include "message_of.hpp"
 #include "refused.hpp"
 
 using namespace actio;
 using testing::message_of;
+using testing::caught;
 
 namespace {
 
 using Square = Eigen::MatrixXd;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// The error that a call throws.
-template <class E, class Call>
-E caught(Call const& call) {
-  try {
-    call();
-  } catch (E const& e) {
-    return e;
-  }
-  throw std::logic_error("nothing was refused");
-}
 /// Refused with these figures, in these words.
 template <class E, class Call>
 void refused(Call const& call, double measured, double bound, std::string const& words) {

@@ -6,9 +6,11 @@
 #include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/composition.hpp"
+#include "caught.hpp"
 #include "own_system.hpp"
 
 using namespace actio;
+using testing::caught;
 
 namespace {
 
@@ -16,16 +18,6 @@ using List = std::vector<double>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double least_condition = 0x1p-50;
 
-/// The error that a call throws.
-template <class E, class Call>
-E caught(Call const& call) {
-  try {
-    call();
-  } catch (E const& e) {
-    return e;
-  }
-  throw std::logic_error("nothing was refused");
-}
 std::shared_ptr<ReducedSystem const> with_chart(std::shared_ptr<ReducedSystem const> const& of, Chart chart) {
   return std::make_shared<ReducedSystem const>(of->algebra, of->side, of->vectors, of->lagrangian, chart);
 }

@@ -3,9 +3,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/continuum/continuum_equations.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
+using testing::caught;
 
 namespace {
 
@@ -13,16 +15,6 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 using Square = Matrix<double, 3, 3>;
 Vector<double, 3> const place(0.5, -2, 3);
 
-/// The error that a call throws.
-template <class E, class Call>
-E caught(Call const& call) {
-  try {
-    call();
-  } catch (E const& e) {
-    return e;
-  }
-  throw std::logic_error("nothing was refused");
-}
 Square symmetric(double a, double b, double c, double d, double e, double f) {
   Square g;
   g << a, b, c, b, d, e, c, e, f;

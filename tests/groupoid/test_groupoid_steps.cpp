@@ -13,26 +13,17 @@
 #include "actio/groups/special_linear.hpp"
 #include "groupoid_laws.hpp"
 #include "witness/draw.hpp"
+#include "caught.hpp"
 
 using namespace actio;
 using namespace actio::testing;
+using testing::caught;
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using G = SE<2>;
 using Column = Vector<double>;
-
-/// The error that a call throws.
-template <class E, class Call>
-E caught(Call const& call) {
-  try {
-    call();
-  } catch (E const& e) {
-    return e;
-  }
-  throw std::logic_error("nothing was refused");
-}
 
 /// Three arrows in a row of each groupoid; the group is neither commutative nor of rotations.
 struct Arrows {

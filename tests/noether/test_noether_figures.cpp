@@ -6,9 +6,11 @@
 #include "actio/noether/isometries.hpp"
 #include "actio/noether/relabelling.hpp"
 #include "actio/noether/time_translation.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
+using testing::caught;
 
 namespace {
 
@@ -17,16 +19,6 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 template <class V>
 using ScalarOf = typename std::remove_cvref_t<V>::Scalar;
 
-/// The error that a call throws.
-template <class E, class Call>
-E caught(Call const& call) {
-  try {
-    call();
-  } catch (E const& e) {
-    return e;
-  }
-  throw std::logic_error("nothing was refused");
-}
 auto const outward = [](auto const& y) { return y.eval(); };
 
 /// A motion of the plane, and a map of space-time with its inverse; all polynomials.

@@ -5,26 +5,18 @@
 #include "actio/reduction/advected_steps.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 #include "uneven_lagrangian.hpp"
 
 using namespace actio;
 using namespace actio::testing;
+using testing::caught;
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// The error that a call throws.
-template <class E, class Call>
-E caught(Call const& call) {
-  try {
-    call();
-  } catch (E const& e) {
-    return e;
-  }
-  throw std::logic_error("nothing was refused");
-}
 /// Refused with these figures.
 template <class Call>
 void refused(Call const& call, double measured, double bound) {

@@ -77,7 +77,7 @@ struct Taylor {
     Taylor z = blank(x, y, x.stored() + y.stored() - 1);
     for (int i = 0; i < x.stored(); ++i)
       for (int j = 0; j < y.stored() && i + j < z.stored(); ++j)
-        z.coefficients[i + j] += x.coefficients[i] * y.coefficients[j];
+        add_product(z.coefficients[i + j], x.coefficients[i], y.coefficients[j]);
     return z;
   }
   friend Taylor operator/(Taylor const& x, Taylor const& y) {
