@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace testing {
+namespace actio::testing {
 
 /// The error of type E that the call throws; one of another type goes on.
 /// @throws std::logic_error  where the call throws nothing, which ends the case
@@ -17,4 +17,4 @@ E caught(Call const& call) {
   throw std::logic_error("nothing was refused");
 }
 
-}  // namespace testing
+}  // namespace actio::testing
