@@ -1,6 +1,7 @@
 // What all checks compute with, compiled at -O2: dual numbers and matrices over Number. The sections are
 // compiled at -Og, where a call stays a call; of a function that several files hold the linker takes the
-// first, and this file stands first in every program. The prime field and double gain a fifth of their time.
+// first, and this file stands first in every program. The checks gain a seventh of their time over the prime
+// field, a sixth in double, little in 50 digits.
 #include <array>
 #include <vector>
 
