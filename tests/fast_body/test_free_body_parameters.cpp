@@ -3,25 +3,17 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_body/space/free_steps.hpp"
+#include "caught.hpp"
 
 using namespace actio;
 using Eigen::Vector3d;
+using testing::caught;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 FreeBody body_of(Vector3d const& moments, Vector3d const& momentum) {
   return FreeBody(inertia_from_moments<double>(moments), {SO<3>{}, momentum});
-}
-/// The message and the numbers of a refusal.
-template <class Refusal, class F>
-Refusal refusal_of(F const& f) {
-  try {
-    f();
-  } catch (Refusal const& refusal) {
-    return refusal;
-  }
-  throw std::logic_error("nothing was refused");
 }
 }  // namespace
 
@@ -102,18 +94,18 @@ BOOST_AUTO_TEST_CASE(orders_that_no_scheme_has_are_refused_with_the_nearest_boun
   auto const body = body_of({0.6, 0.8, 1}, {0.9, 0.3, -0.5});
   for (auto const& [order, bound] : {std::pair{0, 2}, std::pair{-2, 2}, std::pair{1, 2}, std::pair{3, 40},
                                      std::pair{41, 40}, std::pair{42, 40}}) {
-    auto const refusal = refusal_of<OutsideDomain>([&] { body.moser_veselov_parameters(0.1, order); });
+    auto const refusal = caught<OutsideDomain>([&] { body.moser_veselov_parameters(0.1, order); });
     BOOST_TEST(refusal.measured == order);
     BOOST_TEST(refusal.bound == bound);
   }
   BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.01, 40));
-  auto const zero = refusal_of<OutsideDomain>([&] { FreeSteps(body, 0.0); });
+  auto const zero = caught<OutsideDomain>([&] { FreeSteps(body, 0.0); });
   BOOST_TEST((zero.measured == 0 && zero.bound == 0));
   FreeSteps alone(body, 0.1);
   alone.advance_momentum(0);
   BOOST_CHECK_NO_THROW(alone.state());
   alone.advance_momentum(1);
-  auto const unknown = refusal_of<OutsideDomain>([&] { alone.state(); });
+  auto const unknown = caught<OutsideDomain>([&] { alone.state(); });
   BOOST_TEST((unknown.measured == 0 && unknown.bound == 1));
   BOOST_TEST(alone.step() == 0.1);
 }
@@ -123,7 +115,7 @@ BOOST_AUTO_TEST_CASE(steps_of_any_order_go_up_to_the_longest_and_not_beyond) {
     for (double const mass : {1.0, 1e-30})
       for (int const order : {4, 6, 10}) {
         auto const body = body_of(mass * Vector3d(0.6, 0.8, 1), mass * M);
-        auto const refusal = refusal_of<StepTooLong>([&] { body.moser_veselov_parameters(-1000, order); });
+        auto const refusal = caught<StepTooLong>([&] { body.moser_veselov_parameters(-1000, order); });
         double const longest = refusal.largest_step;
         BOOST_TEST(refusal.measured == 1000);
         BOOST_TEST(refusal.bound == longest);
@@ -132,7 +124,7 @@ BOOST_AUTO_TEST_CASE(steps_of_any_order_go_up_to_the_longest_and_not_beyond) {
             BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(sign * part * longest, order));
           for (double const part : {1.000001, 1.01, 1.5, 3.0, 20.0}) {
             auto const beyond =
-                refusal_of<StepTooLong>([&] { body.moser_veselov_parameters(sign * part * longest, order); });
+                caught<StepTooLong>([&] { body.moser_veselov_parameters(sign * part * longest, order); });
             BOOST_TEST(std::abs(beyond.largest_step / longest - 1) <= 1e-11);
             BOOST_TEST(std::abs(beyond.measured / (part * longest) - 1) <= 4 * eps);
           }

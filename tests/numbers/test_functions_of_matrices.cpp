@@ -6,25 +6,17 @@
 #include "actio/numbers/matrix_logarithm.hpp"
 #include "actio/numbers/nearest_name.hpp"
 #include "actio/numbers/schur_form.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
+using testing::caught;
 
 namespace {
 
 double const eps = epsilon<double>();
 using Square = Matrix<double>;
 
-template <class Refusal, class F>
-Refusal refused(F const& f) {
-  try {
-    f();
-  } catch (Refusal const& refusal) {
-    return refusal;
-  }
-  BOOST_FAIL("it is not refused");
-  throw;
-}
 double apart(Square const& a, Square const& b) { return magnitude(Square(a - b)) / (1 + magnitude(b)); }
 
 }  // namespace
@@ -77,11 +69,11 @@ BOOST_AUTO_TEST_CASE(norms_are_those_of_rows_and_say_how_often_to_halve) {
 BOOST_AUTO_TEST_CASE(an_eigenvalue_on_the_negative_axis_is_refused_with_what_was_measured) {
   auto const text = [](Error const& e) { return std::string(e.what()); };
   // The iteration makes m of -1 the matrix zero, which has no inverse.
-  auto const pivot = refused<OutsideDomain>([] { matrix_logarithm(Square{{-1, 0}, {0, -1}}); });
+  auto const pivot = caught<OutsideDomain>([] { matrix_logarithm(Square{{-1, 0}, {0, -1}}); });
   BOOST_TEST((pivot.measured == 0 && pivot.bound == 16 * eps));
   BOOST_TEST(text(pivot).find("log: no eigenvalue may lie on the negative real axis (3.19), measured") == 0u);
   // Newton's iteration for a root never comes to rest on the negative axis.
-  auto const wander = refused<OutsideDomain>([] { matrix_square_root(Square{{-2}}); });
+  auto const wander = caught<OutsideDomain>([] { matrix_square_root(Square{{-2}}); });
   BOOST_TEST((wander.measured > 1e-6 && wander.bound == 1e-6));
   BOOST_TEST(text(wander).find("distance left after 60 iterations") != std::string::npos);
   // At an angle d from the axis a root magnifies rounding by 1/d^2, and is refused where that costs half the
@@ -93,7 +85,7 @@ BOOST_AUTO_TEST_CASE(an_eigenvalue_on_the_negative_axis_is_refused_with_what_was
     if (d >= 1e-2) {
       BOOST_TEST(apart(matrix_logarithm(near), logarithm) <= 64 * eps / (d * d));
     } else {
-      auto const e = refused<OutsideDomain>([&] { matrix_logarithm(near); });
+      auto const e = caught<OutsideDomain>([&] { matrix_logarithm(near); });
       BOOST_TEST((e.measured > e.bound && e.measured <= 64 * eps / (d * d)));
       BOOST_TEST(e.bound == std::sqrt(eps) * 1e-3);
     }
@@ -111,7 +103,7 @@ BOOST_AUTO_TEST_CASE(a_nilpotent_matrix_has_a_polynomial_and_others_none) {
   Matrix<Q> const a = Matrix<Q>::Identity(3, 3) + w;
   BOOST_TEST((nilpotent_logarithm(a) == Matrix<Q>(w - w * w / Q(2))));
   // The square of ((0, 1), (0, 2)) is ((0, 2), (0, 4)).
-  auto const e = refused<NotInThisField>([&] {
+  auto const e = caught<NotInThisField>([&] {
     nilpotent_series(Matrix<Q>{{0, 1}, {0, 2}}, geometric, "here");
   });
   BOOST_TEST((e.measured == 4 && e.bound == 0));
@@ -149,8 +141,8 @@ BOOST_AUTO_TEST_CASE(gausss_rules_are_exact_below_twice_their_number_of_nodes) {
     BOOST_TEST(std::abs(legendre_polynomial(3, x) - (5 * x * x - 3) * x / 2) <= 8 * eps);
     BOOST_TEST(std::abs(legendre_polynomial(4, x) - ((35 * x * x - 30) * x * x + 3) / 8) <= 32 * eps);
   }
-  auto const none = refused<OutsideDomain>([] { gauss_quadrature<double>(0); }),
-             many = refused<OutsideDomain>([] { gauss_quadrature<double>(1001); });
+  auto const none = caught<OutsideDomain>([] { gauss_quadrature<double>(0); }),
+             many = caught<OutsideDomain>([] { gauss_quadrature<double>(1001); });
   BOOST_TEST((none.measured == 0 && none.bound == 1 && many.measured == 1001 && many.bound == 1000));
 }
 
@@ -173,10 +165,9 @@ BOOST_AUTO_TEST_CASE(eigenvalues_and_eigenvectors_solve_their_equation) {
     double const expected[] = {-5, 1, 1, 4};
     for (int i = 0; i < 4; ++i) BOOST_TEST(std::abs(real[i] / unit - expected[i]) <= 256 * eps);
   }
-  for (auto const& e :
-       {refused<OutsideDomain>([] { symmetric_eigen(Eigen::MatrixXd::Zero(2, 3)); }),
-        refused<OutsideDomain>([] { real_parts_of_eigenvalues(Eigen::MatrixXd::Zero(2, 3)); }),
-        refused<OutsideDomain>([] { schur_form(Square::Zero(2, 3)); })})
+  for (auto const& e : {caught<OutsideDomain>([] { symmetric_eigen(Eigen::MatrixXd::Zero(2, 3)); }),
+                        caught<OutsideDomain>([] { real_parts_of_eigenvalues(Eigen::MatrixXd::Zero(2, 3)); }),
+                        caught<OutsideDomain>([] { schur_form(Square::Zero(2, 3)); })})
     BOOST_TEST((e.measured == 2 && e.bound == 3));
   CHECK_REFUSED(schur_form(Square(0, 0)), OutsideDomain);
   CHECK_REFUSED(schur_form(Square{{std::nan("")}}), NotFinite);

@@ -10,9 +10,11 @@
 #include "actio/numbers/extrapolation.hpp"
 #include "actio/numbers/rank.hpp"
 #include "actio/numbers/square_root.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
+using testing::caught;
 
 namespace {
 
@@ -40,17 +42,6 @@ K by_permutations(int n, K sum, K const& one, Entry const& entry) {
   } while (std::next_permutation(p.begin(), p.end()));
   return sum;
 }
-/// Runs f, which must refuse, and hands out what it says.
-template <class Refusal, class F>
-Refusal refused(F const& f) {
-  try {
-    f();
-  } catch (Refusal const& refusal) {
-    return refusal;
-  }
-  BOOST_FAIL("it is not refused");
-  throw;
-}
 double const eps = epsilon<double>();
 
 }  // namespace
@@ -66,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_solution_over_the_rationals_solves_its_system) {
       BOOST_TEST((determinant_by_elimination(a) == det));
       BOOST_TEST((matrix_rank(a) == n) == (det != 0));
       if (det == 0) {
-        auto const e = refused<Singular>([&] { solve_linear(a, right, "here"); });
+        auto const e = caught<Singular>([&] { solve_linear(a, right, "here"); });
         BOOST_TEST((e.measured == 0 && e.bound == 0));
         BOOST_TEST(std::string(e.what()).find("here: a matrix with an inverse") == 0u);
         continue;
@@ -109,18 +100,18 @@ BOOST_AUTO_TEST_CASE(pivots_are_chosen_beside_their_rows) {
 
 BOOST_AUTO_TEST_CASE(a_pivot_that_is_rounding_is_told_with_its_size_and_the_bound) {
   // 1 + 4 epsilon - 1, made of terms of size 1; n = 2 allows 16 epsilon.
-  auto const e = refused<Singular>([] {
+  auto const e = caught<Singular>([] {
     solve_linear(Matrix<double>{{1, 1}, {1, 1 + 4 * eps}}, Matrix<double>{{1}, {1}}, "here");
   });
   BOOST_TEST((e.measured == 4 * eps / (1 + 4 * eps) || e.measured == 4 * eps));
   BOOST_TEST(e.bound == 16 * eps);
   BOOST_CHECK_NO_THROW(solve_linear(Matrix<double>{{1, 1}, {1, 1 + 17 * eps}}, Matrix<double>{{1}, {1}}));
   // Of two zeros nothing is made; a large entry elsewhere does not count, nor does a small unit.
-  auto const zero = refused<Singular>([] { inverse_matrix(Matrix<double>{{0, 1}, {0, 1e30}}); });
+  auto const zero = caught<Singular>([] { inverse_matrix(Matrix<double>{{0, 1}, {0, 1e30}}); });
   BOOST_TEST((zero.measured == 0 && zero.bound == 16 * eps));
   BOOST_CHECK_NO_THROW(inverse_matrix(Matrix<double>{{1, 1e30}, {0, 1}}));
   BOOST_CHECK_NO_THROW(inverse_matrix(Matrix<double>{{1e-30, 0}, {0, 1e30}}));
-  auto const largest = refused<NotFinite>([] {
+  auto const largest = caught<NotFinite>([] {
     solve_linear(Matrix<double>{{1e-200, 0}, {0, 1}}, Matrix<double>{{1e200, 1}, {1, 1}}, "here");
   });
   BOOST_TEST(largest.what() ==
@@ -179,7 +170,7 @@ BOOST_AUTO_TEST_CASE(the_rank_is_that_of_the_factors) {
 BOOST_AUTO_TEST_CASE(a_root_of_a_rational_is_rational_or_refused) {
   BOOST_TEST((square_root(Q(49) / 36) == Q(7) / 6 && square_root(Q(0)) == 0));
   for (Q const& x : {Q(-4) / 9, Q(2) / 9, Q(4) / 7, Q(8)}) {
-    auto const e = refused<NotASquare>([&] { square_root(x); });
+    auto const e = caught<NotASquare>([&] { square_root(x); });
     BOOST_TEST((e.measured == to_double(x) && e.bound == 0));
   }
   Dual<Q, 2> x(Q(9) / 4);
