@@ -10,8 +10,8 @@
 #include "refused.hpp"
 
 using namespace actio;
-using testing::message_of;
 using testing::caught;
+using testing::message_of;
 
 namespace {
 

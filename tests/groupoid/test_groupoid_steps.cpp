@@ -11,9 +11,9 @@
 #include "actio/groupoid/pair_groupoid.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/special_linear.hpp"
+#include "caught.hpp"
 #include "groupoid_laws.hpp"
 #include "witness/draw.hpp"
-#include "caught.hpp"
 
 using namespace actio;
 using namespace actio::testing;
