@@ -93,7 +93,8 @@ STATEMENT(eq_2_2, "the action is stationary at motions") {
                amplification);
     // Only the first-order change of the curve counts: bend the family at second order, and bend its
     // parameter.
-    auto const family = shifted(m, other, fixed), bent_family = [&](auto const& e, auto const& t) {
+    auto const family = shifted(m, other, fixed);
+    auto const bent_family = [&](auto const& e, auto const& t) {
       using T = std::decay_t<decltype(t)>;
       return m.configuration(
           Vector<T>(m.read(Matrix<T>(other(t).value)) + fixed(t) * (e + e * e) + loose(t) * (e * e)));
@@ -327,7 +328,8 @@ STATEMENT(claim_2_1_action_chart_independent, "action and equations in two chart
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const h = draw.template element<S>(group), k = draw.template element<S>(group);
-    auto const first = chart_right(h), second = chart_left(k);
+    auto const first = chart_right(h);
+    auto const second = chart_left(k);
     auto const [q, v, small] = draw_jet<S>(draw, group.dimension());
     // Turning fast and speeding up slowly, so that what charts do to accelerations counts.
     Vector<S> const a = small * ratio<S>(1, 4);
@@ -343,7 +345,8 @@ STATEMENT(claim_2_1_action_chart_independent, "action and equations in two chart
     Matrix<S> jacobian(n, n);
     for (int i = 0; i < n; ++i) jacobian.col(i) = rates(change(moving(q, Vector<S>(Vector<S>::Unit(n, i)))));
 
-    auto const L1 = in_coordinates(L, first), L2 = in_coordinates(L, second);
+    auto const L1 = in_coordinates(L, first);
+    auto const L2 = in_coordinates(L, second);
     // Two charts and an inverse Cayley transform between them: a few digits' worth of elimination.
     claim.equal("the integrand of (2.1)", model, L1(q, v), L2(r, r1), hessian_condition);
     Vector<S> const e1 = euler_lagrange_in_coordinates(L1, q, v, a),

@@ -136,8 +136,8 @@ STATEMENT(rem_3_1_1,
                bar = draw.template element<S>(group);
 
     // The Lagrangian on TG is invariant under right multiplication, and so is the discrete one.
-    auto const right = discretize_at_the_configuration(right_invariant(l), h),
-               left = discretize_at_the_configuration(left_invariant(l), h);
+    auto const right = discretize_at_the_configuration(right_invariant(l), h);
+    auto const left = discretize_at_the_configuration(left_invariant(l), h);
     claim.equal("right-invariant: unchanged under (g0 k, g1 k)", model, right(g0 * bar, g1 * bar),
                 right(g0, g1));
     claim.equal("left-invariant: unchanged under (k g0, k g1)", model, left(bar * g0, bar * g1),

@@ -212,7 +212,8 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
     S left(0);
     for (int i = 0; i < n; ++i) left += weighted(along(j, i + 1))(0, i).part[0];
     left /= body_volume(medium, j);
-    auto const Gamma = christoffel(medium.G, j.particle()), gamma = christoffel(medium.g, j.y);
+    auto const Gamma = christoffel(medium.G, j.particle());
+    auto const gamma = christoffel(medium.g, j.y);
     Column const w = field(j.y);
     S turned(0);  // T_a^i times the covariant derivative of w along F_i
     actio::Matrix<S, N, n> const rate = pushed(field, j.y, Tangents<S, N, n>(j.gradient()));

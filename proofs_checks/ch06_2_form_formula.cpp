@@ -185,7 +185,8 @@ void inhomogeneous_body(Claim<S>& claim, Draw& draw, std::string const& model) {
         jet_extension(phi),
         contract(prolonged<n, N>(V), contract(prolonged<n, N>(W), multisymplectic_form<n, N>(L))));
   };
-  auto const right = current(R), wrong = current(other);
+  auto const right = current(R);
+  auto const wrong = current(other);
   S const scale = magnitude(components_of(right, box.low)) + magnitude(components_of(right, box.high));
   // On a solution the current is that of the vertical parts: of fourth degree in each coordinate at most.
   claim.zero("along a solution of second degree in a body that varies", model,

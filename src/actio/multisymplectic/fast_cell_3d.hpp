@@ -254,8 +254,8 @@ inline StVenantKirchhoffCell3d cell_on(FastStVenantKirchhoff const& medium, std:
 /// \f$h_1h_2h_3J\f$ at the corners.
 template <class T>
 std::array<T, 8> corner_volumes(Edges3d<T> const& e) {
-  auto const v = volumes_of(e).volume;
-  return {v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
+  Volumes3d<T> const c = volumes_of(e);
+  return std::to_array(c.volume);
 }
 /// The forces of a cell on its corners per mass density.
 template <class Cell, class T>

@@ -79,11 +79,11 @@ struct Quad {
 }
 /// Each number one lane further; the last one comes first.
 [[gnu::always_inline]] inline Quad turned_up(Quad const& x) {
-  return Quad(__builtin_shuffle(x.lane, Quad::Bits{3, 0, 1, 2}));
+  return Quad(__builtin_shufflevector(x.lane, x.lane, 3, 0, 1, 2));
 }
 /// Each number one lane back; the first one comes last.
 [[gnu::always_inline]] inline Quad turned_down(Quad const& x) {
-  return Quad(__builtin_shuffle(x.lane, Quad::Bits{1, 2, 3, 0}));
+  return Quad(__builtin_shufflevector(x.lane, x.lane, 1, 2, 3, 0));
 }
 /// Sets the sign bits in `seen` that are set in any of four registers.
 [[gnu::always_inline]] inline void note_signs(Quad::Bits& seen, Quad const (&d)[4]) {

@@ -50,7 +50,6 @@ class VtuFile {
   WholeFile file_;
   double time_;
   std::size_t points_count_, cells_count_;
-  std::size_t data_ = 0;  // where arrays begin
   std::string point_data_, cell_data_, points_, cells_;
 };
 
