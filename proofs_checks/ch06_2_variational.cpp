@@ -576,7 +576,7 @@ STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the
     auto const U = draw_tangents<S, all, n + 1>(draw);
     // The divergence of the boundary term that a form makes: what the action would see of it.
     auto const seen = [&](auto const& form) {
-      auto const flux = [&]<class T>(Event<T, n> const& u) {
+      auto const flux = [&](auto const& u) {
         return components_of(pull_back(jet_extension(phi), contract(prolonged<n, N>(V), form)), u);
       };
       // What it is made of: the rates of j1V along the section.

@@ -23,13 +23,20 @@ namespace odeint = boost::numeric::odeint;
 using Fehlberg = odeint::runge_kutta_fehlberg78<Seven, double, Seven, double, odeint::array_algebra>;
 using DormandPrince = odeint::runge_kutta_dopri5<Seven, double, Seven, double, odeint::array_algebra>;
 
+/// A step of one of its schemes.
+template <class Scheme>
+struct OdeintStep {
+  double h;
+  EulerEquations equations;
+  Scheme scheme{};
+
+  [[gnu::always_inline]] void operator()(Seven& y) {
+    scheme.do_step([&](Seven const& at, Seven& rate, double) { equations.rate(at, rate); }, y, 0.0, h);
+  }
+};
 template <class Scheme>
 std::unique_ptr<Stepper> odeint_stepper(Task const& task, double h) {
-  return stepper(
-      task.start(), [ h, scheme = Scheme(), equations = EulerEquations(task) ](Seven & y) mutable
-      __attribute__((always_inline)) {
-        scheme.do_step([&](Seven const& at, Seven& rate, double) { equations.rate(at, rate); }, y, 0.0, h);
-      });
+  return stepper(task.start(), OdeintStep<Scheme>{h, EulerEquations(task)});
 }
 
 inline Method odeint_fehlberg() { return {"odeint, Fehlberg 7(8)", odeint_stepper<Fehlberg>}; }

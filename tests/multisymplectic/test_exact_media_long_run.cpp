@@ -10,7 +10,6 @@
 using namespace actio;
 
 namespace {
-constexpr double eps = std::numeric_limits<double>::epsilon();
 template <int d>
 using Spot = std::array<double, d>;
 template <int d>
