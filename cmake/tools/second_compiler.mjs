@@ -1,8 +1,8 @@
 // second_compiler.mjs BUILD JOBS: reads every unit that BUILD compiles with clang as well, and makes nothing.
 //
 // A second compiler sees what the first lets pass: a pointer to what is gone, one `auto` for two types, an
-// extension that our users' compilers lack. Status 1 where clang refuses a unit or warns; where there is no
-// clang of version 16 at least (ACTIO_CLANG names one), it says so and passes.
+// extension that our users' compilers lack. Status 1 where clang refuses a unit or warns, 2 where
+// ACTIO_CLANG names what is no clang of version 16 at least; where none is installed, it says so and passes.
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -25,6 +25,10 @@ function version(clang) {
 const named = process.env.ACTIO_CLANG;
 const candidates = named ? [named] : [...Array(10).keys()].map(k => `clang++-${25 - k}`).concat('clang++');
 const clang = candidates.find(name => version(name) >= least);
+if (!clang && named) {
+  console.error(`ACTIO_CLANG names ${named}, which is no clang of version ${least} or later`);
+  process.exit(2);
+}
 if (!clang) {
   console.log(`no clang of version ${least} or later is installed`);
   process.exit(0);
@@ -63,7 +67,7 @@ const units = JSON.parse(fs.readFileSync(path.join(build, 'compile_commands.json
   .filter(unit => !/-o \S*checks_(ch\d+_|bridge_)\S*\.dir\//.test(unit.command));
 // Sources that the build writes are brought up to date first.
 const written = units.map(unit => path.relative(build, unit.file)).filter(file => !file.startsWith('..') && !/\/Unity\//.test(file));
-execFileSync('ninja', ['--quiet', '-C', build, ...written]);
+if (written.length) execFileSync('ninja', ['--quiet', '-C', build, ...written]);
 
 let next = 0, refused = 0;
 async function worker() {
