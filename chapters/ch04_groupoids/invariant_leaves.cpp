@@ -147,13 +147,27 @@ void draw_section(book::Program& program) {
                   "A section through the leaves, out to where the Lagrangian is no longer regular.");
 }
 
-// 4. What must be so. About a principal axis the momentum is I sin(angle)/h: it ends at a quarter of a turn.
+// The nearest and the farthest edge over the directions of the section.
+std::pair<double, double> edges() {
+  double nearest = HUGE_VAL, farthest = 0;
+  for (int j = 0; j < 240; ++j) {
+    double const a = 2 * M_PI * j / 240, r = edge(Vector3d(std::cos(a), 0, std::sin(a)));
+    nearest = std::min(nearest, r), farthest = std::max(farthest, r);
+  }
+  return {nearest, farthest};
+}
+
+// 4. What must be so. About a principal axis the momentum is I sin(angle)/h: it ends at a quarter of a turn,
+//    and no rotation by less is singular.
 void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   double const quarter = edge(Vector3d(0, 0, 1));
   program.claim(book::measured(motion.worst) < 20 * steps * 0x1p-52,
                 "the relative motions stay on the leaf to rounding");
   program.claim(book::measured(std::abs(quarter - M_PI / 2)) < 1e-12,
                 "about a principal axis the structure ends at a quarter of a turn");
+  auto const [nearest, farthest] = edges();
+  program.claim(book::measured(M_PI / 2 - nearest) < 1e-12,
+                "and about no axis of the section before a quarter of a turn");
   auto const at = rotation({-0.3, 0.2, 0.4});
   Matrix<double, 3, 3> const bracket = legendre_bivector_left(brick, at);
   program.claim(matrix_rank(bracket) == 2, "the bracket has rank 2: the leaves are surfaces");
@@ -166,6 +180,8 @@ void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   program.figure("bracket_of_C", differential, "bracket of C with any function, relative");
   program.figure("edge", quarter * 180 / M_PI, book::number(quarter * 180 / M_PI, 4) + "°",
                  "rotation about a principal axis at which the structure ends");
+  program.figure("farthest", farthest * 180 / M_PI, book::number(farthest * 180 / M_PI, 4) + "°",
+                 "largest rotation about an axis of the section up to which the structure reaches");
 }
 
 int main(int argc, char** argv) {

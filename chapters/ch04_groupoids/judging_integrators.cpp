@@ -4,7 +4,8 @@
 // what it carries along with what it should have preserved: the symplectic form on T*SO(3), the bracket on
 // so(3)*, the coadjoint orbit, the momentum in space, the way back. Three of the maps stay on their orbit to
 // rounding and are still not Poisson: to conserve the orbit is not enough. What comes from a discrete
-// Lagrangian, or from exact flows, is Poisson. Read first. Chapter 4A.
+// Lagrangian, or from exact flows, is Poisson. Beside the defects stands the change of the energy, which two
+// of the seven conserve. Read first. Chapter 4A.
 //
 //   Pi     momentum in the body frame          h      step, s
 //   p      costate: attitude and momentum in space defects 0 for what is preserved, at most 1 where nothing
@@ -34,7 +35,7 @@ struct Trial {
   std::vector<Costate<SO<3>, double>> costates;
 };
 struct Defects {
-  double order, symplectic, poisson, leaf, orbit, in_space, back;
+  double order, symplectic, poisson, leaf, orbit, in_space, energy, back;
 };
 
 // 1. On SO(3): a body with moments 2, 3, 4 kg m^2, and eight momenta of up to 5 J s, each with an attitude.
@@ -48,6 +49,10 @@ Trial eight_motions() {
     trial.costates.push_back({g, Ad_star(inverse(g), trial.momenta.back())});
   }
   return trial;
+}
+
+double kinetic_energy(Trial const& trial, Momentum<SO<3>, double> const& pi) {
+  return pair(pi, trial.body.velocity(pi)) / 2;
 }
 
 // The order of a map, and each of its defects at its worst over the eight.
@@ -70,6 +75,11 @@ Defects worst_defects(Trial const& trial, rivals::Rival<SO<3>> const& rival) {
                              left_translation(basis_velocity<double>(SO<3>{}, axis)));
     });
           }),
+      .energy = worst(
+          trial.momenta,
+          [&](auto const& x) {
+    return std::abs(kinetic_energy(trial, step(x)) / kinetic_energy(trial, x) - 1);
+          }),
       .back = worst(trial.momenta, [&](auto const& x) {
         return self_adjointness_defect(body_momenta, rival.on_momenta, h, x);
       })};
@@ -86,6 +96,9 @@ void claim_what_it_keeps(book::Program& program, std::string const& name, Defect
       classical ? std::min({d.leaf, d.orbit, d.in_space}) > rounding
                 : std::max({d.leaf, d.orbit, d.in_space}) < rounding,
       name + (classical ? " leaves the orbit" : " preserves the orbit and conserves the momentum in space"));
+  bool const keeps_energy = name == "implicit midpoint" || name == "Moser-Veselov";
+  program.claim(keeps_energy ? d.energy < rounding : d.energy > rounding,
+                name + (keeps_energy ? " conserves the energy" : " does not conserve the energy"));
   program.claim(
       (name == "Runge-Kutta 4" || name == "Lie-Euler" || name == "Munthe-Kaas 4") == (d.back > rounding),
       name + ": whether it goes back the way it came");
@@ -100,18 +113,23 @@ std::pair<std::string, double> judge_all(book::Program& program, Trial const& tr
   for (auto const& rival : trial.contestants) {
     auto const d = worst_defects(trial, rival);
     rows.push_back({rival.name, book::number(d.order, 2), shown(d.symplectic), shown(d.poisson),
-                    shown(d.leaf), shown(d.in_space), shown(d.back)});
+                    shown(d.leaf), shown(d.in_space), shown(d.energy), shown(d.back)});
+    if (rival.name == "Strang splitting" || rival.name == "natural chart")
+      program.figure(rival.name == "natural chart" ? "energy_chart" : "energy_splitting", d.energy,
+                     book::number(d.energy, 2), rival.name + ": relative change of the energy in one step");
     claim_what_it_keeps(program, rival.name, d);
     if (rival.name == "implicit midpoint")
       headline = {"implicit midpoint preserves the orbit to " + book::number(d.orbit, 1) +
                       " and misses the bracket by " + book::number(d.poisson, 2),
                   d.poisson};
   }
-  program.table("rotations", {"map", "order", "symplectic", "Poisson", "leaf", "momentum", "way back"}, rows,
+  program.table("rotations",
+                {"map", "order", "symplectic", "Poisson", "leaf", "momentum", "energy", "way back"}, rows,
                 "Defects of one step of 0.2 s on SO(3), at their worst over eight motions; 0 (...) is "
                 "rounding. Symplectic and momentum: of attitude "
                 "and momentum together. "
-                "Leaf: the share of the motion that points out of the coadjoint orbit. Way back: what is "
+                "Leaf: the share of the motion that points out of the coadjoint orbit. Energy: its relative "
+                "change. Way back: what is "
                 "missing after a step of opposite sign.");
   return headline;
 }
