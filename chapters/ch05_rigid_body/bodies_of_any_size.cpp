@@ -65,6 +65,7 @@ Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, lon
 struct Kept {
   std::vector<book::Program::Row> rows;
   double casimir = 0, spatial = 0, least = INFINITY;
+  double smallest = INFINITY, largest = 0;  // moments, kg m^2
   bool refused = true;
   book::Plot plot =
       book::Plot("steps", "change of the momentum in space, relative").log_x().log_y().size(660, 340);
@@ -85,6 +86,9 @@ void add_catalogue(Kept& kept) {
   for (Body const& body : read_bodies(ACTIO_DATA "/bodies.toml")) {
     auto const I = body.principal.inertia.moments;
     std::string const unit = body.unit == "ratio" ? "(ratio)" : "kg m²";
+    if (body.unit != "ratio")
+      kept.smallest = std::min(kept.smallest, I.minCoeff()),
+      kept.largest = std::max(kept.largest, I.maxCoeff());
     long const count = 100000;
     kept.add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count,
              drift_of(body.principal.inertia, body.principal_spin(), count),
@@ -122,6 +126,9 @@ void show_drifts(book::Program& program, Kept& kept) {
                   "for a space station.");
   program.figure("casimir", kept.casimir, "largest change of the Casimir, all bodies");
   program.figure("spatial", kept.spatial, "largest change of the momentum in space, all bodies");
+  program.figure("magnitudes", std::log10(kept.largest / kept.smallest),
+                 book::number(std::log10(kept.largest / kept.smallest), 2),
+                 "orders of magnitude between the smallest and the largest moment");
 }
 
 int main(int argc, char** argv) {
