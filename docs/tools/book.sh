@@ -37,6 +37,9 @@ if (( ${#missing[@]} )); then
   exit 1
 fi
 
+# A sentence that claims something of all cases names what it rests on, or somebody has read it.
+node docs/tools/claims.mjs --root . || [[ -z $strict ]] || exit 1
+
 # Nothing to do if every input is what it was.
 stamp=$(
   { echo "strict=$strict"

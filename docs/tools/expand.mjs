@@ -15,7 +15,7 @@ import { coverage } from './coverage.mjs';
 import { housePlan, houseTable, readHouse } from './house.mjs';
 import { keysPage, readKeys } from './keys.mjs';
 import { beyondTable, codeAt, codeBlock, kernelCounts, kernelPage, kernelTable, proofFiles, readKernel, seal } from './kernel.mjs';
-import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
+import { benchmarkTable, inlineSvg, programCard, programTable, reportTable, targetBadge, targetReached, targetsOf } from './programs.mjs';
 import { legend, measured, originClass, originText, releasedChecks, releasedPrograms } from './release.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
@@ -209,6 +209,12 @@ const inline = {
     return badge(verdictOf(book, id));
   },
 };
+/// A row of targets: the bound, what was measured, and whether it was reached, in three cells.
+function targetCells(p, line, { program, name, side, bound }) {
+  if (!/^at (most|least)$/.test(side) || !Number.isFinite(bound)) errors.add(p.file, line, '\\target{program,figure,at most,0.6}, or at least');
+  const f = lookup(p, line, 'figures', 'figure', program, name);
+  return [token(`${figureText({ text: String(bound) })} ${escapeHtml(side)}`), token(inline.figure(p, line, `${program},${name}`)), token(f ? targetBadge(targetReached(f.value, side, bound), f.report) : '')].join(' | ');
+}
 const figureText = f => {
   const m = /^([-+]?\d+(?:\.\d+)?)[eE]([-+]?\d+)(.*)$/.exec(f.text ?? '');
   if (m) return `${m[1].replace('-', '−')}·10<sup>${String(Number(m[2])).replace('-', '−')}</sup>${escapeHtml(m[3])}`;
@@ -377,7 +383,12 @@ for (const p of pages) {
     benchmarks() {
       const names = walk(at('benchmarks')).filter(f => /^benchmarks\/[^/]*\.cpp$/.test(path.relative(opt.root, f))).map(f => `bench_${path.basename(f, '.cpp')}`);
       for (const name of names) { const report = measured(book, name); if (report) (p.shown ??= new Set()).add(report); }
-      block(benchmarkTable(book, names));
+      const missed = new Map();
+      for (const t of targetsOf(p.lines)) {
+        const f = lookup(p, line, 'figures', 'figure', t.program, t.name);
+        if (f && !targetReached(f.value, t.side, t.bound)) missed.set(t.program, (missed.get(t.program) ?? 0) + 1);
+      }
+      block(benchmarkTable(book, names, missed));
       const key = token('');
       legends.push({ page: p, key });
       emit(`\n${key}\n`);
@@ -401,6 +412,7 @@ for (const p of pages) {
       return blocks[m[1]]((m[2] ?? '').trim());
     }
     text = text.replace(/\\(figure|verdict)\{([^}]*)\}/g, (_, name, arg) => token(inline[name](p, line, arg.trim())));
+    for (const t of targetsOf([text])) text = text.replace(/\\target\{[^}]*\}/, targetCells(p, line, t));
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref (ch(\d\d)([a-z]?))\b(?: "([^"]*)")?/g, (all, id, n, own, words) => book.chapters.some(c => c.id === id) ? all : words ?? `chapter ${Number(n)}${own.toUpperCase()}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');

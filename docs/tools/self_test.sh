@@ -282,6 +282,18 @@ project; sed -i 's/class="arrow c1"/stroke="red"/' docs/drawings/ch03_turn.svg; 
 project; echo '<a href="nowhere.html">x</a>' >>$chapter; refuses 'a dead link' 'dead link: nowhere.html'
 project; echo '<img src="http://example.org/x.png" alt="x"/>' >>$chapter; refuses 'the network' 'reaches for the network'
 
+# A sentence on all cases names what it rests on, stands in a box or introduces a display; else it is on the list.
+claims() { project; sed -i "s/^## Verified/$1\n\n&/" $chapter; }
+claims 'It never slips.'; refuses 'a sentence on all cases that rests on nothing' 'chapter.md:23: It never slips\.'; passes 'a draft with such a sentence'
+claims 'It never slips, by \\ref res_own.'; passes 'a sentence that names its theorem' --strict
+claims 'It cannot slip by more than \\figure{ch03_wheel,drift}.'; passes 'a sentence that names its figure' --strict
+claims 'It is read-only. `never` is a word, and all the same it turns.'; passes 'words that claim nothing' --strict
+claims 'Of all wheels, its energy is'; sed -i 's/^Of all wheels.*/&\n\\f[ E \\f]/' $chapter; passes 'a sentence that introduces a display' --strict
+claims 'It rolls. Every wheel does. It has a hub.'; refuses 'one sentence of a paragraph' 'chapter.md:23: Every wheel does\.$'
+node docs/tools/claims.mjs --propose | sed 's/$/wheels roll/' >>docs/claims.tsv; passes 'a sentence that was read' --strict
+sed -i 's/Every wheel does/Every wheel rolls/' $chapter; refuses 'a sentence that changed after it was read' 'Every wheel rolls\.$'
+project; sed -i 's/^So it is\./Every turn is./' $chapter; passes 'a sentence of a proof' --strict
+
 # Programs that not every build runs: their figures may be absent, their names may not be wrong.
 benchmark() {
   project
@@ -308,6 +320,12 @@ benchmark; tops; short; passes 'a book with a short benchmark' --strict; contain
 benchmark; tops; release; tops; passes 'a benchmark of this build before that of the release' --strict; contains performance.html '<span class="figure" title="bench_tops: time = 7">'
 benchmark; tops; release; tops; short; sed -i 's/"name":"time"/"name":"speed"/' build/report/benchmarks/bench_tops.json; passes 'a figure that a short run leaves out' --strict; contains performance.html 'class="figure from-release"'; contains performance.html 'class="report-table from-short"'
 benchmark; tops; passes 'a book with a benchmark' --strict; contains performance.html '>7 ns<'; contains performance.html 'a top is fast'; contains performance.html '2026-01-01'
+# Whether a target is reached is decided by the tool, from the report whose figure stands beside it.
+target() { benchmark; printf '\n| what | target | measured | |\n|---|---|---|---|\n| a top, ns | \\target{bench_tops,time,%s} |\n' "$1" >>docs/pages/22_performance.md; }
+target 'at most,8'; tops; passes 'a target that is reached' --strict; contains performance.html '>reached<'
+target 'at most,6'; tops; passes 'a target that is missed' --strict; contains performance.html '>missed<'; contains performance.html '1 target of the table below missed'
+target 'at least,8'; tops; passes 'a lower target that is missed' --strict; contains performance.html '>missed<'
+target 'at about,8'; tops; refuses 'a target without a side' '22_performance.md:13: .target.program,figure,at most,0.6'
 benchmark; sed -i 's/bench_tops,time}/bench_flops,time}/' docs/pages/22_performance.md; refuses 'a benchmark without a source' '22_performance.md:3: program bench_flops has no source'
 benchmark; tops; sed -i 's/,{"name":"date".*UTC"}//' build/report/benchmarks/bench_tops.json; passes 'a benchmark that does not tell its date' --strict; contains performance.html ' UTC'
 benchmark; tops; sed -i 's/bench_tops,time}/bench_tops,speed}/' docs/pages/22_performance.md; refuses 'a figure that a benchmark does not report' '22_performance.md:3: .*no figure "speed"'
