@@ -143,12 +143,13 @@ int main(int argc, char** argv) {
       if (!developed) unfinished_large = c.unfinished;
     }
   }
-  program.table("cost",
-                {"N", "state", "diagonals", "product, ms", "fixed point", "no finish", "Lie-Poisson",
-                 "rounds", "energy-Casimir", "all invariants", "fixed point: Casimirs", "ours: Casimirs"},
-                rows);
-  // A short run has the smallest size alone: what is said of all, and of the largest, the release has.
+  // A short run has the smallest size alone: the table, what is said of all, and of the largest, the release
+  // has.
   if (!program.is_short()) {
+    program.table("cost",
+                  {"N", "state", "diagonals", "product, ms", "fixed point", "no finish", "Lie-Poisson",
+                   "rounds", "energy-Casimir", "all invariants", "fixed point: Casimirs", "ours: Casimirs"},
+                  rows);
     program.figure(
         "gain", least_gain,
         "how many times faster than the fixed point a Lie-Poisson step of a smooth state is, least "
