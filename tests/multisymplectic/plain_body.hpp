@@ -95,9 +95,54 @@ struct PlainBody {
     for (auto const& node : mesh.nodes) out.insert(out.end(), node.begin(), node.begin() + d);
     return out;
   }
+  /// The slope of the multilinear map of a box-like cell at u in the unit cube, and those of the hat
+  /// functions of its corners in the body.
+  struct Slopes {
+    Matrix<double, d, d> map = Matrix<double, d, d>::Zero();
+    Matrix<double, d, 1 << d> hats = Matrix<double, d, 1 << d>::Zero();
+    double jacobian = 0;
+  };
+  Slopes slopes(int cell, Spot<3> const& u) const {
+    Slopes out;
+    Matrix<double, d, 1 << d> by_u;
+    for (int b = 0; b < 1 << d; ++b)
+      for (int i = 0; i < d; ++i) {
+        by_u(i, b) = b >> i & 1 ? 1 : -1;
+        for (int k = 0; k < d; ++k)
+          if (k != i) by_u(i, b) *= b >> k & 1 ? u[std::size_t(k)] : 1 - u[std::size_t(k)];
+        for (int a = 0; a < d; ++a) out.map(a, i) += corner_place(mesh, cell, b)[std::size_t(a)] * by_u(i, b);
+      }
+    out.hats = inverse_matrix(out.map).transpose() * by_u, out.jacobian = small_determinant(out.map);
+    return out;
+  }
+  /// f at points of the unit cube, with their weights: the corners (0), or as many of Gauss' along each axis.
+  template <class F>
+  static void each_point_of_rule(int count, F const& f) {
+    double const two = std::sqrt(1.0 / 12), three = std::sqrt(0.15);
+    List<double> const at = count == 0   ? List<double>{0, 1}
+                            : count == 2 ? List<double>{0.5 - two, 0.5 + two}
+                                         : List<double>{0.5 - three, 0.5, 0.5 + three};
+    List<double> const of = count == 3 ? List<double>{5.0 / 18, 8.0 / 18, 5.0 / 18} : List<double>{0.5, 0.5};
+    std::size_t const n = at.size(), all = d == 1 ? n : d == 2 ? n * n : n * n * n;
+    for (std::size_t k = 0; k < all; ++k) {
+      std::size_t const i[] = {k % n, k / n % n, k / n / n};
+      f(Spot<3>{at[i[0]], at[i[1]], at[i[2]]}, of[i[0]] * (d > 1 ? of[i[1]] : 1) * (d > 2 ? of[i[2]] : 1));
+    }
+  }
+  /// The volume of a box-like cell, and the integrals of the slopes of its hat functions, by a rule.
+  std::pair<double, Matrix<double, d, 1 << d>> integrals(int cell, int rule) const {
+    std::pair<double, Matrix<double, d, 1 << d>> out{0, Matrix<double, d, 1 << d>::Zero()};
+    each_point_of_rule(rule, [&](Spot<3> const& u, double w) {
+      auto const s = slopes(cell, u);
+      out.first += w * s.jacobian, out.second += s.hats * (w * s.jacobian);
+    });
+    return out;
+  }
+  /// By what volumes of corners are multiplied: two points of Gauss have the volume of a cell.
+  double ratio(int cell) const { return simplex ? 1 : integrals(cell, 2).first / integrals(cell, 0).first; }
   double volume(int cell, int p) const {
     double const parts[] = {1, 2, 4, 6, 8};
-    return small_determinant(edges(reference(), cell, p)) / parts[int(mesh.shape)];
+    return small_determinant(edges(reference(), cell, p)) / parts[int(mesh.shape)] * ratio(cell);
   }
   /// The mean of a density that is linear in X, or of its square, under the hat function of a corner; of all
   /// (b = -1) on a line or a simplex.
@@ -134,18 +179,48 @@ struct PlainBody {
       }
     return sum / product(with);
   }
-  double weight(int cell, int p) const { return volume(cell, p) * mean(cell, simplex ? -1 : p, 2); }
+  /// What the integral over a box-like cell of a density that is linear in X, or of its square, has of the
+  /// sum over its corners.
+  double share(int cell, int power) const {
+    if (simplex) return 1;
+    double sum = 0, exact = 0;
+    for (int b = 0; b < corners; ++b) sum += volume(cell, b) * mean(cell, b, power);
+    each_point_of_rule(3, [&](Spot<3> const& u, double w) {
+      Spot<d> X{};
+      for (int b = 0; b < corners; ++b) {
+        double hat = 1;
+        for (int k = 0; k < d; ++k) hat *= b >> k & 1 ? u[std::size_t(k)] : 1 - u[std::size_t(k)];
+        for (std::size_t a = 0; a < d; ++a) X[a] += hat * corner_place(mesh, cell, b)[a];
+      }
+      exact += w * slopes(cell, u).jacobian * std::pow(density_at(X), power);
+    });
+    return exact / sum;
+  }
+  double weight(int cell, int p) const {
+    return volume(cell, p) * mean(cell, simplex ? -1 : p, 2) * share(cell, 2);
+  }
   List<double> masses() const {
     List<double> out(mesh.nodes.size(), 0);
     for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
       for (int b = 0; b < corners; ++b)
         out[std::size_t(mesh.cells[cell][b])] +=
-            (simplex ? volume(cell, 0) / corners : volume(cell, b)) * mean(cell, b, 1);
+            (simplex ? volume(cell, 0) / corners : volume(cell, b)) * mean(cell, b, 1) * share(cell, 1);
     return out;
   }
+  /// From the edges of a point; of box-like cells all points have as much more as makes the mean over the
+  /// cell that of the multilinear map.
   template <class T>
   Matrix<T, d, d> gradient(List<T> const& x, int cell, int p) const {
-    return edges(x, cell, p) * inverse_matrix(edges(reference(), cell, p)).template cast<T>();
+    Matrix<T, d, d> F = edges(x, cell, p) * inverse_matrix(edges(reference(), cell, p)).template cast<T>();
+    if (simplex) return F;
+    auto const exact = integrals(cell, 2), found = integrals(cell, 0);
+    Matrix<double, d, 1 << d> const more = (exact.second - found.second * ratio(cell)) * (1 / exact.first);
+    for (int b = 0; b < corners; ++b)
+      for (int a = 0; a < d; ++a)
+        for (int i = 0; i < d; ++i)
+          F(a, i) = F(a, i) +
+                    (corner(x, cell, b)[std::size_t(a)] - corner(x, cell, 0)[std::size_t(a)]) * more(i, b);
+    return F;
   }
   /// Stored energy, that of the outside pressure and of the potential.
   template <class T>
@@ -177,8 +252,8 @@ struct PlainBody {
     }
     return f;
   }
-  /// The vectors of area of a facet at its corners, outwards: half of an edge, a third of a triangle, the
-  /// quarter of a parallelogram.
+  /// The vectors of area of a facet at its corners, outwards: half of an edge, a third of a triangle, of
+  /// a quadrilateral the integral of the hat function.
   List<std::pair<int, Spot<d>>> areas(List<double> const& x, std::array<int, 4> const& facet) const {
     int const n = int(std::count_if(facet.begin(), facet.end(), [](int node) { return node >= 0; }));
     // The cell that has all of its nodes, and where these are as corners of that cell.
@@ -199,7 +274,8 @@ struct PlainBody {
       if (d == 2) area = {(p[1] - o[1]) / 2, (o[0] - p[0]) / 2, 0};
       if (d == 3)
         for (std::size_t i = 0, j = 1, l = 2; i < 3; ++i, j = (j + 1) % 3, l = (l + 1) % 3)
-          area[i] = ((p[j] - o[j]) * (q[l] - o[l]) - (p[l] - o[l]) * (q[j] - o[j])) / (n == 3 ? 6 : 4);
+          area[i] = ((p[j] - o[j]) * (q[l] - o[l]) - (p[l] - o[l]) * (q[j] - o[j])) / 6;
+      if (d == 3 && n == 4) area = area_with_hat(at, k);
       double outwards = 0;
       for (std::size_t i = 0; i < 3; ++i) outwards += area[i] * (o[i] - middle[i]);
       Spot<d> with_sign;
@@ -208,11 +284,29 @@ struct PlainBody {
     }
     return out;
   }
-  Spot<3> corner(List<double> const& x, int cell, int b) const {
-    Spot<3> out{};
+  /// The integral of a corner's hat function over a quadrilateral, as a vector, by points of Gauss.
+  static Spot<3> area_with_hat(List<Spot<3>> const& at, int k) {
+    Spot<3> area{};
+    double const off = std::sqrt(1.0 / 12);
+    for (double const s : {0.5 - off, 0.5 + off})
+      for (double const t : {0.5 - off, 0.5 + off}) {
+        double const hat[] = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+        Spot<3> by_s, by_t;
+        for (std::size_t i = 0; i < 3; ++i)
+          by_s[i] = (at[1][i] - at[0][i]) * (1 - t) + (at[2][i] - at[3][i]) * t,
+          by_t[i] = (at[3][i] - at[0][i]) * (1 - s) + (at[2][i] - at[1][i]) * s;
+        for (std::size_t i = 0, j = 1, l = 2; i < 3; ++i, j = (j + 1) % 3, l = (l + 1) % 3)
+          area[i] += hat[k] / 4 * (by_s[j] * by_t[l] - by_s[l] * by_t[j]);
+      }
+    return area;
+  }
+  template <class T>
+  std::array<T, 3> corner(List<T> const& x, int cell, int b) const {
+    std::array<T, 3> out{};
     for (int a = 0; a < d; ++a) {
       bool const beyond = !mesh.wraps.empty() && (mesh.wraps[cell][b] >> a & 1);
-      out[a] = x[std::size_t(mesh.cells[cell][b] * d + a)] + (beyond ? mesh.periods[a] : 0);
+      out[std::size_t(a)] =
+          x[std::size_t(mesh.cells[cell][b] * d + a)] + (beyond ? mesh.periods[std::size_t(a)] : 0.0);
     }
     return out;
   }

@@ -60,11 +60,10 @@ class ViscousForces {
                       std::vector<double> const& v, std::vector<double>& f) const {
     f.assign(x.size(), 0);
     ViscousLimit limit;
-    double at[8][d], rate[8][d], on[8][d];
+    CellCorners<d> at, rate;
     for (int cell = 0; cell < body.cells(); ++cell) {
       body.gather(x, cell, at), body.gather(v, cell, rate, false);
-      for (auto& corner : on)
-        for (double& one : corner) one = 0;
+      CellCorners<d> on;
       for (int p = 0; p < body.points_per_cell; ++p) {
         auto const here = compressed(body, law, at, rate, cell, p);
         if (here.pressure == 0) continue;
@@ -80,7 +79,7 @@ class ViscousForces {
   ViscousLimit limit(BodyQuadrature<d> const& body, StoredEnergy<d> const& law, std::vector<double> const& x,
                      std::vector<double> const& v) const {
     ViscousLimit limit;
-    double at[8][d], rate[8][d];
+    CellCorners<d> at, rate;
     for (int cell = 0; cell < body.cells(); ++cell) {
       body.gather(x, cell, at), body.gather(v, cell, rate, false);
       for (int p = 0; p < body.points_per_cell; ++p) {
@@ -140,8 +139,8 @@ class ViscousForces {
     }
     return small_determinant(edges) / std::sqrt(largest);
   }
-  Compressed compressed(BodyQuadrature<d> const& body, StoredEnergy<d> const& law, double const (*at)[d],
-                        double const (*rates)[d], int cell, int p) const {
+  Compressed compressed(BodyQuadrature<d> const& body, StoredEnergy<d> const& law, CellCorners<d> const& at,
+                        CellCorners<d> const& rates, int cell, int p) const {
     auto const& point = body.at(cell, p);
     Gradient const F = body.gradient(at, p, point), change = body.gradient(rates, p, point);
     Compressed out{cofactors(F), 0, 0};
@@ -150,7 +149,7 @@ class ViscousForces {
     for (int k = 0; k < d * d; ++k) rate -= out.cofactor.data()[k] * change.data()[k] / J;
     rate = std::max(rate, 0.0);
     double const mass = masses_[std::size_t(cell) * body.points_per_cell + p],
-                 length = extent(body.edges(at, p)),
+                 length = extent(body.edges(at.at, p)),
                  sound = given_.linear > 0 ? std::sqrt(sound_squared(law, F, point.weight / mass)) : 0,
                  fast = given_.linear * sound + given_.quadratic * length * rate;
     out.pressure = mass / (point.volume * J) * fast * length * rate;

@@ -57,10 +57,10 @@ class BodyForces {
   /// The rate at which forces fall along a change u of places x: the second derivative of the energy.
   void stiffness(std::vector<double> const& x, std::vector<double> const& u, std::vector<double>& out) const {
     out.assign(x.size(), 0);
-    double at[8][d], along[8][d], on[8][d];
+    CellCorners<d> at, along;
     for (int cell = 0; cell < body.cells(); ++cell) {
       body.gather(x, cell, at), body.gather(u, cell, along, false);
-      clear(on);
+      CellCorners<d> on;
       for (int p = 0; p < body.points_per_cell; ++p) {
         auto const& point = body.at(cell, p);
         Gradient const F = body.gradient(at, p, point), change = body.gradient(along, p, point);
@@ -92,7 +92,7 @@ class BodyForces {
   /// The least Jacobian at places x.
   LeastJacobian least_jacobian(std::vector<double> const& x) const {
     LeastJacobian least;
-    double at[8][d];
+    CellCorners<d> at;
     for (int cell = 0; cell < body.cells(); ++cell) {
       body.gather(x, cell, at);
       for (int p = 0; p < body.points_per_cell; ++p)
@@ -104,7 +104,7 @@ class BodyForces {
   /// Calls f(cell, point number, point, F) for all points of all cells.
   template <class Visit>
   void each_point(std::vector<double> const& x, Visit const& visit) const {
-    double at[8][d];
+    CellCorners<d> at;
     for (int cell = 0; cell < body.cells(); ++cell) {
       body.gather(x, cell, at);
       for (int p = 0; p < body.points_per_cell; ++p)
@@ -120,10 +120,10 @@ class BodyForces {
   template <class Kind>
   LeastJacobian forces_inside(Kind kind, std::vector<double> const& x, std::vector<double>& f) const {
     LeastJacobian least;
-    double at[8][d], on[8][d];
+    CellCorners<d> at;
     for (int cell = 0; cell < body.cells(); ++cell) {
       body.gather(kind, x, cell, at);
-      clear(on);
+      CellCorners<d> on;
       for (int p = 0; p < Kind::points; ++p) {
         auto const& point = body.at(cell, p);
         Gradient const F = body.gradient(kind, at, p, point);
@@ -139,15 +139,16 @@ class BodyForces {
                                        std::vector<double> const& rest, std::vector<double> const& way,
                                        std::vector<double>& f) const {
     LeastJacobian least;
-    double from[8][d], beyond[8][d], along[8][d], on[8][d];
+    CellCorners<d> from, beyond, along;
     for (int cell = 0; cell < body.cells(); ++cell) {
       body.gather(kind, x, cell, from);
       body.gather(kind, rest, cell, beyond, false), body.gather(kind, way, cell, along, false);
-      clear(on);
+      CellCorners<d> on;
       for (int p = 0; p < Kind::points; ++p) {
         auto const& point = body.at(cell, p);
-        Gradient const change = body.gradient(kind, along, p, point),
-                       F0 = (body.edges(kind, from, p) + body.edges(kind, beyond, p)) * point.inverse_edges;
+        Gradient const change = body.gradient(kind, along, p, point);
+        Gradient F0 = (body.edges(kind, from.at, p) + body.edges(kind, beyond.at, p)) * point.inverse_edges;
+        if constexpr (Kind::corrected) F0 += from.common + beyond.common;
         if (!note(F0 + change, cell, least)) return least;
         auto const energy = [&](Gradient const& F) { return weighed_energy(F, point); };
         auto const stress = [&](Gradient const& C) { return weighed_green_stress(C, point); };
@@ -158,10 +159,6 @@ class BodyForces {
     return least;
   }
 
-  static void clear(double (&on)[8][d]) {
-    for (auto& corner : on)
-      for (double& one : corner) one = 0;
-  }
   /// Remembers the Jacobian where it is the least; whether it is positive.
   static bool note(Gradient const& F, int cell, LeastJacobian& least) {
     double const J = small_determinant(F);

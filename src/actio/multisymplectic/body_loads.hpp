@@ -196,7 +196,8 @@ class LoadsOnBody {
       for (int a = 0; a < d; ++a) f[k * d + a] += dead_[k][a];
   }
 
-  /// How many corners a facet has, and the vector of area, outwards, that corner k of it stands for.
+  /// How many corners a facet has, and the vector of area, outwards, that corner k of it stands for: the
+  /// integral of the hat function of the corner.
   int facet_corners_count() const { return shape_ == BodyMesh::Shape::hexahedron ? 4 : d; }
   Place area_at(double const (*at)[d], CellFacet const& facet, int k) const {
     auto const& corner = facet_corners(shape_, facet.facet);
@@ -206,14 +207,20 @@ class LoadsOnBody {
       double const *a = at[corner[0]], *b = at[corner[1]];
       return {0.5 * (b[1] - a[1]), -0.5 * (b[0] - a[0])};
     } else {
-      // Of a triangle each corner has a third; of a quadrilateral the quarter of its parallelogram.
+      // Of a triangle each corner has a third. On a quadrilateral the vector of area is bilinear, from one
+      // corner's edges to the next one's, and each corner has the integral of it with the hat function.
       int const n = facet_corners_count();
-      double const *o = at[corner[k]], *p = at[corner[(k + 1) % n]], *q = at[corner[(k + n - 1) % n]];
-      double const share = n == 3 ? 1.0 / 6 : 0.25;
-      Place area;
-      for (int i = 0; i < 3; ++i) {
-        int const u = (i + 1) % 3, w = (i + 2) % 3;
-        area[i] = share * ((p[u] - o[u]) * (q[w] - o[w]) - (p[w] - o[w]) * (q[u] - o[u]));
+      static constexpr double of_three[] = {1.0 / 6, 0, 0},
+                              of_four[] = {4.0 / 36, 2.0 / 36, 1.0 / 36, 2.0 / 36};
+      Place area{};
+      for (int away = 0; away < (n == 3 ? 1 : 4); ++away) {
+        int const c = (k + away) % n;
+        double const *o = at[corner[c]], *p = at[corner[(c + 1) % n]], *q = at[corner[(c + n - 1) % n]];
+        for (int i = 0; i < 3; ++i) {
+          int const u = (i + 1) % 3, w = (i + 2) % 3;
+          area[i] += (n == 3 ? of_three : of_four)[away] *
+                     ((p[u] - o[u]) * (q[w] - o[w]) - (p[w] - o[w]) * (q[u] - o[u]));
+        }
       }
       return area;
     }
@@ -237,11 +244,11 @@ class LoadsOnBody {
     for (auto const& one : pressed_) {
       double const p = one.pressure(t);
       if (!is_finite(p)) throw NotFinite("pressure on side '" + one.name + "' at t = " + show(t));
-      double at[8][d];
-      body.gather(x, one.facet.cell, at);
+      CellCorners<d> corners;
+      body.gather(x, one.facet.cell, corners);
       auto const& corner = facet_corners(shape_, one.facet.facet);
       for (int k = 0; k < facet_corners_count(); ++k) {
-        Place const area = area_at(at, one.facet, k);
+        Place const area = area_at(corners.at, one.facet, k);
         std::size_t const node = body.nodes[std::size_t(one.facet.cell) * body.corners + corner[k]];
         for (int a = 0; a < d; ++a) f[node * d + a] -= p * area[a];
       }

@@ -52,6 +52,10 @@ struct BodyMesh {
   /// Facets by the name of their side (left, right, bottom, top, front, back; inner, outer; the physical
   /// names of a file): their nodes as `facet_nodes` gives them, with -1 in places that are not used.
   std::map<std::string, std::vector<std::array<int, 4>>> sides;
+  /// Groups of facets in a file of which some lie inside of the body, between two cells: what is held or
+  /// moved there is made a side. A facet looks to the side to which it looks in the file.
+  std::map<std::string, std::vector<std::array<int, 4>>> inside;
+  std::map<std::string, std::string> no_sides;  ///< groups of facets that belong to no cell, and where
   std::array<int, 3> grid = {0, 0, 0};    ///< how many cells a box has along each direction; zero of others
   std::vector<std::size_t> element_tags;  ///< of the cells in the file that they come from; empty of others
   std::vector<int> node_tags;             ///< of the nodes there; empty of others

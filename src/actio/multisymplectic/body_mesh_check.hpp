@@ -96,18 +96,49 @@ inline void require_volumes(BodyMesh const& mesh) {
     }
 }
 
-/// All facets with their nodes in increasing order, sorted, so that those of neighbours stand side by side.
-inline std::vector<std::pair<std::array<int, 4>, int>> sorted_facets(BodyMesh const& mesh) {
-  std::vector<std::pair<std::array<int, 4>, int>> facets;
+/// A facet with its nodes in increasing order, its cell, and from which side the cell looks at it.
+struct SortedFacet {
+  std::array<int, 4> nodes;
+  int cell;
+  bool turned;  ///< of two cells on both sides of a facet one has it turned
+};
+/// Whether the nodes of a facet go round the other way than from the least one to its lesser neighbour; of a
+/// point, whether it is the upper end.
+inline bool is_turned(std::array<int, 4> const& nodes, int facet) {
+  int count = 0, least = 0;
+  for (; count < 4 && nodes[count] >= 0; ++count)
+    if (nodes[count] < nodes[least]) least = count;
+  if (count == 1) return facet == 1;
+  if (count == 2) return least == 1;
+  return nodes[(least + 1) % count] > nodes[(least + count - 1) % count];
+}
+/// All facets, sorted, so that those of neighbours stand side by side.
+inline std::vector<SortedFacet> sorted_facets(BodyMesh const& mesh) {
+  std::vector<SortedFacet> facets;
   facets.reserve(mesh.cells.size() * facet_count(mesh.shape));
   for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
     for (int facet = 0; facet < facet_count(mesh.shape); ++facet) {
       auto nodes = facet_nodes(mesh, {cell, facet});
+      bool const turned = is_turned(nodes, facet);
       std::sort(nodes.begin(), nodes.end());
-      facets.emplace_back(nodes, cell);
+      facets.push_back({nodes, cell, turned});
     }
-  std::sort(facets.begin(), facets.end());
+  std::sort(facets.begin(), facets.end(), [](SortedFacet const& a, SortedFacet const& b) {
+    return std::pair(a.nodes, a.cell) < std::pair(b.nodes, b.cell);
+  });
   return facets;
+}
+
+/// Its nodes, and the place of the first.
+inline std::string facet_name(BodyMesh const& mesh, SortedFacet const& facet) {
+  std::string name;
+  int first = -1;
+  for (int const node : facet.nodes) {
+    if (node < 0) continue;
+    if (first < 0) first = node;
+    name += " " + mesh.node_name(node);
+  }
+  return name + ", from " + place_name(mesh.nodes[first]);
 }
 
 inline void require_one_piece(BodyMesh const& mesh) {
@@ -119,13 +150,19 @@ inline void require_one_piece(BodyMesh const& mesh) {
     return cell;
   };
   for (std::size_t k = 1; k < facets.size(); ++k) {
-    if (facets[k].first != facets[k - 1].first) continue;
+    auto const &here = facets[k], &other = facets[k - 1];
+    if (here.nodes != other.nodes) continue;
     // In a periodic box of two cells facets with the same nodes need not be the same.
-    if (mesh.wraps.empty() && k > 1 && facets[k].first == facets[k - 2].first)
-      throw NotABodyMesh(cell_name(mesh, facets[k].second) + ", " + mesh.cell_name(facets[k - 2].second) +
-                             " and " + mesh.cell_name(facets[k - 1].second) + " have the same facet",
-                         "a facet belongs to two cells at most; cells", 3, 2, facets[k].second);
-    int const a = root(facets[k].second), b = root(facets[k - 1].second);
+    if (mesh.wraps.empty() && k + 1 < facets.size() && here.nodes == facets[k + 1].nodes)
+      throw NotABodyMesh(cell_name(mesh, facets[k + 1].cell) + ", " + mesh.cell_name(other.cell) + " and " +
+                             mesh.cell_name(here.cell) + " have the same facet",
+                         "a facet belongs to two cells at most; cells", 3, 2, facets[k + 1].cell);
+    if (mesh.wraps.empty() && here.turned == other.turned)
+      throw NotABodyMesh(cell_name(mesh, here.cell) + " lies over " + mesh.cell_name(other.cell) +
+                             ": the mesh is folded along the facet" + facet_name(mesh, here),
+                         "two cells with the same facet lie on both sides of it; on one side", 2, 1,
+                         here.cell);
+    int const a = root(here.cell), b = root(other.cell);
     piece[std::max(a, b)] = std::min(a, b);
   }
   for (int cell = 0; cell < int(mesh.cells.size()); ++cell)

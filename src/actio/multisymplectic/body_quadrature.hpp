@@ -2,17 +2,19 @@
 //
 // At a corner of a box-like cell d edges meet. With A, their columns in the reference space, and a, those in
 // space, \f$F = aA^{-1}\f$: no interpolation, and no motion of a cell is without energy. The corner stands
-// for the part \f$\det A/2^d\f$ of the cell. A simplex has one F, from the edges at its first corner.
+// for the part \f$\det A/2^d\f$ of the cell. Hexahedra that are no parallelepipeds have the correction of
+// corner_correction.hpp. A simplex has one F, from the edges at its first corner.
 //
 // Where the density of mass varies, corners take their shares of it and of what it makes of the stored energy
-// by the hat functions of the cell: \f$\int\rho\,N_b\f$. A gas at rest between walls or against vacuum is
-// then as heavy as its pressure is steep, up to the order of the scheme.
+// by the hat functions of the cell, such that their sum is the integral over the cell. A gas at rest between
+// walls or against vacuum is then as heavy as its pressure is steep, up to the order of the scheme.
 #pragma once
 
 #include <functional>
 
 #include "actio/multisymplectic/body_mesh.hpp"
 #include "actio/multisymplectic/cell_geometry.hpp"
+#include "actio/multisymplectic/hat_quadrature.hpp"
 #include "actio/multisymplectic/stored_energies.hpp"
 
 namespace actio {
@@ -25,46 +27,13 @@ struct CellPoint {
   double weight;                       ///< of W(F): the integral of the stored energy's weight over this part
 };
 
-namespace detail {
-/// Points and weights of a cell of some shape, with the hat functions of its corners there.
-struct HatQuadrature {
-  struct Sample {
-    std::array<double, 8> hat{};
-    double weight;
-  };
-  std::vector<Sample> samples;
-  std::array<double, 8> total{};  ///< of each hat function
-  double all = 0;
-
-  HatQuadrature(BodyMesh::Shape shape, int d) {
-    // Gauss and Legendre's three points, on the unit interval; on simplices in collapsed coordinates.
-    double const off = std::sqrt(0.15);
-    double const at[3] = {0.5 - off, 0.5, 0.5 + off}, of[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-    int const count = d == 1 ? 3 : d == 2 ? 9 : 27;
-    for (int k = 0; k < count; ++k) {
-      int const index[3] = {k % 3, k / 3 % 3, k / 9};
-      Sample s{{}, 1};
-      double left = 1;  // of the simplex, beyond the coordinates taken
-      for (int i = 0; i < d; ++i) s.weight *= of[index[i]];
-      if (is_simplex(shape)) {
-        for (int i = 0; i < d; ++i) {
-          for (int power = i + 1; power < d; ++power) s.weight *= 1 - at[index[i]];
-          s.hat[i + 1] = left * at[index[i]], left -= s.hat[i + 1];
-        }
-        s.hat[0] = left;
-      } else {
-        for (int b = 0; b < 1 << d; ++b) {
-          s.hat[b] = 1;
-          for (int i = 0; i < d; ++i) s.hat[b] *= b >> i & 1 ? at[index[i]] : 1 - at[index[i]];
-        }
-      }
-      for (int b = 0; b < 8; ++b) total[b] += s.weight * s.hat[b];
-      all += s.weight;
-      samples.push_back(s);
-    }
-  }
+/// Places, ways, velocities or forces at the corners of a cell.
+template <int d>
+struct CellCorners {
+  double at[1 << d][d] = {};  ///< at each corner
+  /// What they add to the deformation gradients at all points of the cell; of forces, the stress on that.
+  Matrix<double, d, d> common = Matrix<double, d, d>::Zero();
 };
-}  // namespace detail
 
 /// What is known of cells when a program is compiled: simplices with one point, or boxes with one at each
 /// corner.
@@ -72,6 +41,7 @@ template <int d, bool is_simplex>
 struct CellKind {
   static constexpr int corners = is_simplex ? d + 1 : 1 << d;  ///< of a cell
   static constexpr int points = is_simplex ? 1 : 1 << d;       ///< of a cell
+  static constexpr bool corrected = d == 3 && !is_simplex;     ///< whether corners may need a correction
   /// The corners at both ends of edge k of a point.
   static constexpr std::array<int, 2> ends(int point, int k) {
     if constexpr (is_simplex)
@@ -116,17 +86,20 @@ class BodyQuadrature {
   /// Where corners of a cell are, given the places of all nodes.
   /// @param periods  whether a corner beyond a seam is moved by its period: not for velocities
   template <class Kind>
-  void gather(Kind, std::vector<double> const& x, int cell, double (*out)[d], bool periods = true) const {
+  void gather(Kind, std::vector<double> const& x, int cell, CellCorners<d>& out, bool periods = true) const {
     std::size_t const first = std::size_t(cell) * Kind::corners;
     for (int b = 0; b < Kind::corners; ++b)
-      std::copy_n(x.data() + std::size_t(d) * nodes[first + b], d, out[b]);
-    if (!periods || wraps.empty()) return;
-    for (int b = 0; b < Kind::corners; ++b)
-      for (int a = 0; a < d; ++a)
-        if (wraps[first + b] >> a & 1) out[b][a] += period[a];
+      std::copy_n(x.data() + std::size_t(d) * nodes[first + b], d, out.at[b]);
+    if (periods && !wraps.empty())
+      for (int b = 0; b < Kind::corners; ++b)
+        for (int a = 0; a < d; ++a)
+          if (wraps[first + b] >> a & 1) out.at[b][a] += period[a];
+    if constexpr (Kind::corrected)
+      if (!corrections.empty())
+        out.common = corrections[cell].template common<double, d>([&](int b, int a) { return out.at[b][a]; });
   }
   /// \copydoc gather
-  void gather(std::vector<double> const& x, int cell, double (*out)[d], bool periods = true) const {
+  void gather(std::vector<double> const& x, int cell, CellCorners<d>& out, bool periods = true) const {
     with_kind([&](auto kind) { gather(kind, x, cell, out, periods); });
   }
   /// The edges of a point of a cell, as columns.
@@ -145,39 +118,45 @@ class BodyQuadrature {
   }
   /// The deformation gradient at a point of a cell.
   template <class Kind>
-  static Matrix<double, d, d> gradient(Kind kind, double const (*at)[d], int point, CellPoint<d> const& of) {
-    return edges(kind, at, point) * of.inverse_edges;
+  static Matrix<double, d, d> gradient(Kind kind, CellCorners<d> const& here, int point,
+                                       CellPoint<d> const& of) {
+    Matrix<double, d, d> F = edges(kind, here.at, point) * of.inverse_edges;
+    if constexpr (Kind::corrected) F += here.common;
+    return F;
   }
   /// \copydoc gradient
-  Matrix<double, d, d> gradient(double const (*at)[d], int point, CellPoint<d> const& of) const {
-    return edges(at, point) * of.inverse_edges;
+  Matrix<double, d, d> gradient(CellCorners<d> const& here, int point, CellPoint<d> const& of) const {
+    return with_kind([&](auto kind) { return gradient(kind, here, point, of); });
   }
   /// Adds to the corners of a cell what the stress times \f$-A^{-T}\f$ does to them.
   template <class Kind>
   static void add_forces(Kind, Matrix<double, d, d> const& P, int point, CellPoint<d> const& of,
-                         double (*f)[d]) {
+                         CellCorners<d>& f) {
     for (int k = 0; k < d; ++k) {
       auto const [low, up] = Kind::ends(point, k);
       for (int i = 0; i < d; ++i) {
         double pull = 0;
         for (int j = 0; j < d; ++j) pull += P(i, j) * of.inverse_edges(k, j);
-        f[low][i] += pull, f[up][i] -= pull;
+        f.at[low][i] += pull, f.at[up][i] -= pull;
       }
     }
+    if constexpr (Kind::corrected) f.common += P;
   }
   /// \copydoc add_forces
-  void add_forces(Matrix<double, d, d> const& P, int point, CellPoint<d> const& of, double (*f)[d]) const {
+  void add_forces(Matrix<double, d, d> const& P, int point, CellPoint<d> const& of, CellCorners<d>& f) const {
     with_kind([&](auto kind) { add_forces(kind, P, point, of, f); });
   }
   /// Adds what the corners of a cell have to the nodes.
   template <class Kind>
-  void scatter(Kind, double const (*f)[d], int cell, std::vector<double>& to) const {
+  void scatter(Kind, CellCorners<d>& f, int cell, std::vector<double>& to) const {
+    if constexpr (Kind::corrected)
+      if (!corrections.empty()) corrections[cell].add_forces(f.common, f.at);
     std::size_t const first = std::size_t(cell) * Kind::corners;
     for (int b = 0; b < Kind::corners; ++b)
-      for (int a = 0; a < d; ++a) to[std::size_t(d) * nodes[first + b] + a] += f[b][a];
+      for (int a = 0; a < d; ++a) to[std::size_t(d) * nodes[first + b] + a] += f.at[b][a];
   }
   /// \copydoc scatter
-  void scatter(double const (*f)[d], int cell, std::vector<double>& to) const {
+  void scatter(CellCorners<d>& f, int cell, std::vector<double>& to) const {
     with_kind([&](auto kind) { scatter(kind, f, cell, to); });
   }
   /// How many cells there are.
@@ -189,7 +168,8 @@ class BodyQuadrature {
   /// Memory, bytes.
   std::size_t bytes() const {
     return points.capacity() * sizeof(CellPoint<d>) + masses.capacity() * sizeof(double) +
-           nodes.capacity() * sizeof(int) + wraps.capacity();
+           nodes.capacity() * sizeof(int) + wraps.capacity() +
+           corrections.capacity() * sizeof(corrections[0]);
   }
 
   int corners;                       ///< of a cell
@@ -198,6 +178,7 @@ class BodyQuadrature {
   std::vector<CellPoint<d>> points;  ///< of the first cell, of the second, ...
   std::vector<double> masses;        ///< of the nodes
   std::vector<int> nodes;            ///< at the corners of the first cell, of the second, ...
+  std::vector<CornerCorrection<double, d>> corrections;  ///< of the cells; empty where none needs one
 
  private:
   std::vector<unsigned char> wraps;
@@ -218,25 +199,34 @@ class BodyQuadrature {
       auto const place = corner_place(mesh, cell, b);
       for (int a = 0; a < d; ++a) X[b][a] = place[a];
     }
-    // The means of the density, and of what it makes of the energy, under each hat function and in all.
-    std::array<double, 8> mass{}, weight{};
-    double all_weight = 0;
-    for (auto const& s : hats.samples) {
-      Place at{};
-      for (int b = 0; b < corners; ++b)
-        for (int a = 0; a < d; ++a) at[a] += s.hat[b] * X[b][a];
-      double const rho = density(at);
-      if (!is_finite(rho)) throw NotFinite("density in " + mesh.cell_name(cell));
-      if (!(rho >= 0))
-        throw OutsideDomain("density in " + mesh.cell_name(cell), "a density of mass is not negative", rho,
-                            0);
-      double const w = medium.weight(rho);
-      for (int b = 0; b < corners; ++b) {
-        mass[b] += s.weight * s.hat[b] / hats.total[b] * rho;
-        weight[b] += s.weight * s.hat[b] / hats.total[b] * w;
-      }
-      all_weight += s.weight / hats.all * w;
+    std::size_t const first = points.size();
+    add_points(mesh, cell, X);
+    auto [mass, weight] = means(mesh, cell, X, hats, medium, density);
+    share_out(mass, first), share_out(weight, first);
+    for (int p = 0; p < points_per_cell; ++p)
+      points[first + p].weight *= simplex ? weight.of_cell : weight.at_corner[p];
+    for (int b = 0; b < corners; ++b) {
+      if (!(mass.at_corner[b] > 0))
+        throw OutsideDomain("density in " + mesh.cell_name(cell), "a cell has mass", mass.at_corner[b], 0);
+      auto const& point = points[first + (simplex ? 0 : b)];
+      masses[mesh.cells[cell][b]] += point.volume / (simplex ? corners : 1) * mass.at_corner[b];
     }
+  }
+  /// The points of a cell, with volumes in the place of weights.
+  void add_points(BodyMesh const& mesh, int cell, double const (*X)[d]) {
+    double ratio = 1;
+    if constexpr (d == 3)
+      if (!simplex) {
+        Matrix<double, d, most_corners> places;
+        for (int b = 0; b < most_corners; ++b)
+          for (int a = 0; a < d; ++a) places(a, b) = X[b][a];
+        auto const correction = corner_correction<double, d>(places);
+        if (correction.any) corrections.resize(cell);
+        if (correction.any || !corrections.empty()) corrections.push_back(correction);
+        ratio = correction.ratio;
+        if (!(ratio > 0))
+          throw InvertedCell(mesh.cell_name(cell), "a cell has a volume; over that of its corners", ratio, 0);
+      }
     double const parts = simplex ? (d == 1 ? 1 : d == 2 ? 2 : 6) : corners;
     for (int p = 0; p < points_per_cell; ++p) {
       auto const A = edges(X, p);
@@ -244,15 +234,52 @@ class BodyQuadrature {
       if (!(det > 0))
         throw InvertedCell(mesh.cell_name(cell) + ", corner " + std::to_string(p),
                            "its edges have the orientation of the body; their determinant", det, 0);
-      double const volume = det / parts;
-      points.push_back({inverse_matrix(A), volume, volume * (simplex ? all_weight : weight[p])});
-      for (int b = 0; b < corners; ++b) {
-        double const share = simplex ? volume / corners : b == p ? volume : 0;
-        if (share > 0 && !(mass[b] > 0))
-          throw OutsideDomain("density in " + mesh.cell_name(cell), "a cell has mass", mass[b], 0);
-        masses[mesh.cells[cell][b]] += share * mass[b];
-      }
+      double const volume = det / parts * ratio;
+      points.push_back({inverse_matrix(A), volume, volume});
     }
+  }
+  /// What varies over a cell: its means under the hat function of each corner, and that over the cell.
+  struct Means {
+    std::array<double, 8> at_corner{};
+    double of_cell = 0;
+  };
+  /// Of the density, and of what it makes of the energy.
+  std::pair<Means, Means> means(BodyMesh const& mesh, int cell, double const (*X)[d],
+                                detail::HatQuadrature const& hats, StoredEnergy<d> const& medium,
+                                std::function<double(Place const&)> const& density) const {
+    std::pair<Means, Means> out;
+    double volume = 0;
+    for (auto const& s : hats.samples) {
+      Place at{};
+      Matrix<double, d, d> slope = Matrix<double, d, d>::Zero();
+      for (int b = 0; b < corners; ++b)
+        for (int a = 0; a < d; ++a) {
+          at[a] += s.hat[b] * X[b][a];
+          for (int i = 0; i < d; ++i) slope(a, i) += s.slope[b][i] * X[b][a];
+        }
+      double const rho = density(at);
+      if (!is_finite(rho)) throw NotFinite("density in " + mesh.cell_name(cell));
+      if (!(rho >= 0))
+        throw OutsideDomain("density in " + mesh.cell_name(cell), "a density of mass is not negative", rho,
+                            0);
+      double const w = medium.weight(rho), part = s.weight * (simplex ? 1 : small_determinant(slope));
+      for (int b = 0; b < corners; ++b) {
+        out.first.at_corner[b] += s.weight * s.hat[b] / hats.total[b] * rho;
+        out.second.at_corner[b] += s.weight * s.hat[b] / hats.total[b] * w;
+      }
+      out.first.of_cell += part * rho, out.second.of_cell += part * w, volume += part;
+    }
+    out.first.of_cell /= volume, out.second.of_cell /= volume;
+    return out;
+  }
+  /// Makes the sum over the corners, with their volumes, the integral over the cell.
+  void share_out(Means& means, std::size_t first) const {
+    if (simplex) return;
+    double sum = 0, volume = 0;
+    for (int p = 0; p < points_per_cell; ++p)
+      sum += points[first + p].volume * means.at_corner[p], volume += points[first + p].volume;
+    for (int p = 0; p < points_per_cell; ++p)
+      if (sum > 0) means.at_corner[p] *= means.of_cell * volume / sum;
   }
 };
 

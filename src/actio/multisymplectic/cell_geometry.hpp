@@ -8,8 +8,8 @@
 
 #include <bit>
 
-#include "actio/forms/forms.hpp"
 #include "actio/jets/density.hpp"
+#include "actio/multisymplectic/corner_correction.hpp"
 #include "actio/numbers/linear.hpp"
 
 namespace actio {
@@ -18,10 +18,6 @@ namespace actio {
 struct InvertedCell : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
-
-/// How many corners a cell with n dimensions has.
-template <int n>
-inline constexpr int corners_of_cell = 1 << n;
 
 /// The edges that meet at a corner: column i is \f$z_{b^i} - z_b\f$, where \f$b^i\f$ is the neighbour of the
 /// corner b in direction i.
@@ -44,8 +40,9 @@ struct CellGeometry {
   /// At each corner, the inverse of the matrix of the edges that meet there.
   std::array<Matrix<S, n, n>, corners> inverse_edges;
   /// The part of the volume \f$d^nx\f$ that each corner stands for: \f$2^{-n}\f$ of the parallelepiped on its
-  /// edges.
+  /// edges, times the ratio of the correction.
   std::array<S, corners> volume;
+  CornerCorrection<S, n> correction;  ///< of a hexahedron that is no parallelepiped
 };
 
 /// The geometry of a cell with these corners.
@@ -53,11 +50,10 @@ struct CellGeometry {
 /// @param name    of the cell, for the message
 /// @throws InvertedCell  where the edges at a corner do not span a parallelepiped with the orientation of the
 ///         body: the measured number is its volume over the product of its edges
-/// Accuracy: the volumes of the corners sum up to the integral of the Jacobian of the multilinear map by the
-/// trapezoidal rule: exact for parallelepipeds, and for every quadrilateral.
+/// Accuracy: the volumes of the corners sum up to the integral of the Jacobian of the multilinear map.
 template <class S, int n>
 CellGeometry<S, n> cell_geometry(Matrix<S, n, corners_of_cell<n>> const& places, std::string const& name) {
-  CellGeometry<S, n> geometry{places, {}, {}};
+  CellGeometry<S, n> geometry{places, {}, {}, corner_correction<S, n>(places)};
   for (int b = 0; b < geometry.corners; ++b) {
     auto const edges = edges_at_corner<n>(places, b);
     // An edge that runs backwards from the far end of the cell turns the orientation once.
@@ -74,7 +70,7 @@ CellGeometry<S, n> cell_geometry(Matrix<S, n, corners_of_cell<n>> const& places,
                          "product of the edges",
                          box > S(0) ? to_double(S(J / box)) : to_double(J), to_double(bound));
     geometry.inverse_edges[b] = inverse_matrix(edges, "cell_geometry");
-    geometry.volume[b] = J / S(geometry.corners);
+    geometry.volume[b] = J / S(geometry.corners) * geometry.correction.ratio;
   }
   return geometry;
 }

@@ -21,7 +21,7 @@ T action_with(L const& density, SpaceTimeCell<S, n, N> const& cell, int l, Matri
   moved.y.col(l) = y_l;
   T sum(0);
   for (int k = 0; k < cell.nodes; ++k)
-    if (jet_contains(k, l) && jet_contains(k, m)) sum += action_at_node(density, moved, k);
+    if (jet_contains(cell, k, l) && jet_contains(cell, k, m)) sum += action_at_node(density, moved, k);
   return sum;
 }
 
@@ -53,7 +53,7 @@ template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, 1> discrete_cartan_form(L const& density, SpaceTimeCell<S, n, N> const& cell, int l) {
   for (int k = 0; k < cell.nodes; ++k)
-    if (jet_contains(k, l)) examine(density, discrete_jet(cell, k));
+    if (jet_contains(cell, k, l)) examine(density, discrete_jet(cell, k));
   auto const Theta = detail::cartan_form_at_node(density, cell, l);
   require_derivative(Theta, discrete_jet(cell, l), "discrete_cartan_form");
   return Theta;

@@ -39,12 +39,17 @@ template <int n>
 constexpr int node_of_corner(int corner, int level) { return corner + level * corners_of_cell<n>; }
 
 /// Whether the discrete jet at node l contains the value at node m: they are the same, or the ends of an edge
-/// of space-time.
-inline bool jet_contains(int l, int m) { return std::popcount(unsigned(l ^ m)) <= 1; }
+/// of space-time; of a cell with a correction all nodes at a level.
+template <class S, int n, int N>
+bool jet_contains(SpaceTimeCell<S, n, N> const& cell, int l, int m) {
+  return std::popcount(unsigned(l ^ m)) <= 1 ||
+         (cell.geometry->correction.any && l / cell.corners == m / cell.corners);
+}
 
 /// The discrete jet at a node of a space-time cell: the event and the value there, the velocity
 /// \f$v_0 = (y_{b,1} - y_{b,0})/(t_1 - t_0)\f$, and the deformation gradient F that takes the edges of the
-/// reference cell at this corner to their images, \f$F\,(X_{b^i} - X_b) = y_{b^i} - y_b\f$.
+/// reference cell at this corner to their images, \f$F\,(X_{b^i} - X_b) = y_{b^i} - y_b\f$, with what the
+/// \ref CornerCorrection of the cell adds to it.
 ///
 /// @param l  node of the cell, its corner b at one of the two levels
 /// Accuracy: the jet of a section at the centre of the edge in time and at the corner of those in space, to
@@ -53,7 +58,9 @@ template <class S, int n, int N>
 Jet<S, n, N> discrete_jet(SpaceTimeCell<S, n, N> const& cell, int l) {
   int const b = l % cell.corners, level = l / cell.corners;
   auto const at_level = cell.y.template middleCols<corners_of_cell<n>>(level * cell.corners);
-  auto const F = edges_at_corner<n>(at_level, b) * cell.geometry->inverse_edges[b];
+  auto F = edges_at_corner<n>(at_level, b) * cell.geometry->inverse_edges[b];
+  if (cell.geometry->correction.any)
+    F += cell.geometry->correction.template common<S, N>([&](int c, int a) { return at_level(a, c); });
   Base<S> const rate = Base<S>(1) / cell.duration();
   Jet<S, n, N> j;
   j.x[0] = S(cell.time[level]);

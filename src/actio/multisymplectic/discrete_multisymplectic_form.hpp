@@ -21,7 +21,7 @@ S discrete_multisymplectic_form(L const& density, SpaceTimeCell<S, n, N> const& 
                                 std::type_identity_t<Matrix<S, N, SpaceTimeCell<S, n, N>::nodes>> const& V,
                                 std::type_identity_t<Matrix<S, N, SpaceTimeCell<S, n, N>::nodes>> const& W) {
   for (int k = 0; k < cell.nodes; ++k)
-    if (jet_contains(k, l)) examine(density, discrete_jet(cell, k));
+    if (jet_contains(cell, k, l)) examine(density, discrete_jet(cell, k));
   auto const delta_Theta = [&](auto const& by) {
     return rate_of(detail::cartan_form_at_node(density, cell.with(moved_along(cell.y, by)), l));
   };

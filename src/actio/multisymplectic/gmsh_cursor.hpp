@@ -98,9 +98,15 @@ class GmshCursor {
     last_ = found, at_ = found + sought.size();
     return true;
   }
+  /// Whether the next thing is a name in quotation marks.
+  bool at_quote() {
+    skip_blanks();
+    return left() > 0 && text_[at_] == '"';
+  }
   /// A word that must come next.
-  void expect(std::string_view sought) {
-    auto const found = word(std::string(sought).c_str());
+  void expect(std::string_view sought) { require(word(std::string(sought).c_str()), sought); }
+  /// Refuses the word that was read last, if it is another one.
+  void require(std::string_view found, std::string_view sought) const {
     if (found != sought) fail(std::string(sought) + " is needed, and '" + shown(found) + "' is found");
   }
 
@@ -109,7 +115,14 @@ class GmshCursor {
   T in_digits(char const* what) {
     auto const token = word(what);
     T value{};
-    auto const [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+    // A sign of plus is one that std::from_chars does not know.
+    bool const plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
+    auto [end, error] = std::from_chars(token.data() + plus, token.data() + token.size(), value);
+    // What is nearer to zero than all numbers is zero.
+    if constexpr (std::is_floating_point_v<T>)
+      if (error == std::errc::result_out_of_range && token.find_first_of("eE") != token.npos)
+        error = std::errc(),
+        value = token.find('-', token.find_first_of("eE")) != token.npos ? T(0) : T(HUGE_VAL);
     if (error != std::errc() || end != token.data() + token.size())
       fail(std::string(what) + " should be a number, and is '" + shown(token) + "'");
     return finite(value, what);

@@ -1,9 +1,10 @@
-// The mesh of a body from a file of Gmsh: version 4.1 or 2.2, in digits or in bytes.
+// The mesh of a body from a file of Gmsh: version 2 or 4, in digits or in bytes.
 //
 // The elements of the highest dimension are the cells: segments, triangles, quadrilaterals, tetrahedra or
-// hexahedra, of one kind. Elements of one dimension less that are in a physical group are facets of a side
-// with the name of the group, or with its number where it has no name. All other elements, and nodes that are
-// no corner of a cell (centres of arcs), are left.
+// hexahedra, of one kind. One that is listed for each of its groups is one cell, and one that is numbered
+// against the orientation of the body is turned. Elements of one dimension less that are in a physical group
+// are facets of a side with the name of the group, or with its number where it has no name. All other
+// elements, and nodes that are no corner of a cell (centres of arcs), are left.
 #pragma once
 
 #include <filesystem>
@@ -28,14 +29,12 @@ class GmshBody {
     for (auto const* element : cells_) mesh_.cells.push_back(corners(*element));
     for (auto const* element : cells_) mesh_.element_tags.push_back(element->tag);
     keep_corners();
+    for (int cell = 0; cell < int(mesh_.cells.size()); ++cell) orient(cell);
     try {
       require_body_mesh(mesh_);
     } catch (NotABodyMesh const& e) {
       if (e.cell < 0) throw;
-      bool const turned = corner_jacobian(mesh_, e.cell, 0).volume < 0;
-      fail_at(*cells_[e.cell],
-              std::string(e.what()) +
-                  (turned ? "; ReverseMesh in Gmsh turns elements round, if it is all of them" : ""));
+      fail_at(*cells_[e.cell], e.what());
     }
     add_sides();
     return std::move(mesh_);
@@ -65,11 +64,37 @@ class GmshBody {
         fail_at(element, std::string("cells are of one kind; ") + cells_[0]->shape->name + " and " +
                              element.shape->name + " are found");
     }
+    leave_repeated();
     mesh_.dimension = dimension;
     mesh_.shape = dimension == 1   ? segment
                   : dimension == 2 ? (cells_[0]->shape->corners == 3 ? triangle : quadrilateral)
                                    : (cells_[0]->shape->corners == 4 ? tetrahedron : hexahedron);
     mesh_.cells.reserve(cells_.size());
+  }
+
+  // Of elements with the same nodes the first one stays.
+  void leave_repeated() {
+    std::vector<std::pair<std::array<int, 8>, int>> nodes;
+    for (auto const* element : cells_) {
+      nodes.emplace_back(element->nodes, int(nodes.size()));
+      std::sort(nodes.back().first.begin(), nodes.back().first.end());
+    }
+    std::sort(nodes.begin(), nodes.end());
+    for (std::size_t k = 1; k < nodes.size(); ++k)
+      if (nodes[k].first == nodes[k - 1].first) cells_[nodes[k].second] = nullptr;
+    std::erase(cells_, nullptr);
+  }
+  // Exchanges two directions of a cell whose corners have a negative volume in all: the order of corners says
+  // nothing of a body.
+  void orient(int cell) {
+    double volume = 0;
+    auto& at = mesh_.cells[cell];
+    bool const simplex = is_simplex(mesh_.shape);
+    for (int b = 0; b < (simplex ? 1 : corner_count(mesh_.shape)); ++b)
+      volume += corner_jacobian(mesh_, cell, b).volume;
+    if (!(volume < 0)) return;
+    std::swap(mesh_.dimension == 1 ? at[0] : at[2], at[1]);
+    if (mesh_.shape == BodyMesh::Shape::hexahedron) std::swap(at[5], at[6]);
   }
 
   void number_nodes() {
@@ -135,10 +160,11 @@ class GmshBody {
   struct Facet {
     std::array<int, 4> nodes;
     GmshElement const* element;
+    bool turned = false;  // as is_turned says
     int cells = 0;
     CellFacet at{};
   };
-  void add_sides() {
+  std::vector<Facet> facets_in_groups() const {
     std::vector<Facet> facets;
     for (auto const& element : in_.elements) {
       if (element.shape->dimension != mesh_.dimension - 1 || element.groups < 0) continue;
@@ -146,30 +172,49 @@ class GmshBody {
       Facet facet{{-1, -1, -1, -1}, &element};
       for (int b = 0; b < element.shape->corners; ++b)
         facet.nodes[b] = number_[node_with(element.nodes[b], element)];
+      facet.turned = is_turned(facet.nodes, 1);
       std::sort(facet.nodes.begin(), facet.nodes.end());
       facets.push_back(facet);
     }
+    return facets;
+  }
+  void add_sides() {
+    auto facets = facets_in_groups();
     auto const before = [](Facet const& a, Facet const& b) { return a.nodes < b.nodes; };
     std::stable_sort(facets.begin(), facets.end(), before);
     for (int cell = 0; cell < int(mesh_.cells.size()); ++cell)
       for (int k = 0; k < facet_count(mesh_.shape); ++k) {
         Facet sought{facet_nodes(mesh_, {cell, k}), nullptr};
+        bool const turned = is_turned(sought.nodes, k);
         std::sort(sought.nodes.begin(), sought.nodes.end());
         auto const [first, last] = std::equal_range(facets.begin(), facets.end(), sought, before);
-        for (auto facet = first; facet != last; ++facet) ++facet->cells, facet->at = {cell, k};
+        for (auto facet = first; facet != last; ++facet)
+          if (++facet->cells == 1 || facet->turned == turned) facet->at = {cell, k};
       }
-    for (auto const& facet : facets) {
-      if (facet.cells != 1)
-        fail_at(*facet.element, std::string("a ") + facet.element->shape->name + " of a side belongs to " +
-                                    (facet.cells == 0 ? "no cell" : "two cells: it lies inside the body"));
-      for (int group : in_.groups[facet.element->groups]) {
-        int const tag = std::abs(group);
-        auto const named = in_.names.find({mesh_.dimension - 1, tag});
-        auto& side = mesh_.sides[named == in_.names.end() ? std::to_string(tag) : named->second];
-        auto const nodes = facet_nodes(mesh_, facet.at);
-        if (side.empty() || side.back() != nodes) side.push_back(nodes);
+    for (auto const& facet : facets)
+      for (int group : in_.groups[facet.element->groups]) add_to(name_of_group(group), facet);
+    for (auto const& [name, why] : mesh_.no_sides) mesh_.sides.erase(name), mesh_.inside.erase(name);
+    // A side of which a part lies inside lies there as a whole.
+    for (auto& [name, inside] : mesh_.inside)
+      if (auto const side = mesh_.sides.find(name); side != mesh_.sides.end()) {
+        inside.insert(inside.end(), side->second.begin(), side->second.end());
+        mesh_.sides.erase(side);
       }
+  }
+  std::string name_of_group(int group) const {
+    auto const named = in_.names.find({mesh_.dimension - 1, std::abs(group)});
+    return named == in_.names.end() ? std::to_string(std::abs(group)) : named->second;
+  }
+  void add_to(std::string const& name, Facet const& facet) {
+    if (facet.cells == 0) {
+      auto const& element = *facet.element;
+      mesh_.no_sides.try_emplace(name, std::string("the ") + element.shape->name + " " +
+                                           std::to_string(element.tag) + " of it belongs to no cell");
+      return;
     }
+    auto& side = (facet.cells == 1 ? mesh_.sides : mesh_.inside)[name];
+    auto const nodes = facet_nodes(mesh_, facet.at);
+    if (side.empty() || side.back() != nodes) side.push_back(nodes);
   }
 };
 
@@ -179,8 +224,8 @@ class GmshBody {
 /// @param text  all of it
 /// @param name  of the file, for messages
 /// @throws NotAGmshFile  where the text is no mesh: with the line, or in a binary file the byte; where cells
-///         are inverted, degenerate, doubled or unconnected; where nodes are missing or come twice; where
-///         kinds of elements are unknown or mixed; where sides are no facets of the body
+///         are degenerate, folded over each other or unconnected; where nodes are missing or come twice;
+///         where kinds of elements are unknown or mixed
 /// Memory: bounded by a multiple of the size of the text, whatever counts it announces.
 inline BodyMesh gmsh_mesh_of(std::string_view text, std::string const& name) {
   return detail::GmshBody(text, name).mesh();

@@ -27,6 +27,7 @@ struct PointOfCell {
   Matrix<double, d, d> F;        ///< the deformation gradient
   Matrix<double, d, d> inverse;  ///< of the reference edges
   double jacobian;               ///< det F
+  CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
 };
 
 /// `visit(point, cell)` for each point of each cell.
@@ -39,12 +40,14 @@ void for_points(MediumView<d> const& medium, std::vector<typename MediumCells<d>
   for (std::size_t c = 0; c < cells.cells(); ++c) {
     auto const cell = cells.cell(c);
     cells.gather(cell, x, at), cells.gather_reference(cell, from);
+    auto const correction = cells.correction(from);
+    Matrix<double, d, d> const more = cells.common(correction, at);
     for (int p = 0; p < cells.points(); ++p) {
-      PointOfCell<d> point{c, p, 0, 1, 1, {}, {}, 0};
+      PointOfCell<d> point{c, p, 0, 1, 1, {}, {}, 0, &correction};
       auto const edges = cells.edges(from, p);
-      point.volume = small_determinant(edges) * cells.share();
+      point.volume = small_determinant(edges) * cells.share() * correction.ratio;
       point.inverse = inverse_matrix(edges);
-      point.F = cells.edges(at, p) * point.inverse;
+      point.F = cells.edges(at, p) * point.inverse + more;
       point.jacobian = small_determinant(point.F);
       if (density) {
         std::array<double, d> X = from[p];
@@ -172,6 +175,9 @@ double noether_residual(MediumView<d> const& medium, std::vector<typename Medium
       double const momentum = 2 * point.density * point.volume * std::sqrt(speed) / d;
       add(at[low], pull, momentum), add(at[up], push, momentum);
     }
+    double on[8][d] = {};
+    point.correction->add_forces(P, on);
+    for (int b = 0; point.correction->any && b < 1 << d; ++b) add(at[b], on[b], 0);
   });
   close();
   double worst = 0;

@@ -74,6 +74,36 @@ void read_round(SceneTable& mesh, MediumMesh& out) {
                      fmt::format("cells: around an annulus there are at least 3, found {}", out.cells[1]));
 }
 
+/// Makes a side of a group of facets inside of a body, if there is one with this name.
+/// @param key  of the table, where the name stands
+void use_group(SceneTable const& table, std::string const& key, std::string const& name, bool pressure,
+               BodyMesh& body) {
+  if (auto const none = body.no_sides.find(name); none != body.no_sides.end())
+    table.fail(key, fmt::format("{}: the group '{}' of the mesh is no side of the body: {}", table.name(),
+                                shown(name), none->second));
+  auto const inside = body.inside.find(name);
+  if (inside == body.inside.end()) return;
+  if (pressure)
+    table.fail(key,
+               fmt::format("{}: a pressure acts on a side of the body, and the group '{}' of the mesh lies "
+                           "inside; it can be fixed, moved or drawn by a traction",
+                           table.name(), shown(name)));
+  body.sides.insert(body.inside.extract(inside));
+}
+/// Groups inside of a body are left, but for those that the scene names.
+void use_groups(SceneFile const& scene, BodyMesh& body) {
+  SceneTable const boundary = scene.section("system.boundary"), load = scene.section("system.load"),
+                   loops = scene.section("system.loops");
+  for (auto const& name : boundary.keys()) use_group(boundary, name, name, false, body);
+  for (char const* kind : {"traction", "pressure", "motion"}) {
+    if (!load.has(kind) || !load.is_table(kind)) continue;
+    SceneTable const table = load.inside(kind);
+    for (auto const& name : table.keys()) use_group(table, name, name, std::string(kind) == "pressure", body);
+  }
+  for (auto const& key : loops.keys())
+    if (loops.is_text(key)) use_group(loops, key, loops.text(key), false, body);
+}
+
 void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
   namespace fs = std::filesystem;
   mesh.allow({"shape", "file"});
@@ -81,11 +111,14 @@ void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
   if (path.is_relative()) path = fs::absolute(fs::path(scene.name()).parent_path() / path).lexically_normal();
   if (std::error_code none; fs::is_directory(path, none))
     mesh.fail("file", fmt::format("file: a mesh of Gmsh is expected, {} is a folder", path.string()));
+  BodyMesh body;
   try {
-    out.read = std::make_shared<BodyMesh const>(gmsh_mesh(path.string()));
+    body = gmsh_mesh(path.string());
   } catch (Error const& error) {
     mesh.fail("file", std::string("file: ") + error.what());
   }
+  use_groups(scene, body);
+  out.read = std::make_shared<BodyMesh const>(std::move(body));
   if (path.string() != mesh.text("file")) mesh.set("file", path.string());
   out.dimension = out.read->dimension;
 }

@@ -78,7 +78,8 @@ void examine_forces(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
           .fail(side, fmt::format("pressure: the side '{}' is {}, so that no pressure moves it; "
                                   "a pressure acts on a free side",
                                   side, how));
-  if (!load.has("pressure") || load.is_table("pressure")) return;
+  // What has no name on a mesh from a file is free as well.
+  if (!load.has("pressure") || load.is_table("pressure") || mesh.read) return;
   for (auto const& [side, does] : mesh.sides)
     if (held(side).empty()) return;
   load.fail("pressure", "pressure: the body has no free side that a pressure from outside could move");

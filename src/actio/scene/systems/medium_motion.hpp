@@ -57,7 +57,22 @@ class MediumCells {
     }
     return out;
   }
-  /// The part of a cell that a point stands for, over the determinant of its edges.
+  /// What corners of a cell need besides their edges.
+  CornerCorrection<double, d> correction(Place const (&from)[8]) const {
+    if constexpr (d == 3)
+      if (shape() == BodyMesh::Shape::hexahedron) {
+        Matrix<double, 3, 8> places;
+        for (int b = 0; b < 8; ++b)
+          for (int a = 0; a < 3; ++a) places(a, b) = from[b][a];
+        return corner_correction<double, 3>(places);
+      }
+    return {};
+  }
+  /// What places or velocities of corners add by it to the deformation gradients at all points of a cell.
+  static Matrix<double, d, d> common(CornerCorrection<double, d> const& of, Place const (&at)[8]) {
+    return of.template common<double, d>([&](int b, int a) { return at[b][a]; });
+  }
+  /// The part of a cell that a point stands for, over the determinant of its edges, without a correction.
   double share() const {
     if (points() > 1) return 1.0 / points();
     return d == 1 ? 1 : d == 2 ? 0.5 : 1.0 / 6;
@@ -79,8 +94,12 @@ std::pair<double, std::size_t> least_jacobian(MediumCells<d> const& cells,
   for (std::size_t c = 0; c < cells.cells(); ++c) {
     auto const cell = cells.cell(c);
     cells.gather(cell, x, at), cells.gather_reference(cell, from);
+    auto const correction = cells.correction(from);
     for (int p = 0; p < cells.points(); ++p) {
-      double const J = small_determinant(cells.edges(at, p)) / small_determinant(cells.edges(from, p));
+      Matrix<double, d, d> const A = cells.edges(from, p);
+      Matrix<double, d, d> a = cells.edges(at, p);
+      if (correction.any) a += cells.common(correction, at) * A;
+      double const J = small_determinant(a) / small_determinant(A);
       if (!(J >= least.first)) least = {J, c};
       if (!(J == J)) return least;
     }

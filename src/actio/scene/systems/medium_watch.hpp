@@ -104,13 +104,16 @@ class StepWatch {
       cells.gather(cell, x, at), cells.gather_reference(cell, from);
       for (int b = 0; b < corner_count(cells.shape()); ++b)
         rate[b] = v[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)])];
+      auto const correction = cells.correction(from);
+      Matrix<double, d, d> const more = cells.common(correction, at);
       for (int p = 0; p < cells.points(); ++p) {
-        Matrix<double, d, d> const back = inverse(cells.edges(from, p)), F = cells.edges(at, p) * back;
+        Matrix<double, d, d> const back = inverse(cells.edges(from, p)), F = cells.edges(at, p) * back + more;
         double const J = small_determinant(F), squeeze = square(cofactors(F)) / (J * J);
         if (squeeze > out.squeeze) out.squeeze = squeeze, out.cell = c, out.jacobian = J;
         out.stretch = std::max(out.stretch, square(F));
         if (p > 0) continue;
-        Matrix<double, d, d> const L = cells.edges(rate, p) * back * inverse(F);
+        Matrix<double, d, d> const L =
+            (cells.edges(rate, p) * back + cells.common(correction, rate)) * inverse(F);
         out.rate = std::max(out.rate, 0.25 * square(L + L.transpose()));
       }
     }
