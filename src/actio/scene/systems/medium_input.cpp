@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "actio/multisymplectic/body_mesh_check.hpp"
 #include "actio/multisymplectic/body_shapes.hpp"
@@ -74,19 +73,14 @@ void read_round(SceneTable& mesh, MediumMesh& out) {
                      fmt::format("cells: around an annulus there are at least 3, found {}", out.cells[1]));
 }
 
-void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
-  namespace fs = std::filesystem;
+void read_mesh_file(SceneTable& mesh, MediumMesh& out) {
   mesh.allow({"shape", "file"});
-  fs::path path = mesh.text("file");
-  if (path.is_relative()) path = fs::absolute(fs::path(scene.name()).parent_path() / path).lexically_normal();
-  if (std::error_code none; fs::is_directory(path, none))
-    mesh.fail("file", fmt::format("file: a mesh of Gmsh is expected, {} is a folder", path.string()));
+  auto const [path, text] = mesh.read_file("file", "a mesh of Gmsh");
   try {
-    out.read = std::make_shared<BodyMesh const>(gmsh_mesh(path.string()));
+    out.read = std::make_shared<BodyMesh const>(gmsh_mesh_of(text, path));
   } catch (Error const& error) {
     mesh.fail("file", std::string("file: ") + error.what());
   }
-  if (path.string() != mesh.text("file")) mesh.set("file", path.string());
   out.dimension = out.read->dimension;
 }
 
@@ -170,7 +164,7 @@ MediumMesh read_medium_mesh(SceneFile const& file) {
   if (out.shape == "box")
     read_box(mesh, out);
   else if (out.shape == "file")
-    read_mesh_file(file, mesh, out);
+    read_mesh_file(mesh, out);
   else
     read_round(mesh, out);
   if (out.cell_count() > 1e9)
