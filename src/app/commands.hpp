@@ -24,6 +24,7 @@ int plan(scene::Scene& scene, RunArguments const& arguments, std::string const& 
 struct ResumeArguments {
   std::string folder;
   std::string until;  ///< a later end than the scene has; empty: none
+  std::string step;   ///< another step; empty: that of the scene
   int jobs = 0;       ///< of a sweep; 0: as many as the machine has cores
   bool quiet = false, plots = false;
 };

@@ -11,7 +11,7 @@ _actio_reply() { # WORD
 _actio_options() { # PART
   case $1 in
     run) echo "--out --set --unset --quiet --dry-run --plots --force --help" ;;
-    resume) echo "--until --jobs --plots --quiet --help" ;;
+    resume) echo "--until --step --jobs --plots --quiet --help" ;;
     plot) echo "--quiet --help" ;;
     sweep) echo "--over --out --set --unset --jobs --quiet --dry-run --plots --force --help" ;;
     new) echo "--body --out --help" ;;
@@ -48,7 +48,7 @@ _actio() {
     case $before in
       --out) _actio_files "$word" ""; return ;;
       --body) _actio_reply "$word" < <(_actio_names "$program" bodies); return ;;
-      --set | --unset | --over | --jobs | --until) return ;;
+      --set | --unset | --over | --jobs | --until | --step) return ;;
     esac
   fi
   if [[ $word == -* ]]; then

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <new>
 #include <system_error>
@@ -79,6 +80,12 @@ void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action)
   part->add_option("--until", resume.until,
                    "go on to a later time than the scene says, and write it into scene.toml")
       ->type_name("T")
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_option(
+          "--step", resume.step,
+          "go on with steps of another length, and write it into scene.toml; rows are at multiples of "
+          "it, too")
+      ->type_name("H")
       ->check(CLI::Validator(not_empty, ""));
   app::add_jobs_option(*part, resume.jobs, "of a sweep: runs at the same time; otherwise one for each core");
   part->add_flag("--plots", resume.plots, "draw pictures and a page to play the motion")
@@ -166,6 +173,9 @@ void add_questions(CLI::App& command, Questions& asked, Action& action) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // The folder of a run is locked as a whole, and nobody else's look at a file in it stops the run. Files in
+  // NetCDF are made by a library that has no other way to be told so.
+  ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
   CLI::App command{
       "Mechanics on Lie groups, step by step, from one action principle: scenes, run and looked at", "actio"};
   command.require_subcommand(1);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "actio/scene/checkpoint.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/run_files.hpp"
 #include "app/commands.hpp"
@@ -16,19 +17,25 @@ using namespace scene;
 
 namespace {
 
-double time_of(std::string const& text) {
+/// @param option  "--until", whose value is the text
+double time_of(std::string const& option, std::string const& text) {
   char* end = nullptr;
   double const time = std::strtod(text.c_str(), &end);
   if (end == text.c_str() || *end || !std::isfinite(time))
-    throw SceneError({"--until " + text}, "a time is expected, for example --until 500");
+    throw SceneError({option + " " + text}, "a time is expected, for example " + option + " 500");
   return time;
 }
 
 /// Of a run that is finished there may be pictures to draw.
 int after_the_end(Scene const& scene, std::string const& folder, bool quiet) {
   if (scene.snapshots && scene.simulation.snapshots)
-    if (auto const told = missing_snapshots(scene, folder, scene.snapshots->rows()); !told.empty())
-      say(stderr, told + "\n");
+    if (auto const gone = missing_snapshots(scene, folder, scene.snapshots->rows()); gone.count > 0)
+      say(stderr, gone.told + "\n");
+  for (auto const& name : files_of_table(scene))
+    if (!std::filesystem::exists(folder + "/" + name))
+      throw FileError(folder + "/" + name +
+                      ": is not there any more, and the run is finished; a run of its "
+                      "scene.toml into another folder writes it again");
   bool const missing = scene.plots && !drawn(folder);
   if (missing) draw(scene, folder, quiet);
   if (!quiet)
@@ -43,7 +50,10 @@ int after_the_end(Scene const& scene, std::string const& folder, bool quiet) {
 int resume(ResumeArguments const& arguments) {
   open_standard_streams();
   if (is_sweep(arguments.folder)) {
-    char const* const of_runs = !arguments.until.empty() ? "--until" : arguments.plots ? "--plots" : nullptr;
+    char const* const of_runs = !arguments.until.empty()  ? "--until"
+                                : !arguments.step.empty() ? "--step"
+                                : arguments.plots         ? "--plots"
+                                                          : nullptr;
     if (of_runs)
       throw SceneError(
           {arguments.folder},
@@ -53,12 +63,24 @@ int resume(ResumeArguments const& arguments) {
     return resume_sweep(arguments);
   }
   RunFolder const folder = RunFolder::open(arguments.folder);
-  Scene scene = Scene::read(SceneFile::read(folder / "scene.toml"));
-  if (!arguments.until.empty()) scene = extended(scene, folder.path(), time_of(arguments.until));
-  scene.plots = scene.plots || arguments.plots;
   bool const begun = std::filesystem::exists(folder / "checkpoint");
+  if (begun) finish_change_of_step(folder.path()), refuse_changed_inputs(folder.path());
+  Scene scene = Scene::read(SceneFile::read(folder / "scene.toml"));
+  if (!arguments.until.empty()) scene = extended(scene, folder.path(), time_of("--until", arguments.until));
+  scene.plots = scene.plots || arguments.plots;
   if (begun && run_is_finished(scene, folder.path()))
     return after_the_end(scene, folder.path(), arguments.quiet);
+  if (!arguments.step.empty()) {
+    double const step = time_of("--step", arguments.step);
+    if (!begun)
+      throw SceneError(
+          {"--step " + arguments.step},
+          "there is no checkpoint to go on from; actio run takes --set method.step=" + arguments.step);
+    Scene other = with_other_step(scene, folder.path(), step);
+    other.plots = scene.plots;
+    listen_for_interrupts();
+    return run_to_end(other, folder, begun, arguments.quiet, &scene);
+  }
   if (!begun)
     say(stderr, folder.path() + ": there is no checkpoint yet; the run starts anew from its scene.toml\n");
   listen_for_interrupts();

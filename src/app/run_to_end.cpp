@@ -31,13 +31,14 @@ std::string closing_line(Scene const& scene, RunFolder const& folder, RunReport 
 
 }  // namespace
 
-int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet) {
+int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet, Scene* before_change) {
   RunOptions options;
   options.quiet = quiet, options.checkpoint_interval = checkpoint_interval();
   auto const& remarks = scene.simulation.remarks;
   for (auto const& remark : remarks) say(stderr, remark + "\n");
   std::size_t const before = remarks.size();
-  RunReport const report = run_scene(scene, folder.path(), resume, options);
+  RunReport const report = before_change ? run_with_other_step(scene, *before_change, folder.path(), options)
+                                         : run_scene(scene, folder.path(), resume, options);
   for (std::size_t k = before; k < remarks.size(); ++k) say(stderr, remarks[k] + "\n");
   if (report.ending == Ending::interrupted)
     say(stderr,

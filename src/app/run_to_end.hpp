@@ -7,7 +7,9 @@
 namespace actio::app {
 
 /// Runs, or goes on; remarks and complaints go to standard error, a closing line to standard output.
+/// @param before  the scene with the steps up to the checkpoint, where they had another length
 /// @return the exit status
-int run_to_end(scene::Scene& scene, scene::RunFolder const& folder, bool resume, bool quiet);
+int run_to_end(scene::Scene& scene, scene::RunFolder const& folder, bool resume, bool quiet,
+               scene::Scene* before = nullptr);
 
 }  // namespace actio::app

@@ -40,6 +40,36 @@ py::array rows(std::vector<double>&& numbers, std::size_t columns) {
   return py::array_t<double>({count, columns}, first, owner);
 }
 
+/// An array that owns its numbers, read-only.
+py::array in_python(scene::SnapshotArray&& array, std::size_t snapshots) {
+  std::vector<std::size_t> shape = array.shape;
+  if (snapshots > 0) shape.insert(shape.begin(), snapshots);
+  auto held = std::make_unique<std::vector<double>>(std::move(array.numbers));
+  double const* const first = held->data();
+  py::capsule const owner(held.get(), [](void* at) { delete static_cast<std::vector<double>*>(at); });
+  held.release();
+  return py::array_t<double>(shape, first, owner);
+}
+/// Times; then name, axes, array, meaning, unit, names along the last axis of each field and coordinate.
+py::object in_python(python::MemorySnapshots&& snapshots) {
+  auto const listed = [](std::vector<scene::SnapshotArray>& arrays, std::size_t count) {
+    py::list out;
+    for (auto& one : arrays) {
+      py::dict about;
+      about["name"] = one.name, about["axes"] = one.axes, about["meaning"] = one.meaning;
+      about["unit"] = one.unit, about["names"] = one.names, about["counts"] = one.counts;
+      about["numbers"] = in_python(std::move(one), count);
+      out.append(about);
+    }
+    return out;
+  };
+  std::size_t const count = snapshots.times.size();
+  py::dict out;
+  out["t"] = py::array_t<double>(static_cast<py::ssize_t>(count), snapshots.times.data());
+  out["fields"] = listed(snapshots.fields, count), out["coordinates"] = listed(snapshots.coordinates, 0);
+  return out;
+}
+
 /// Table, what belongs to it, how the run ended, and what Python raised meanwhile.
 py::tuple handed_over(MemoryRun&& run, py::object raised) {
   py::dict about;
@@ -47,6 +77,11 @@ py::tuple handed_over(MemoryRun&& run, py::object raised) {
   for (auto const& group : run.groups) quantities.append(in_python(group));
   about["columns"] = run.columns, about["quantities"] = quantities, about["time_unit"] = run.time_unit;
   about["summary"] = run.summary, about["scene"] = run.scene;
+  py::dict inputs;
+  for (auto const& file : run.inputs)
+    inputs[py::bytes(file.path)] = py::make_tuple(file.bytes, file.fingerprint);
+  about["inputs"] = inputs, about["with_snapshots"] = run.with_snapshots;
+  about["snapshots"] = in_python(std::move(run.snapshots));
   std::size_t const columns = run.columns.size();
   int const ending = static_cast<int>(run.report.ending);
   return py::make_tuple(rows(std::move(run.table), columns), about, ending, run.report.message,
@@ -86,6 +121,15 @@ py::tuple load(std::string const& folder) {
   return handed_over(std::move(out), py::none());
 }
 
+py::object snapshots(std::string const& folder) {
+  python::MemorySnapshots out;
+  {
+    py::gil_scoped_release const release;
+    out = python::load_snapshots(folder);
+  }
+  return in_python(std::move(out));
+}
+
 void save(std::string const& scene, py::array_t<double, py::array::c_style> const& table,
           std::string const& summary, std::string const& folder, bool pictures) {
   std::span<double const> const numbers(table.data(), static_cast<std::size_t>(table.size()));
@@ -119,6 +163,7 @@ PYBIND11_MODULE(_actio, m) {
   m.attr("version") = ACTIO_VERSION;
   m.def("run", &run);
   m.def("load", &load);
+  m.def("snapshots", &snapshots);
   m.def("save", &save);
   m.def("systems", [] { return py::module_::import("json").attr("loads")(scene::registry_json()); });
   m.def("bodies", &python::bodies);

@@ -8,6 +8,7 @@
 
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/pictures.hpp"
+#include "actio/scene/run_files.hpp"
 #include "actio/scene/run_folder.hpp"
 #include "actio/scene/series.hpp"
 #include "actio/scene/series_reader.hpp"
@@ -32,6 +33,18 @@ MemoryRun without_rows(Scene const& scene) {
   }
   out.time_unit = time_unit(scene);
   out.scene = scene.file.written();
+  out.inputs = scene.file.inputs();
+  out.with_snapshots = scene.snapshots && scene.simulation.snapshots;
+  return out;
+}
+
+/// That so many snapshots fit into the memory, and the places to which they belong.
+MemorySnapshots begun(SnapshotWriter const& writer, double count) {
+  std::size_t numbers = 0;
+  for (auto const& field : writer.fields()) numbers += field.numbers.size();
+  check_that_it_fits(count, numbers);
+  MemorySnapshots out;
+  out.coordinates = writer.coordinates();
   return out;
 }
 
@@ -62,6 +75,13 @@ void refuse_what_is_no_run(std::string const& folder) {
 
 }  // namespace
 
+void MemorySnapshots::add(double time, std::vector<SnapshotArray> one) {
+  times.push_back(time);
+  if (fields.empty()) return fields.swap(one);
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    fields[k].numbers.insert(fields[k].numbers.end(), one[k].numbers.begin(), one[k].numbers.end());
+}
+
 MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watch watch) {
   for (auto const& change : changes) {
     if (change.drop)
@@ -75,6 +95,11 @@ MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watc
   MemoryRun out = without_rows(scene);
   RunOptions options;
   options.quiet = true, options.stop = std::move(watch.stop), options.watch = std::move(watch.see);
+  if (out.with_snapshots) {
+    SnapshotWriter const& writer = *scene.simulation.snapshots;
+    out.snapshots = begun(writer, static_cast<double>(scene.snapshots->rows()));
+    options.snapshot = [&](double time) { out.snapshots.add(time, writer.fields()); };
+  }
   out.report = scene::run_in_memory(scene, out.table, options);
   // One that ended early has set aside more than it took.
   if (out.table.size() < out.table.capacity() / 2) out.table.shrink_to_fit();
@@ -95,6 +120,20 @@ MemoryRun load_run(std::string const& folder) {
   std::vector<double> row(out.columns.size());
   while (reader->next(row)) out.table.insert(out.table.end(), row.begin(), row.end());
   out.summary = text_of(folder + "/summary.json");
+  return out;
+}
+
+MemorySnapshots load_snapshots(std::string const& folder) {
+  refuse_what_is_no_run(folder);
+  Scene const scene = Scene::read(SceneFile::read(folder + "/scene.toml"));
+  if (!scene.snapshots || !scene.simulation.snapshots) return {};
+  std::vector<double> times;
+  auto const reader = read_csv_series(folder + "/" + times_of_snapshots, {"snapshot", "t"});
+  for (std::vector<double> row(2); reader->next(row);) times.push_back(row[1]);
+  SnapshotWriter const& writer = *scene.simulation.snapshots;
+  MemorySnapshots out = begun(writer, static_cast<double>(times.size()));
+  for (double const time : times)
+    out.add(time, writer.fields_in(folder, static_cast<long>(out.times.size())));
   return out;
 }
 

@@ -9,6 +9,16 @@
 
 namespace actio::python {
 
+/// Snapshots of a field.
+struct MemorySnapshots {
+  std::vector<double> times;                      ///< of each
+  std::vector<scene::SnapshotArray> coordinates;  ///< the same for all of them
+  std::vector<scene::SnapshotArray> fields;       ///< the numbers of all times, one after the other
+
+  /// One more.
+  void add(double time, std::vector<scene::SnapshotArray> one);
+};
+
 /// The table of a run, and what belongs to it. The rows lie one after the other in `table`.
 struct MemoryRun {
   /// A quantity of the rows, its columns, and its unit in this scene.
@@ -22,6 +32,9 @@ struct MemoryRun {
   std::string time_unit;             ///< empty where the scene has units of its own
   std::string summary;               ///< JSON
   std::string scene;                 ///< with every default written out
+  scene::InputFiles inputs;          ///< with which it was read
+  bool with_snapshots = false;       ///< whether the scene asks for some
+  MemorySnapshots snapshots;         ///< that were taken
   scene::RunReport report;           ///< how it went; of a run that was read back only that it is there
 };
 
@@ -46,6 +59,10 @@ MemoryRun run_in_memory(scene::SceneFile file, std::vector<Change> const& change
 /// @throws SceneError  where there is no run in it
 /// @throws FileError   where its files cannot be read, or are not those of its scene
 MemoryRun load_run(std::string const& folder);
+
+/// The snapshots that are in the folder of a run.
+/// @throws SceneError, FileError  as \ref load_run; where one of them is not there
+MemorySnapshots load_snapshots(std::string const& folder);
 
 /// Writes what the command would leave, but no checkpoint, into a folder that is made, or is there and empty.
 /// @param scene     with every default written out; it names the formats of the table

@@ -72,24 +72,22 @@ class MediumOnMesh {
       throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
                           0);
     for (; count > 0; --count) {
-      kept_ = state_, kept_forces_ = forces_;
-      LeastJacobian least;
-      try {
-        least = attempt(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
-      } catch (NotConverged const& error) {
-        refuse_unsolved(error);
-      } catch (ViscosityNeedsShorterSteps const& error) {
-        put_back();
-        throw OutsideDomain("medium: viscosity of " + mesh_.cell_name(error.cell),
-                            "a step is not longer than small motions take to be damped", error.measured,
-                            error.bound);
-      } catch (...) {
-        put_back();
-        throw;
-      }
-      if (!(least.jacobian > 0)) refuse(least);
+      make_step(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
       ++steps_;
     }
+  }
+
+  /// One step of another length, and from then on steps of a third one.
+  /// @param first  of the one step; zero: there is none
+  /// @param step   of those that follow
+  /// @param made   how many of these are counted as made: the product is the time
+  /// @throws OutsideDomain, NotFinite  where there is no such step; and what \ref step throws
+  void change_step(double first, double step, long made) {
+    BodyStepping stepping = stepping_;
+    stepping.step = step;
+    stepping.examine();
+    if (first > 0) make_step(first, static_cast<double>(made) * step);
+    stepping_ = stepping, steps_ = made;
   }
 
   /// Steps of another length, before the first one is made: the start is the same for all.
@@ -267,6 +265,25 @@ class MediumOnMesh {
       if (!(least.jacobian > 0)) break;
     }
     return least;
+  }
+  /// One step, or none.
+  void make_step(double h, double end) {
+    kept_ = state_, kept_forces_ = forces_;
+    LeastJacobian least;
+    try {
+      least = attempt(h, end);
+    } catch (NotConverged const& error) {
+      refuse_unsolved(error);
+    } catch (ViscosityNeedsShorterSteps const& error) {
+      put_back();
+      throw OutsideDomain("medium: viscosity of " + mesh_.cell_name(error.cell),
+                          "a step is not longer than small motions take to be damped", error.measured,
+                          error.bound);
+    } catch (...) {
+      put_back();
+      throw;
+    }
+    if (!(least.jacobian > 0)) refuse(least);
   }
   /// Half of the step, a quarter, and so on: the first that would do from the state before the step, or 0.
   /// The state is that one afterwards.

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 
+#include "actio/scene/input_files.hpp"
 #include "actio/scene/run.hpp"
 #include "actio/scene/scene_error.hpp"
 #include "actio/scene/whole_file.hpp"
@@ -17,21 +16,10 @@ namespace actio::scene {
 namespace {
 
 // Another version may make other digits of the same scene.
-constexpr std::string_view heading = "actio checkpoint 2, " ACTIO_VERSION "\n";
+constexpr std::string_view heading = "actio checkpoint 3, " ACTIO_VERSION "\n";
 /// What to do where a checkpoint is of no use.
 constexpr char const* way_out = "; without it the run starts anew: remove it, then actio resume does so";
 
-/// FNV-1a, eight bytes at a time: enough to see that a file was damaged or belongs elsewhere.
-std::uint64_t hash(std::string_view bytes) {
-  std::uint64_t h = 14695981039346656037u ^ bytes.size();
-  for (std::size_t at = 0; at < bytes.size(); at += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(8, bytes.size() - at));
-    h = (h ^ word) * 1099511628211u;
-    h ^= h >> 32;
-  }
-  return h;
-}
 std::string as_bytes(std::uint64_t x) { return {reinterpret_cast<char const*>(&x), sizeof x}; }
 
 }  // namespace
@@ -53,28 +41,44 @@ void write_checkpoint(std::string const& path, std::string const& scene, std::st
                       bool durable) {
   // The state may be large: it is not copied behind its head.
   WholeFile file(path);
-  file.write(heading).write(as_bytes(hash(scene))).write(as_bytes(hash(state))).write(state).name(durable);
+  file.write(heading)
+      .write(as_bytes(fingerprint_of(scene)))
+      .write(as_bytes(fingerprint_of(state)))
+      .write(state)
+      .name(durable);
 }
 
-std::string read_checkpoint(std::string const& path, std::string const& scene) {
+std::string read_checkpoint(std::string const& path, std::optional<std::string> const& scene) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path + ": cannot be read");
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   std::size_t const start = heading.size() + 16;
-  if (!bytes.starts_with(heading.substr(0, heading.find("2,"))))
+  if (!bytes.starts_with(heading.substr(0, heading.find("3,"))))
     throw FileError(path + ": is damaged, or no checkpoint" + way_out);
   if (!bytes.starts_with(heading))
     throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION + way_out);
   if (bytes.size() < start) throw FileError(path + ": is damaged: it ends too early" + way_out);
-  if (bytes.substr(heading.size(), 8) != as_bytes(hash(scene)))
+  if (scene && bytes.substr(heading.size(), 8) != as_bytes(fingerprint_of(*scene)))
     throw FileError(
         path +
         ": belongs to another scene; scene.toml beside it was changed since, or the checkpoint is damaged" +
         way_out);
   std::string const sum = bytes.substr(heading.size() + 8, 8);
   bytes.erase(0, start);
-  if (sum != as_bytes(hash(bytes))) throw FileError(path + ": is damaged" + way_out);
+  if (sum != as_bytes(fingerprint_of(bytes))) throw FileError(path + ": is damaged" + way_out);
   return bytes;
+}
+
+void refuse_changed_inputs(std::string const& folder) {
+  std::string const path = folder + "/checkpoint";
+  CheckpointStream stream(read_checkpoint(path, {}));
+  InputFiles files;
+  try {
+    remember(stream, files);
+  } catch (Error const& error) {
+    throw FileError(path + ": is damaged: " + error.what());
+  }
+  refuse_changed(files);
 }
 
 double checkpoint_interval() {

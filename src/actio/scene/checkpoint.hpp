@@ -1,6 +1,7 @@
 // A place to go on from: the state of a run, written whole or not at all.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,10 +19,15 @@ std::string what_determines(SceneFile const& scene);
 /// @throws FileError
 void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state,
                       bool durable = true);
-/// The state in `path`.
+/// The state in `path`, which begins with the files that the scene was read with.
+/// @param scene  it has to belong to; none: whichever it belongs to
 /// @throws FileError  where it cannot be read, is damaged, or belongs to another scene or another version of
 ///                    the program
-std::string read_checkpoint(std::string const& path, std::string const& scene);
+std::string read_checkpoint(std::string const& path, std::optional<std::string> const& scene);
+/// Refuses to go on with the run in a folder where a file that its scene was read with has changed.
+/// @throws SceneError  with its name
+/// @throws FileError   as \ref read_checkpoint
+void refuse_changed_inputs(std::string const& folder);
 
 /// Writes a file whole or not at all, and sees to it that it is on the disk.
 /// @param durable  without it, only that it is there for other programs: a process that writes many small

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "actio/scene/series.hpp"
+#include "actio/scene/whole_file.hpp"
 
 namespace actio::scene {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 class CsvSeries : public Series {
  public:
   CsvSeries(std::string const& path, std::vector<std::string> const& columns, bool resume) : path_(path) {
+    if (resume) require_there(path);
     file_ = ::open(path.c_str(),
                    O_WRONLY | O_APPEND | O_CLOEXEC | (resume ? 0 : O_CREAT | O_TRUNC | O_NOFOLLOW), 0666);
     if (file_ < 0) fail("cannot be opened", errno);
@@ -55,6 +57,10 @@ class CsvSeries : public Series {
     }
     size_ += static_cast<off_t>(buffer_.size());
     buffer_.clear();
+    if (!has_its_name(file_, path_)) {
+      failure_ = lost_its_name(path_);
+      throw FileError(failure_);
+    }
   }
   void sync() override {
     flush();

@@ -10,6 +10,7 @@
 
 #include "actio/scene/hdf5_attributes.hpp"
 #include "actio/scene/hdf5_file.hpp"
+#include "actio/scene/whole_file.hpp"
 
 namespace actio::scene {
 namespace {
@@ -130,6 +131,7 @@ hid_t make(OpenFrames& open, std::string const& path, Hdf5Frames::Field const& f
       open.keep(h5->H5Dcreate2(open.file(), field.name.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT),
                 "cannot be written");
   hdf5::attach(h5, path, made, "meaning", field.meaning);
+  hdf5::attach(h5, path, made, "unit", field.unit);
   if (!field.components.empty()) hdf5::attach(h5, path, made, "components", field.components);
   return made;
 }
@@ -172,6 +174,7 @@ void Hdf5Frames::create(std::vector<std::pair<std::string, std::string>> const& 
 }
 
 void Hdf5Frames::cut(std::size_t frames) const {
+  require_there(path_);
   // Heads of data sets alone are written: the chunks of other frames stay, and are written over.
   hdf5::HeadsOnly const heads_only;
   OpenFrames open(path_);

@@ -26,6 +26,7 @@ class Hdf5Frames {
     std::string meaning;                       ///< in a few words
     std::vector<std::size_t> shape;            ///< of one frame
     std::vector<std::string> components = {};  ///< names along the last axis, where they have some
+    std::string unit = {};                     ///< empty: none is told
   };
   /// One that is the same for all frames: numbers, or counts.
   struct Constant {
@@ -38,6 +39,9 @@ class Hdf5Frames {
 
   /// Of these fields, besides `time`.
   Hdf5Frames(std::string path, std::vector<Field> fields);
+
+  /// These, and `time`, which is the last.
+  std::vector<Field> const& fields() const { return fields_; }
 
   /// A file without frames, in place of one that is there.
   /// @param texts  attributes of the file

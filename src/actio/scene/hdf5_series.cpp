@@ -34,8 +34,9 @@ class Hdf5Series : public Series {
   }
   void flush() override {
     file_.rethrow();
-    if (told_ == rows_) return;
     Session const h5;
+    file_.refuse_lost(h5);
+    if (told_ == rows_) return;
     if (rows_ % file_.rows_of_chunk() != 0) last_.write(h5, rows_, LastChunks::Last::growing);
     tell(h5);
   }

@@ -11,6 +11,7 @@
 
 #include "actio/scene/hdf5_attributes.hpp"
 #include "actio/scene/hdf5_file.hpp"
+#include "actio/scene/whole_file.hpp"
 
 namespace actio::scene::hdf5 {
 namespace {
@@ -105,6 +106,7 @@ void SeriesFile::tell(Session const& h5, hid_t object, char const* name, Texts c
 
 /// That the file to go on with is there, and is a table of this scene; how long its chunks are.
 void SeriesFile::look(Session const& h5) {
+  require_there(path_);
   hid_t const opened = h5->H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access_to_growing_file(h5));
   Handle const file(check(h5, opened, "cannot be opened"), h5->H5Fclose);
   for (auto& set : sets_) {
@@ -156,10 +158,16 @@ void SeriesFile::cut_back(Session const& h5, std::size_t rows) {
 void SeriesFile::flush(Session const& h5) {
   check(h5, h5->H5Fflush(file_, H5F_SCOPE_LOCAL), "cannot be written");
 }
-void SeriesFile::sync(Session const& h5) {
+int SeriesFile::descriptor(Session const& h5) {
   void* at = nullptr;
   check(h5, h5->H5Fget_vfd_handle(file_, H5P_DEFAULT, &at), "cannot be written");
-  if (::fdatasync(*static_cast<int*>(at)) != 0 && errno != EINVAL)
+  return *static_cast<int*>(at);
+}
+void SeriesFile::refuse_lost(Session const& h5) {
+  if (!has_its_name(descriptor(h5), path_)) fail(lost_its_name(path_));
+}
+void SeriesFile::sync(Session const& h5) {
+  if (::fdatasync(descriptor(h5)) != 0 && errno != EINVAL)
     fail(path_ + ": cannot be written: " + std::strerror(errno));
 }
 

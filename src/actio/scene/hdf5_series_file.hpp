@@ -56,6 +56,9 @@ class SeriesFile {
   void cut_back(Session const& h5, std::size_t rows);
   /// What the file tells of itself follows what was written.
   void flush(Session const& h5);
+  /// Refuses a file that was removed, or that another was put in the place of.
+  /// @throws FileError
+  void refuse_lost(Session const& h5);
   /// Everything so far is on the disk.
   void sync(Session const& h5);
 
@@ -74,6 +77,7 @@ class SeriesFile {
   void create(Session const& h5, DataSet const& set);
   void look(Session const& h5);
   void open(Session const& h5, std::string const& path);
+  int descriptor(Session const& h5);
   template <class Texts>
   void tell(Session const& h5, hid_t object, char const* name, Texts const& texts);
   template <class Act>

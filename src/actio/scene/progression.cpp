@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "actio/scene/checkpoint.hpp"
+#include "actio/scene/input_files.hpp"
 #include "actio/scene/own_files.hpp"
 #include "actio/scene/run.hpp"
 
@@ -17,13 +19,35 @@ std::pair<Progression, Taken> progression(Scene const& scene, std::string const&
   CheckpointStream stream(read_checkpoint(path, what_determines(scene.file)));
   Progression at;
   Taken taken;
+  InputFiles inputs;
   bool const with_snapshots = scene.snapshots && scene.simulation.snapshots;
-  if (stream.bytes().size() < sizeof at + (with_snapshots ? sizeof taken : 0))
-    throw FileError(path + ": is damaged: it ends too early");
-  stream(at);
+  try {
+    remember(stream, inputs);
+    stream(at);
+    if (with_snapshots) stream(taken);
+  } catch (Error const& error) {
+    throw FileError(path + ": is damaged: " + error.what());
+  }
   check_rows(at, scene, place);
-  if (with_snapshots) stream(taken), check_snapshots(taken, scene, place);
+  if (with_snapshots) check_snapshots(taken, scene, place);
   return {at, taken};
+}
+
+/// The remarks at the head of a scene, which tell how its run came about.
+std::string head_of(std::string const& text) {
+  std::size_t end = 0;
+  while (end < text.size() && text[end] == '#') end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  return text.substr(0, end);
+}
+
+/// The scene of a run, changed as an option says.
+/// @param here  the option, in whose name what is wrong is told
+Scene changed(Place const& here, std::string const& folder, std::vector<std::string> const& overrides) {
+  try {
+    return Scene::read(SceneFile::read(folder + "/scene.toml", overrides));
+  } catch (SceneError const& error) {
+    throw SceneError(here, error.what());  // for instance that the step does not meet the time
+  }
 }
 
 }  // namespace
@@ -68,17 +92,38 @@ Scene extended(Scene const& scene, std::string const& folder, double until) {
     throw SceneError(here, fmt::format("the run goes to t = {} already; a later time is expected",
                                        scene.schedule.until()));
   std::string const path = folder + "/scene.toml";
+  Scene const longer = changed(here, folder, {fmt::format("run.until={}", until)});
+  if (std::filesystem::exists(folder + "/checkpoint")) progression(longer, folder, here);
+  // A checkpoint does not say how far a run is to go: it belongs to the scene before this instant and after
+  // it.
+  write_whole_file(path, head_of(SceneFile::text_of(path)) + longer.file.written());
+  return Scene::read(SceneFile::read(path));
+}
+
+Scene with_other_step(Scene const& scene, std::string const& folder, double step) {
+  Place const here{fmt::format("--step {}", step)};
+  if (scene.simulation.exact)
+    throw SceneError(here, "the method of this run goes to any time at once, and has no steps");
+  if (step == scene.simulation.step) throw SceneError(here, "the steps of this run have that length already");
+  Scene out = changed(here, folder, {fmt::format("method.step={}", step), "output.error_estimate=false"});
+  refuse_without_step(out);
+  return out;
+}
+
+void finish_change_of_step(std::string const& folder) {
+  std::string const path = folder + "/scene.toml", part = path + ".part", checkpoint = folder + "/checkpoint";
+  if (!std::filesystem::exists(part) || !std::filesystem::exists(checkpoint)) return;
   try {
-    Scene const longer = Scene::read(SceneFile::read(path, {fmt::format("run.until={}", until)}));
-    if (std::filesystem::exists(folder + "/checkpoint")) progression(longer, folder, here);
-    // A checkpoint does not say how far a run is to go: it belongs to the scene before this instant and after
-    // it.
-    write_whole_file(path, longer.file.written());
-    return Scene::read(SceneFile::read(path));
-  } catch (SceneError const& error) {
-    if (error.place.file == here.file) throw;
-    throw SceneError(here, error.what());  // for instance that the step does not meet the time
+    read_checkpoint(checkpoint, what_determines(Scene::read(SceneFile::read(part)).file));
+  } catch (Error const&) {
+    return;  // something else left it
   }
+  std::filesystem::rename(part, path);
+}
+
+std::string in_words(StepChange const& change) {
+  return fmt::format("from t = {} on the steps have the length {}, before {}", change.time, change.step,
+                     change.before);
 }
 
 }  // namespace actio::scene

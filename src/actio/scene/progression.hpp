@@ -3,6 +3,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "actio/scene/scene.hpp"
 
@@ -14,7 +15,18 @@ struct Progression {
   long rows = 0;       ///< written
   double time = 0;     ///< of the last row
   double seconds = 0;  ///< of all processes
+  long besides = 0;    ///< steps of other lengths, over those that are counted in their place
 };
+/// From a time on the steps had another length.
+struct StepChange {
+  double time = 0;    ///< of the state
+  double before = 0;  ///< their length up to there
+  double step = 0;    ///< and from there on
+};
+using StepChanges = std::vector<StepChange>;
+/// `# From t = 0.5 on steps of 0.001, before of 0.002`
+std::string in_words(StepChange const& change);
+
 /// How many snapshots it has: in the checkpoints of scenes that ask for some.
 struct Taken {
   long snapshots = 0;  ///< written

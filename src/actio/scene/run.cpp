@@ -3,20 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 
+#include "actio/scene/change_of_step.hpp"
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/error_estimate.hpp"
-#include "actio/scene/memory_series.hpp"
-#include "actio/scene/own_files.hpp"
 #include "actio/scene/poll_interval.hpp"
 #include "actio/scene/progress.hpp"
-#include "actio/scene/run_files.hpp"
+#include "actio/scene/run_output.hpp"
 #include "actio/scene/run_position.hpp"
+#include "actio/scene/whole_file.hpp"
 
 namespace actio::scene {
 namespace {
@@ -26,9 +25,12 @@ using Clock = PollInterval::Clock;
 /// The run of one scene.
 class Run {
  public:
-  Run(Scene& scene, std::string const& folder, bool resume, RunOptions const& options)
+  /// @param before  the scene with the steps up to the checkpoint, where they had another length
+  Run(Scene& scene, std::string const& folder, bool resume, RunOptions const& options,
+      Scene* before = nullptr)
       : scene_(scene),
         simulation_(scene.simulation),
+        before_(before),
         folder_(folder),
         resumed_(resume),
         options_(options),
@@ -37,31 +39,19 @@ class Run {
         progress_(options.quiet, simulation_.exact ? "rows" : "steps"),
         written_(scene.file.written()),
         determined_(folder.empty() ? "" : what_determines(scene.file)),
-        position_(scene, !folder.empty() && scene.snapshots && simulation_.snapshots) {
+        position_(scene, scene.snapshots && simulation_.snapshots && (!folder.empty() || options.snapshot)) {
     row_.resize(1 + simulation_.quantities.row_size());
-    if (in_memory()) return;
-    if (!resume) write_whole_file(folder + "/scene.toml", written_, options_.durable);
-    SeriesHead const head = series_head(scene, written_, scene.schedule.rows());
-    for (auto const& format : scene.formats)
-      if (format == "csv" || format == "hdf5") series_.push_back(open_series(folder, format, head, resume));
-    if (position_.with_snapshots()) {
-      OwnFiles(folder).claim(files_of_snapshots(scene));
-      times_ = csv_series(folder + "/" + times_of_snapshots, {"snapshot", "t"}, resume);
-    }
+    if (!in_memory() && !resume) write_whole_file(folder + "/scene.toml", written_, options_.durable);
+    output_.emplace(scene, folder, resume, position_.with_snapshots(), options.snapshot);
     if (resume) restore();
-    if (position_.with_snapshots()) {
-      if (resume)
-        if (std::string told = missing_snapshots(scene, folder, position_.snapshots()); !told.empty())
-          simulation_.remarks.push_back(std::move(told));
-      std::vector<double> taken;
-      for (long k = 0; k < position_.snapshots(); ++k) taken.push_back(scene.snapshots->time(k));
-      simulation_.snapshots->begin(folder, taken);
-    }
+    for (auto const& change : position_.step_changes())
+      simulation_.remarks.push_back("step: " + in_words(change));
+    output_->begin_snapshots(position_.snapshots());
   }
 
   /// Into a table in memory, without a folder.
   Run(Scene& scene, std::vector<double>& table, RunOptions const& options) : Run(scene, "", false, options) {
-    series_.push_back(memory_series(table, static_cast<std::size_t>(scene.schedule.rows()), row_.size()));
+    output_->add_table(table, row_.size());
   }
 
   RunReport go() {
@@ -94,6 +84,13 @@ class Run {
     if (resumed_) {
       std::error_code none;
       std::filesystem::remove(folder_ + "/summary.json", none);  // how the part before ended
+      if (before_) {
+        // Both belong together: what comes between them is put right by `finish_change_of_step`.
+        WholeFile scene(folder_ + "/scene.toml");
+        scene.write(with_remarks(written_, position_.step_changes()));
+        checkpoint();
+        scene.name(options_.durable);
+      }
     } else {
       if (!drift_.empty() && scene_.schedule.time(0) > 0) {
         simulation_.quantities.evaluate(std::span(row_).subspan(1));
@@ -120,17 +117,10 @@ class Run {
       if (next == Next::row)
         write_row(t);
       else
-        take_snapshot(t);
+        output_->take_snapshot(position_.snapshots(), t, options_.durable), position_.wrote_snapshot(t);
       if (poll_.due()) look_up();
     }
     return true;
-  }
-  /// A file that was not written whole is not told of.
-  void take_snapshot(double t) {
-    simulation_.snapshots->write(folder_, position_.snapshots(), t, options_.durable);
-    times_->add(std::array{static_cast<double>(position_.snapshots()), t});
-    times_->flush();
-    position_.wrote_snapshot(t);
   }
 
   /// @return false where it was asked to stop on the way
@@ -160,7 +150,7 @@ class Run {
     drift_.see(values, simulation_.quantities.natural_units());
     long const row = position_.rows();
     error_.see(row, t, position_.steps(), row + 1 == scene_.schedule.rows());
-    for (auto& series : series_) series->add(row_);
+    output_->add_row(row_);
     position_.wrote_row(t), wrote_ = true;
   }
   /// A NaN or an infinity in a row.
@@ -177,7 +167,7 @@ class Run {
   void look_up() {
     auto const now = poll_.look();
     if (now - last_flush_ >= std::chrono::milliseconds(500)) {
-      for (auto& series : series_) series->flush();
+      output_->flush(position_.snapshots(), false);
       last_flush_ = now;
     }
     progress_.show(now, position_.fraction(), position_.count(),
@@ -188,33 +178,47 @@ class Run {
 
   void checkpoint() {
     if (in_memory()) return;
-    for (auto& series : series_) options_.durable ? series->sync() : series->flush();
-    if (times_) options_.durable ? times_->sync() : times_->flush();
+    std::string const scene = folder_ + "/scene.toml";
+    if (std::error_code none; !std::filesystem::exists(scene, none))
+      write_whole_file(scene, with_remarks(written_, position_.step_changes()), options_.durable);
+    output_->each_table([&](Series& table) { options_.durable ? table.sync() : table.flush(); });
     CheckpointStream stream;
     remember(stream);
     write_checkpoint(folder_ + "/checkpoint", determined_, stream.bytes(), options_.durable);
     last_checkpoint_ = Clock::now();
   }
-  void remember(CheckpointStream& stream) {
-    position_.remember(stream);
-    if (position_.with_snapshots()) stream(row_);
-    simulation_.motion->remember(stream);
+  void remember(CheckpointStream& stream) { remember(stream, scene_, position_, error_); }
+  void remember(CheckpointStream& stream, Scene& scene, RunPosition& position, ErrorEstimate& error) {
+    InputFiles files = scene.file.inputs();
+    scene::remember(stream, files);
+    if (stream.reading()) refuse_changed(files, scene.file.inputs());
+    position.remember(stream);
+    if (position.with_snapshots()) stream(row_);
+    scene.simulation.motion->remember(stream);
     simulation_.quantities.remember(stream);
     drift_.remember(stream);
-    error_.remember(stream);
-    for (auto& series : series_) series->remember(stream);
-    if (times_) times_->remember(stream);
+    error.remember(stream);
+    output_->each_table([&](Series& table) { table.remember(stream); });
     stream.end();
   }
   void restore() {
     std::string const path = folder_ + "/checkpoint";
-    CheckpointStream stream(read_checkpoint(path, determined_));
+    Scene& scene = before_ ? *before_ : scene_;
+    RunPosition position(scene, position_.with_snapshots());
+    ErrorEstimate estimate(scene.simulation);
+    CheckpointStream stream(read_checkpoint(path, what_determines(scene.file)));
     try {
-      remember(stream);
+      remember(stream, scene, before_ ? position : position_, before_ ? estimate : error_);
     } catch (FileError const&) {
+      throw;
+    } catch (SceneError const&) {
       throw;
     } catch (Error const& error) {
       throw FileError(path + ": is damaged: " + error.what());
+    }
+    if (before_) {
+      double const first = position_.change_step(position);
+      hand_over(*before_->simulation.motion, *simulation_.motion, first, simulation_.step, position_.steps());
     }
     position_.check(path);
   }
@@ -234,23 +238,27 @@ class Run {
     // What is in memory goes with the files only while none of them has failed, and while the last steps were
     // whole: otherwise the checkpoint before stands.
     bool const whole = report.ending == Ending::done || report.ending == Ending::interrupted;
-    for (auto& series : series_) attempt([&] { series->flush(); });
-    if (times_) attempt([&] { times_->flush(); });
+    output_->each_table([&](Series& table) { attempt([&] { table.flush(); }); });
+    attempt([&] { output_->show_snapshots(position_.snapshots(), true); });
     if (whole && report.ending != Ending::file_failed) attempt([&] { checkpoint(); });
     if (report.ending == Ending::done)
       progress_.show(Clock::now(), 1, position_.count(),
                      drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
-    report.steps = position_.steps(), report.rows = position_.rows();
+    report.steps = position_.steps_of_any_length(), report.rows = position_.rows();
     report.snapshots = position_.snapshots(), report.seconds = position_.seconds();
     report.drift = drift_.entries();
     report.error = error_.entries(), report.error_how = error_.how();
+    report.step_changes = position_.step_changes();
+    if (!report.step_changes.empty())
+      report.error.clear(), report.error_how = fmt::format("not estimated: the step was changed at t = {}",
+                                                           report.step_changes.front().time);
     report.summary = summary_json(scene_, report);
     // A run with snapshots may be beyond its last row, and has it from its checkpoint.
     if (!wrote_ && report.ending == Ending::done && !position_.with_snapshots()) evaluate_last_row();
     if (wrote_ || report.ending == Ending::done) report.last_row = row_;
     // The tables are closed before the summary says that the run is finished: after a kill in between,
     // `resume` closes them.
-    series_.clear(), times_.reset();
+    output_->close();
     if (!in_memory())
       attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
   }
@@ -268,6 +276,7 @@ class Run {
 
   Scene& scene_;
   Simulation& simulation_;
+  Scene* before_;
   std::string folder_;
   bool resumed_;
   RunOptions options_;
@@ -277,10 +286,9 @@ class Run {
   PollInterval poll_;
   std::string written_, determined_;
   RunPosition position_;
-  std::vector<std::unique_ptr<Series>> series_;
+  std::optional<RunOutput> output_;
   std::vector<double> row_;
-  std::unique_ptr<Series> times_;  // of the snapshots
-  bool wrote_ = false;             // a row, in this process
+  bool wrote_ = false;  // a row, in this process
   Clock::time_point last_flush_ = Clock::now(), last_checkpoint_ = last_flush_;
 };
 
@@ -294,6 +302,10 @@ void refuse_without_step(Scene const& scene) {
 
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options) {
   return Run(scene, folder, resume, options).go();
+}
+RunReport run_with_other_step(Scene& scene, Scene& before, std::string const& folder,
+                              RunOptions const& options) {
+  return Run(scene, folder, true, options, &before).go();
 }
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) {
   return Run(scene, table, options).go();

@@ -9,6 +9,7 @@
 #include "actio/scene/drift.hpp"
 #include "actio/scene/error_estimate.hpp"
 #include "actio/scene/interrupt.hpp"
+#include "actio/scene/progression.hpp"
 #include "actio/scene/scene.hpp"
 #include "actio/scene/series.hpp"
 
@@ -33,6 +34,8 @@ struct RunOptions {
   std::function<bool()> stop = interrupted;  ///< whether to end between two steps
   /// Told how far the run is, from 0 to 1, and its time: about a hundred times a second. May be empty.
   std::function<void(double fraction, double time)> watch = {};
+  /// Of a run in memory: told of each snapshot when the motion is there; empty: there are none.
+  std::function<void(double time)> snapshot = {};
 };
 
 /// How a run went.
@@ -49,7 +52,8 @@ struct RunReport {
   std::string error_how;  ///< in words: how it is estimated, or why it is not
   /// of the run where it is done, otherwise that this process wrote; the time first
   std::vector<double> last_row;
-  std::string summary;  ///< as in summary.json
+  StepChanges step_changes;  ///< of \ref with_other_step
+  std::string summary;       ///< as in summary.json
 };
 
 /// What the table of a run tells besides its numbers.
@@ -68,7 +72,16 @@ void refuse_without_step(Scene const& scene);
 /// computed is in the files when it returns, whatever the ending. The caller has the folder for itself
 /// (\ref RunFolder).
 /// @throws FileError  where its files cannot be made, or those that are there are not those of the checkpoint
+/// @throws SceneError  where a file that the scene was read with has changed
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options = {});
+/// Goes on from the checkpoint in the folder with steps of another length, which scene.toml says from then
+/// on. The steps are at multiples of it: a shorter one leads from the state to the first of them.
+/// @param before  the scene as it was, whose checkpoint is in the folder
+/// @throws NumericsError  where the state can take no such step; all is then as it was, but for rows after
+///                        the checkpoint
+/// @throws SceneError     where a row lies within the shorter step
+RunReport run_with_other_step(Scene& scene, Scene& before, std::string const& folder,
+                              RunOptions const& options = {});
 
 /// Runs a scene into a table in memory, row after row, the time first; leaves no file.
 /// @throws TooLarge  where the memory does not suffice for the table (memory_series.hpp)
@@ -85,6 +98,14 @@ bool run_is_finished(Scene const& scene, std::string const& folder);
 ///                     no rows or steps that meet the time
 /// @throws FileError   where the checkpoint cannot be read, is damaged, or belongs to another scene
 Scene extended(Scene const& scene, std::string const& folder, double until);
+
+/// The scene of the run in this folder with steps of another length.
+/// @throws SceneError  where it has no steps, or rows are at no multiples of such
+/// @throws NumericsError  where its start could take no such step
+Scene with_other_step(Scene const& scene, std::string const& folder, double step);
+/// Where `run_with_other_step` was killed between the checkpoint and scene.toml, which belong together, the
+/// latter gets its name.
+void finish_change_of_step(std::string const& folder);
 
 /// Seconds between two checkpoints: what the environment variable ACTIO_CHECKPOINT_SECONDS says, otherwise
 /// those of `RunOptions`.

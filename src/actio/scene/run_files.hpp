@@ -10,10 +10,17 @@ namespace actio::scene {
 
 /// The table of the times of the snapshots.
 inline constexpr char const* times_of_snapshots = "snapshots/times.csv";
+/// The table of the rows, in each of its formats.
+std::vector<std::string> files_of_table(Scene const& scene);
 /// The files of the snapshots, as the writer names them.
 std::vector<std::string> files_of_snapshots(Scene const& scene);
-/// Which files of the first snapshots are not in the folder of a run any more, in words; empty where all are.
+/// Files that are not in a folder any more.
+struct Missing {
+  std::size_t count = 0;  ///< how many
+  std::string told;       ///< which, in words
+};
+/// Those of the first snapshots of a run.
 /// @param taken  how many snapshots were taken
-std::string missing_snapshots(Scene const& scene, std::string const& folder, long taken);
+Missing missing_snapshots(Scene const& scene, std::string const& folder, long taken);
 
 }  // namespace actio::scene

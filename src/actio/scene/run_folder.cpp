@@ -56,7 +56,10 @@ RunFolder RunFolder::create(std::string const& path, bool replace, std::vector<s
   }
 }
 
-RunFolder RunFolder::open(std::string const& path) { return {look(path), FolderLock(path)}; }
+RunFolder RunFolder::open(std::string const& path) {
+  // Who asks whether a run goes on here has the folder for an instant (`in_use`).
+  return {look(path), FolderLock(path, std::chrono::milliseconds(200))};
+}
 
 bool RunFolder::in_use(std::string const& path) {
   int const handle = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

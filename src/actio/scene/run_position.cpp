@@ -55,10 +55,33 @@ double RunPosition::seconds() const {
 }
 
 void RunPosition::remember(CheckpointStream& stream) {
-  Progression place{at_.steps, at_.rows, at_.time, seconds()};
+  Progression place = at_;
+  place.seconds = seconds();
   stream(place);
   if (stream.reading()) at_ = place;
   if (snapshots_) stream(taken_);
+  stream(changes_);
+}
+double RunPosition::change_step(RunPosition const& before) {
+  double const step = scene_.simulation.step, old = before.scene_.simulation.step, t = before.time();
+  constexpr double near = 1e-9;  // as rows are near a multiple of the step
+  double const ratio = t / step, tolerance = near * std::max(1.0, ratio);
+  auto const made = static_cast<long>(std::ceil(ratio - tolerance));
+  double const end = static_cast<double>(made) * step, first = end - t > tolerance * step ? end - t : 0;
+  at_ = before.at_, taken_ = before.taken_, changes_ = before.changes_;
+  if (double const next = at_end() ? end : time_of(this->next());
+      first > 0 && next < end - tolerance * step) {
+    SceneTable const run = scene_.file.section("run");
+    throw SceneError(
+        run.place(run.has("between_steps") ? "between_steps" : "until"),
+        fmt::format(
+            "the state is that at t = {0}, and a row at t = {1} comes before the next multiple of {2}; "
+            "a step of {3}, of which the time of the state is a multiple, has no such row",
+            t, next, step, made > 0 ? t / static_cast<double>(made) : step));
+  }
+  at_.steps = made, at_.besides = before.steps_of_any_length() + (first > 0) - made;
+  changes_.push_back({t, old, step});
+  return first;
 }
 void RunPosition::check(std::string const& checkpoint) const {
   Place const until = scene_.file.section("run").place("until");

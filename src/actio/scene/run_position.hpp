@@ -23,7 +23,7 @@ class RunPosition {
   /// @throws SceneError  where a row or a snapshot is at no multiple of the step
   RunPosition(Scene const& scene, bool snapshots);
 
-  long steps() const { return at_.steps; }             ///< taken
+  long steps() const { return at_.steps; }             ///< taken; at their product with the length
   long rows() const { return at_.rows; }               ///< written
   long snapshots() const { return taken_.snapshots; }  ///< written
   bool with_snapshots() const { return snapshots_; }   ///< whether there are any to write
@@ -36,6 +36,14 @@ class RunPosition {
   double beyond_steps(Next what) const;  ///< the time from there to it: zero, or less than a step
   /// The time from the last whole step before the last row of the scene to that row.
   double beyond_steps_to_last_row() const;
+
+  /// Goes on from another position with steps of the length that this scene has.
+  /// @return the length of the step that leads there first, zero where it needs none
+  /// @throws SceneError  where a row or a snapshot lies within it
+  double change_step(RunPosition const& before);
+  /// Where the steps had another length before.
+  StepChanges const& step_changes() const { return changes_; }
+  long steps_of_any_length() const { return at_.steps + at_.besides; }  ///< taken
 
   void made(long steps) { at_.steps += steps; }                           ///< steps
   void wrote_row(double t) { ++at_.rows, at_.time = t; }                  ///< at this time
@@ -73,6 +81,7 @@ class RunPosition {
   std::optional<StepsToRows> steps_to_rows_, steps_to_snapshots_;
   Progression at_;  // its seconds: those of the processes before
   Taken taken_;
+  StepChanges changes_;
   Clock::time_point began_ = Clock::now();
 };
 

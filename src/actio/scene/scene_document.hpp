@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "actio/scene/input_files.hpp"
 #include "actio/scene/scene_error.hpp"
 
 namespace actio::scene::detail {
@@ -19,6 +20,7 @@ struct SceneDocument {
   toml::table root;
   unsigned last_line = 1;
   std::vector<Path> defaults;  ///< what was written back, in that order
+  InputFiles inputs;           ///< files that it names, and that were read
 
   /// The table at a path; null where there is none.
   /// @throws SceneError  where something on the way is no table, at its place

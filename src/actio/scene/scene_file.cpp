@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/scene_document.hpp"
@@ -103,5 +104,27 @@ void SceneFile::allow(std::vector<std::string> const& sections) const {
   SceneTable(document_, {}).allow(sections);
 }
 std::string const& SceneFile::name() const { return document_->name; }
+InputFiles const& SceneFile::inputs() const { return document_->inputs; }
+
+std::pair<std::string, std::string> SceneTable::read_file(std::string const& key, std::string const& what) {
+  std::string const given = text(key);
+  std::error_code error;
+  fs::path const beside = fs::path(document_->name).parent_path() / given,
+                 whole = fs::absolute(beside, error);
+  std::string const path =
+      fs::path(given).is_absolute() ? given : (error ? beside : whole.lexically_normal()).string();
+  if (!fs::exists(path, error)) fail(key, fmt::format("{}: {}: there is no such file", key, path));
+  if (!fs::is_regular_file(path, error))
+    fail(key, fmt::format("{}: {} is expected, {} is {}", key, what, path,
+                          fs::is_directory(path, error) ? "a folder" : "no ordinary file"));
+  std::ifstream in(path, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(in), {}};
+  if (!in || in.bad()) fail(key, fmt::format("{}: {}: the file cannot be read", key, path));
+  auto& inputs = document_->inputs;
+  std::erase_if(inputs, [&](InputFile const& before) { return before.path == path; });
+  inputs.push_back({path, content.size(), fingerprint_of(content)});
+  if (path != given) set(key, path);
+  return {path, std::move(content)};
+}
 
 }  // namespace actio::scene

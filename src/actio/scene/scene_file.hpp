@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "actio/scene/input_files.hpp"
 #include "actio/scene/scene_error.hpp"
 
 namespace actio::scene {
@@ -93,6 +94,14 @@ class SceneTable {
   /// The table that the value is. Where it is something else, what is read from it is refused at its place.
   SceneTable inside(std::string const& key) const;
 
+  /// Reads the file that a text names, by a path beside the scene: every file that a scene names is read
+  /// here. The scene keeps in mind what was in it (`SceneFile::inputs`), and its copy names it by its whole
+  /// path.
+  /// @param what  is expected, for the complaint: "a mesh of Gmsh"
+  /// @return its whole path, and what is in it
+  /// @throws SceneError  where there is no such file, or it is no ordinary one that can be read
+  std::pair<std::string, std::string> read_file(std::string const& key, std::string const& what);
+
   /// Writes a default, for the copy of the scene.
   void set(std::string const& key, double value);
   void set(std::string const& key, long value);                                          ///< a whole number
@@ -147,6 +156,8 @@ class SceneFile {
   void allow(std::vector<std::string> const& sections) const;
   /// The name of the file, for complaints and defaults.
   std::string const& name() const;
+  /// The files that were read because the scene names them.
+  InputFiles const& inputs() const;
   /// The scene with what was written back, in TOML: sections in the order of reading, keys in the order of
   /// the file, defaults after them.
   std::string written() const;

@@ -41,6 +41,12 @@ class Motion {
     (void)other;
     return {};
   }
+  /// One step of another length, and from then on steps of a third one.
+  /// @param first  the length of the one step, at most that of a step so far; zero: there is none
+  /// @param step   the length of those that follow
+  /// @param made   how many of these there are since the start then: the product is the time
+  /// @throws what `advance` throws
+  virtual void change_step(double first, double step, long made) { (void)first, (void)step, (void)made; }
   /// Saves, or restores, all that the next step depends on. A motion that goes to any time at once has
   /// nothing to remember.
   virtual void remember(CheckpointStream& stream) { (void)stream; }

@@ -39,6 +39,18 @@ struct SnapshotRequest {
 
 struct PlayedMedium;
 
+/// Numbers of a snapshot, or of what all have in common, along named axes: for who has them in memory.
+struct SnapshotArray {
+  std::string name;                  ///< as in the files
+  std::string meaning;               ///< in a few words
+  std::vector<std::string> axes;     ///< "node", "component"
+  std::vector<std::size_t> shape;    ///< along them
+  std::vector<double> numbers;       ///< the last axis fastest
+  std::vector<std::string> names{};  ///< along the last axis, where they have some
+  std::string unit{};                ///< empty where it is not known
+  bool counts = false;               ///< whether they are whole numbers
+};
+
 /// What writes the snapshots of one run: the state of its motion at the time of the call.
 class SnapshotWriter {
  public:
@@ -59,6 +71,17 @@ class SnapshotWriter {
   /// @param durable  whether it is on the disk afterwards
   /// @throws FileError
   virtual void write(std::string const& folder, long number, double time, bool durable) = 0;
+  /// What was written is in the files in which all share, for others to see.
+  /// @param at_once  otherwise only where that is due: it takes no more than a small part of the time
+  /// @throws FileError
+  virtual void flush(std::string const& folder, bool at_once) { (void)folder, (void)at_once; }
+  /// The places to which the numbers of every snapshot belong.
+  virtual std::vector<SnapshotArray> coordinates() const = 0;
+  /// What a snapshot of the state now holds: the numbers that `write` would write.
+  virtual std::vector<SnapshotArray> fields() const = 0;
+  /// The same of a snapshot that was written.
+  /// @throws FileError  where it cannot be read
+  virtual std::vector<SnapshotArray> fields_in(std::string const& folder, long number) const = 0;
   /// What the pictures of a run show of a medium; null where there is none.
   /// @param times  of the snapshots that are in the folder
   /// @throws FileError  where one cannot be read

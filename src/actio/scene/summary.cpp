@@ -16,6 +16,8 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
                                                          : "failed";
   if (!report.message.empty()) out["message"] = report.message;
   out["steps"] = report.steps;
+  for (auto const& change : report.step_changes)
+    out["step_changes"].push_back({{"t", change.time}, {"before", change.before}, {"step", change.step}});
   // Where a file failed, rows that were computed last may not be in it.
   if (report.ending != Ending::file_failed) out["rows"] = report.rows;
   if (scene.snapshots) out["snapshots"] = report.snapshots;

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> const files{"sweep.toml", "sweep.toml.part", "sweep.csv", "sweep.csv.part",
-                                     ".results"};
+std::vector<std::string> const files{"sweep.toml", "sweep.toml.part", "sweep.csv",   "sweep.csv.part",
+                                     ".results",   ".inputs",         ".inputs.part"};
 
 /// Before each result among the kept ones: how long it is, and a sum over its bytes. One that was cut off is
 /// none.
@@ -170,6 +170,25 @@ SweepFolder::SweepFolder(SweepFolder&& other) noexcept
       results_(std::exchange(other.results_, -1)) {}
 SweepFolder::~SweepFolder() {
   if (results_ >= 0) ::close(results_);
+}
+
+void SweepFolder::keep_inputs(InputFiles const& inputs) const {
+  CheckpointStream stream;
+  InputFiles copy = inputs;
+  remember(stream, copy);
+  write_whole_file(path_ + "/.inputs", stream.bytes());
+}
+InputFiles SweepFolder::inputs(std::string const& path) {
+  std::ifstream in(path + "/.inputs", std::ios::binary);
+  if (!in) return {};
+  CheckpointStream stream(std::string{std::istreambuf_iterator<char>(in), {}});
+  InputFiles out;
+  try {
+    remember(stream, out);
+  } catch (Error const& error) {
+    throw FileError(path + "/.inputs: is damaged: " + error.what());
+  }
+  return out;
 }
 
 std::vector<MemberResult> SweepFolder::kept() const {

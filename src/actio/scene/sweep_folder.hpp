@@ -3,6 +3,7 @@
 //     sweep.toml      the plan: the text of the scene, what is set and what is swept
 //     sweep.csv       the table, written anew from time to time
 //     .results        what each member told when it ended, as bytes: a sweep that goes on has them from there
+//     .inputs         the files that its scenes were read with
 //     .actio          the list of these files, and how many members there are
 //     000000/ ...     the members, each with a list of its own
 #pragma once
@@ -43,6 +44,12 @@ class SweepFolder {
   SweepFolder& operator=(SweepFolder const&) = delete;
   ~SweepFolder();
 
+  /// Keeps the files that the scenes were read with, so that members that run later have the same.
+  /// @throws FileError
+  void keep_inputs(InputFiles const& inputs) const;
+  /// Those of the sweep in a folder; none where nothing was kept.
+  /// @throws FileError
+  static InputFiles inputs(std::string const& path);
   /// What was kept; the latest of each member.
   /// @throws FileError
   std::vector<MemberResult> kept() const;

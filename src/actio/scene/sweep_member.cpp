@@ -4,15 +4,11 @@
 
 #include "actio/scene/pictures.hpp"
 #include "actio/scene/run_folder.hpp"
+#include "actio/scene/sweep_folder.hpp"
 
 namespace actio::scene {
 namespace {
 
-void remember(CheckpointStream& stream, std::string& text) {
-  std::vector<char> letters(text.begin(), text.end());
-  stream(letters);
-  text.assign(letters.begin(), letters.end());
-}
 template <class T, class RememberOne>
 void remember(CheckpointStream& stream, std::vector<T>& list, RememberOne const& one) {
   std::size_t size = list.size();
@@ -30,6 +26,7 @@ void remember(CheckpointStream& stream, MemberResult& result) {
   remember(stream, result.error,
            [&](ErrorEstimate::Entry& entry) { remember(stream, entry.name), stream(entry.error); });
   remember(stream, result.columns, [&](std::string& name) { remember(stream, name); });
+  remember(stream, result.inputs), stream(result.input_changed);
 }
 
 /// What a run would refuse only after it has begun.
@@ -104,10 +101,15 @@ MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member,
   try {
     Scene scene = plan.read(member);
     check_member(scene);
+    if (task == MemberTask::check)
+      result.inputs = scene.file.inputs();
+    else if (!scene.file.inputs().empty())
+      refuse_changed(SweepFolder::inputs(plan.folder()), scene.file.inputs());
     result.rows = scene.schedule.rows(), result.bytes = bytes_of(scene);
     if (task == MemberTask::run) run_member(plan, scene, stop, result);
   } catch (SceneError const& error) {
     failed(Ending::scene_wrong, error);
+    result.input_changed = dynamic_cast<InputChanged const*>(&error) != nullptr;
   } catch (FileError const& error) {
     failed(Ending::file_failed, error);
   } catch (std::exception const& error) {

@@ -20,6 +20,8 @@ struct MemberResult {
   std::vector<ErrorEstimate::Entry> error;  ///< of attitude and momentum, estimated
   std::vector<std::string> columns;         ///< of its series, the time first
   std::vector<double> last_row;             ///< one for each of them
+  InputFiles inputs;                        ///< with which its scene was read, where that was the task
+  bool input_changed = false;               ///< whether it ended since one of them is not what it was
 
   /// As bytes, for another process.
   std::string packed() const;

@@ -23,8 +23,8 @@ constexpr int not_run = static_cast<int>(Ending::interrupted);
 
 /// Whether there is nothing more to do for a member: another try would end alike.
 bool is_final(MemberResult const& result) {
-  return result.status == 0 || result.status == static_cast<int>(Ending::scene_wrong) ||
-         result.status == static_cast<int>(Ending::numerics_failed);
+  return result.status == 0 || result.status == static_cast<int>(Ending::numerics_failed) ||
+         (result.status == static_cast<int>(Ending::scene_wrong) && !result.input_changed);
 }
 
 /// `3 failed (status 2: 1, status 3: 2)`
@@ -91,6 +91,7 @@ class SweepRun {
     std::string open(results_.size(), '1');
     if (options_.resume) {
       folder_.emplace(SweepFolder::open(plan_.folder()));
+      refuse_changed(SweepFolder::inputs(plan_.folder()));
       for (auto& result : folder_->kept())
         if (std::size_t const at = static_cast<std::size_t>(result.member);
             at < open.size() && is_final(result))
@@ -187,6 +188,7 @@ class SweepRun {
       }
       folder_.emplace(SweepFolder::create(plan_, options_.force));
     }
+    keep_inputs();
     for (std::size_t k = 0; k < able.size(); ++k)
       if (MemberResult& result = results_[k]; able[k] == '1')
         result = {}, result.member = static_cast<long>(k), result.status = not_run;  // until it has run
@@ -194,6 +196,18 @@ class SweepRun {
         keep(result), complain(result);
     progress_.begin("members", plan_.size(), plan_.size() - count_of(able));
     return able;
+  }
+  /// The files of all members that were read, one after the other and each but once.
+  void keep_inputs() {
+    std::map<std::string, InputFile> all;
+    for (auto const& file : SweepFolder::inputs(plan_.folder())) all.emplace(file.path, file);
+    std::size_t const before = all.size();
+    for (auto const& result : results_)
+      for (auto const& file : result.inputs) all.emplace(file.path, file);
+    if (all.size() == before) return;
+    InputFiles inputs;
+    for (auto& [path, file] : all) inputs.push_back(std::move(file));
+    folder_->keep_inputs(inputs);
   }
   void tell_that_none_is_able() {
     progress_.clear();

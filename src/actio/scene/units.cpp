@@ -20,7 +20,7 @@ Units with_energy(std::string time, std::string moment) {
   std::string const energy = moment.empty() || time.empty()      ? ""
                              : moment == "kg m^2" && time == "s" ? "J"
                                                                  : moment + "/" + time + "^2";
-  return {std::move(time), std::move(moment), energy};
+  return {std::move(time), std::move(moment), energy, "", ""};
 }
 
 /// A name that stands in axes of pictures and in attributes of files as it is.
@@ -44,6 +44,9 @@ std::string Units::in(std::string unit) const {
     replace(unit, "energy x time", momentum);
     replace(unit, "energy", energy);
   }
+  if (!mass.empty() && !length.empty()) replace(unit, "mass x length", mass + " " + length);
+  if (!mass.empty()) replace(unit, "mass", mass);
+  if (!length.empty()) replace(unit, "length", length);
   // What is left of time stands for itself, as in 1/time.
   if (!time.empty()) replace(unit, "time", time);
   return unit;
@@ -62,8 +65,10 @@ Units read_units(SceneFile const& file) {
                            body->name, body->time, body->unit));
   SceneTable const units = scene.inside("units");
   std::string const mass = unit_named(units, "mass"), length = unit_named(units, "length");
-  return with_energy(unit_named(units, "time"),
-                     mass.empty() || length.empty() ? "" : mass + " " + length + "^2");
+  Units out = with_energy(unit_named(units, "time"),
+                          mass.empty() || length.empty() ? "" : mass + " " + length + "^2");
+  out.mass = mass, out.length = length;
+  return out;
 }
 
 std::string words(std::string name) {

@@ -11,7 +11,9 @@ namespace actio::scene {
 struct Units {
   std::string time,  ///< "h"
       moment,        ///< of moments of inertia, "kg m^2"; "ratio" where only their ratios are known
-      energy;        ///< "J", "kg m^2/h^2", "ratio/d^2"
+      energy,        ///< "J", "kg m^2/h^2", "ratio/d^2"
+      mass,          ///< "kg"
+      length;        ///< "m"
 
   /// Of a unit in words: "energy x time" is "kg m^2/s".
   std::string in(std::string unit) const;

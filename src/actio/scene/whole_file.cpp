@@ -1,6 +1,7 @@
 #include "actio/scene/whole_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,6 +52,23 @@ void WholeFile::name(bool durable) {
   if (int const handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
       handle >= 0)
     ::fsync(handle), ::close(handle);
+}
+
+bool has_its_name(int file, std::string const& path) {
+  struct stat open, named;
+  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+         open.st_ino == named.st_ino;
+}
+void require_there(std::string const& path) {
+  if (::access(path.c_str(), F_OK) != 0 && errno == ENOENT)
+    throw FileError(path +
+                    ": is not there any more, and the checkpoint goes on behind its end; put it back, or "
+                    "remove the checkpoint: then actio resume starts the run anew");
+}
+std::string lost_its_name(std::string const& path) {
+  return path +
+         ": was removed, or another file put in its place, while the run went on: its rows are lost, "
+         "and only a run of the scene from its start writes them again";
 }
 
 }  // namespace actio::scene

@@ -40,4 +40,12 @@ class WholeFile {
   std::size_t size_ = 0;
 };
 
+/// Whether an open file has its name still; it has not where it was removed, or another is in its place.
+bool has_its_name(int file, std::string const& path);
+/// What is said of a table that has not.
+std::string lost_its_name(std::string const& path);
+/// Refuses a file that a run is to go on behind the end of, where there is none.
+/// @throws FileError  with what to do
+void require_there(std::string const& path);
+
 }  // namespace actio::scene

@@ -45,6 +45,7 @@ from actio._functions import (
 )
 from actio._registry import bodies, groups, quantities, systems
 from actio._run import Run
+from actio._snapshots import Snapshots
 from actio._running import load, run
 from actio._sweep import Member, Sweep, sweep
 from actio._system import Scene, System
@@ -58,6 +59,7 @@ __all__ = [
     "Run",
     "Scene",
     "SceneError",
+    "Snapshots",
     "Stopped",
     "Sweep",
     "System",

@@ -3,6 +3,8 @@
 import difflib
 import json
 import os
+import re
+import warnings
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Union
 
@@ -10,6 +12,8 @@ import numpy
 from numpy.typing import NDArray
 
 from actio import _actio
+from actio._errors import SceneError
+from actio._snapshots import Snapshots
 from actio._values import shown
 
 if TYPE_CHECKING:
@@ -190,6 +194,15 @@ class Run(Mapping[str, Array]):
         entries = told.items() if isinstance(told, dict) else ()
         return {name: value for name, value in entries if isinstance(value, (int, float))}
 
+    @property
+    def snapshots(self) -> Snapshots:
+        """The snapshots that the scene asks for in [output]; none where it asks for none. Of a run that was
+        loaded they are read from its folder when this is first asked for."""
+        held = self._about["snapshots"]
+        if self._about["with_snapshots"] and not len(held["t"]) and "folder" in self._about:
+            held = self._about["snapshots"] = _actio.snapshots(self._about["folder"])
+        return Snapshots._of(held)
+
     # ---- For others
 
     def to_dict(self) -> dict[str, Array]:
@@ -209,11 +222,22 @@ class Run(Mapping[str, Array]):
     def save(self, folder: "Union[str, os.PathLike[str]]", *, plots: bool = False) -> None:
         """Writes what the command leaves, but no checkpoint: scene.toml, the table in the formats that the
         scene names, and summary.json. plots: with the pictures and their page, plots/index.html. The folder
-        is made; one that is not empty is refused."""
+        is made; one that is not empty is refused. Snapshots are not written, which is warned of."""
         from actio._running import encoded_path
 
         where = encoded_path(folder, "folder")
-        _actio.save(self.scene.encode(), self._table, self._about["summary"].encode(), where, bool(plots))
+        if self._about["with_snapshots"]:
+            warnings.warn(
+                "Run.save writes no snapshots; the command `actio run` does, and run.snapshots holds them",
+                stacklevel=2,
+            )
+        try:
+            _actio.save(self.scene.encode(), self._table, self._about["summary"].encode(), where, bool(plots))
+        except SceneError as error:
+            # The command has options for it.
+            raise SceneError(
+                re.sub("; --(force|out).*", "; Run.save takes a folder that is new or empty", str(error))
+            ) from None
 
     def __repr__(self) -> str:
         status = self.summary.get("status", "")

@@ -161,6 +161,8 @@ def run(
         returned.
     on_interrupt: "raise", Ctrl-C raises KeyboardInterrupt; "return", the rows so far are returned.
 
+    Where [output] of the scene asks for snapshots, they are `Run.snapshots`.
+
     No file is written. The table is held in memory, at 8 bytes a number, rows times columns. What is larger
     is run by the command `actio run`, which writes as it goes. Other threads go on meanwhile.
 
@@ -183,7 +185,7 @@ def run(
 
 def load(folder: Path) -> Run:
     """The run that the command has left in a folder, or that `Run.save` has: every row that is there, bit
-    for bit.
+    for bit, and as `Run.snapshots` the snapshots.
 
     A run that was interrupted, or that goes on while it is read, has the rows that are whole. Where it has
     not said yet how it ended, `summary` is {"status": "unfinished"} with the number of rows.
@@ -191,6 +193,7 @@ def load(folder: Path) -> Run:
     where = encoded_path(folder, "folder")
     try:
         table, about, *_ = _actio.load(where)
+        about["folder"] = os.path.abspath(where)
     except MemoryError:
         raise Error("the memory that is available does not suffice for the table of this run") from None
     return Run._of(table, about)

@@ -211,6 +211,7 @@ class _Crew:
     ) -> None:
         self.source, self.set = source, set_
         self.values = members
+        self.inputs: dict[bytes, Any] = {}
         self.results: list[Optional[Member]] = [None] * len(members)
         self.stopped = threading.Event()
         self.jobs = jobs
@@ -225,6 +226,12 @@ class _Crew:
             found, error = outcome(
                 self.source, self.set + changes(values, "over"), lambda fraction, t: self.stopped.is_set()
             )
+            for path, mark in found._about["inputs"].items():
+                if self.inputs.setdefault(path, mark) != mark:
+                    error = SceneError(
+                        f"{os.fsdecode(path)}: has changed since another member of the sweep was read with it,"
+                        " and numbers from both are not joined"
+                    )
             if error is None and found.summary["status"] != "done":
                 error = Stopped("stopped before its end")
         except (Error, TypeError, ValueError) as raised:

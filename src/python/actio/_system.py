@@ -206,7 +206,7 @@ class System:
         order: Optional[int] = None,
         method: Optional[str] = None,
         configuration: Optional[Any] = None,
-        quantities: Optional[Sequence[str]] = None,
+        quantities: Union[str, Sequence[str], None] = None,
         title: Optional[str] = None,
     ) -> Scene:
         """The scene of a run: a mapping for `actio.run` and `actio.sweep`, and `str` of it a text for a file.
@@ -215,12 +215,16 @@ class System:
         until, every: the last time, and the time from row to row.
         step, order, method: of the method, which is one of `actio.systems()["euler_poincare"]["methods"]`.
         configuration: the matrix at the beginning; the identity where it is left out.
-        quantities: what the rows hold, names of `actio.quantities("euler_poincare")` and of carried vectors;
-            configuration, velocity, momenta, energy and the carried vectors where it is left out.
+        quantities: what the rows hold, a name or several of `actio.quantities("euler_poincare")` and of
+            carried vectors; configuration, velocity, momenta, energy and the carried vectors where it is left out.
         title: of the scene.
 
         All else that is left out has the default of the scene.
         """
+        if until is None:
+            raise TypeError("until: the last time of the run is needed, found None")
+        if isinstance(quantities, str):
+            quantities = [quantities]
         system: dict[str, Any] = {"kind": "euler_poincare"}
         if self._algebra.name:
             system["group"] = self._algebra.name
@@ -257,7 +261,7 @@ class System:
         order: Optional[int] = None,
         method: Optional[str] = None,
         configuration: Optional[Any] = None,
-        quantities: Optional[Sequence[str]] = None,
+        quantities: Union[str, Sequence[str], None] = None,
         title: Optional[str] = None,
         set: Optional[Mapping[str, Any]] = None,
         progress: Optional[Progress] = None,

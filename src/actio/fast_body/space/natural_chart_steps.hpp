@@ -69,6 +69,9 @@ class NaturalChartSteps {
   template <class Memory>
   void remember(Memory& memory) { memory(now_, compensation_, taken_, attitude_known_, guesses_); }
 
+  /// The next step guesses from its momentum alone: those before it were of another length.
+  void forget_steps() { taken_ = 0; }
+
   double step() const { return step_; }
   /// Momentum and attitude now.
   /// @throws OutsideDomain  after \ref advance_momentum, after which the attitude is unknown

@@ -28,7 +28,7 @@ template <class Steps>
 class SteppedMotion : public TurningBody {
  public:
   SteppedMotion(StepsFrom<Steps> from, FreeState const& start, double step)
-      : from_(std::move(from)), steps_(from_(start, step)) {}
+      : from_(std::move(from)), start_(start), steps_(from_(start, step)) {}
   void advance(long count) override {
     ahead_.reset();
     move(steps_, count);
@@ -42,6 +42,11 @@ class SteppedMotion : public TurningBody {
               time));
     move(*ahead_, 1);
   }
+  void change_step(double first, double step, long) override {
+    ahead_.reset();
+    if (first > 0) steps_ = of_length(first), move(steps_, 1);
+    steps_ = of_length(step);
+  }
   void remember(CheckpointStream& stream) override { steps_.remember(stream); }
   Eigen::Vector3d body_momentum() const override { return now().body_momentum().components; }
   Eigen::Vector4d attitude() const override { return now().state().attitude.value; }
@@ -54,8 +59,19 @@ class SteppedMotion : public TurningBody {
       steps.advance_momentum(count);
   }
   Steps const& now() const { return ahead_ ? *ahead_ : steps_; }
+  /// Steps of the same orbit, which go on from where the others are.
+  Steps of_length(double step) {
+    CheckpointStream saved;
+    steps_.remember(saved);
+    CheckpointStream restored(saved.bytes());
+    Steps out = from_(start_, step);
+    out.remember(restored);
+    if constexpr (requires { out.forget_steps(); }) out.forget_steps();
+    return out;
+  }
 
   StepsFrom<Steps> from_;
+  FreeState start_;
   Steps steps_;
   std::optional<Steps> ahead_;
 };

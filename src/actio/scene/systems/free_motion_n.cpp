@@ -80,6 +80,14 @@ class SteppedMotion : public TurningBodyN {
     shorter.step(body, with_attitude_);
     ahead_.emplace(std::move(body));
   }
+  void change_step(double first, double step, long) override {
+    ahead_.reset();
+    if (first > 0) {
+      begin_anew(first);
+      steps_.step(body_, with_attitude_);
+    }
+    begin_anew(step);
+  }
   void remember(CheckpointStream& stream) override { body_.remember(stream); }
   MatrixXd body_momentum() const override { return momentum_of(ahead_ ? *ahead_ : body_); }
   MatrixXd attitude() const override { return (ahead_ ? *ahead_ : body_).attitude().value; }
@@ -88,6 +96,10 @@ class SteppedMotion : public TurningBodyN {
   static auto released(Scheme const& scheme, MatrixXd const& attitude, MatrixXd const& momentum) {
     Group const group = scheme.inertia().group;
     return scheme.release({group, attitude}, {group, group.vee(momentum)});
+  }
+  void begin_anew(double step) {
+    steps_ = make_(step);
+    body_ = released(steps_.front(), body_.attitude().value, momentum_of(body_));
   }
   using Body = decltype(released(std::declval<Scheme const&>(), {}, {}));
   static MatrixXd momentum_of(Body const& body) {

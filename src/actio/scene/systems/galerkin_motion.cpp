@@ -56,6 +56,11 @@ class GalerkinMotion : public ReducedMotion {
     if (time != 0) take(ahead, g, time);
     show(ahead, g);
   }
+  void change_step(double first, double step, long) override {
+    if (first > 0) take(last_, configuration_, first);
+    length_ = step;
+    show(last_, configuration_);
+  }
   void remember(CheckpointStream& stream) override {
     auto const numbers = [&stream](auto& matrix) {
       std::span<double> all(matrix.data(), static_cast<std::size_t>(matrix.size()));

@@ -68,6 +68,16 @@ class FastMotion final : public MediumMotion<Box::dimension> {
                   [this] { return longest_step_of(law_, cells_.box(), medium_.places()); });
     }
   }
+  void change_step(double first, double step, long made) override {
+    require_stable(step, longest_step_of(law_, cells_.box(), medium_.places()), medium_.time());
+    if (first > 0) {
+      medium_ = from_here(first);
+      medium_.step(1);
+    }
+    auto last = from_here(step);
+    last.go_on_from({last.places(), last.velocities_half_a_step_ago(), made});
+    medium_ = std::move(last);
+  }
   void remember(CheckpointStream& stream) override {
     if (!stream.reading()) return save(stream);
     auto state = medium_.state();
@@ -101,6 +111,16 @@ class FastMotion final : public MediumMotion<Box::dimension> {
       std::span<Place> all(list);
       stream(all);
     }
+  }
+  /// The medium as it is, with steps of this length.
+  FastMedium<Medium, Box> from_here(double step) const {
+    auto const x = medium_.places(), v = medium_.velocities();
+    auto const in_order = [](std::vector<Place> const& all) {
+      return [&all, k = std::size_t{0}](Place const&) mutable { return all[k++]; };
+    };
+    auto place = in_order(x), velocity = in_order(v);
+    auto const next = [](auto& of) { return [&of](Place const& X) { return of(X); }; };
+    return {law_, cells_.box(), step, density_, next(place), next(velocity), options(cells_.box())};
   }
   static auto at(PlaceFormula& formula) {
     return [&formula](Place const& X) {

@@ -40,15 +40,20 @@ std::vector<std::string> stress_components(int d) {
 
 template <int d>
 Hdf5Frames MediumFrames<d>::in(std::string const& folder, MediumCells<d> const& cells,
-                               std::vector<std::string> const& asked) {
+                               std::vector<std::string> const& asked, Units const& units) {
   std::size_t const nodes = cells.nodes();
-  std::vector<Hdf5Frames::Field> fields{{"place", "of the nodes", {nodes, d}},
-                                        {"velocity", "of the nodes", {nodes, d}}};
+  std::vector<Hdf5Frames::Field> fields{
+      {"place", "of the nodes", {nodes, d}, {}, units.in("length")},
+      {"velocity", "of the nodes", {nodes, d}, {}, units.in("length/time")}};
+  std::string const per_volume = d == 1 ? "/length" : "/length^" + std::to_string(d);
   auto const known = medium_snapshots(false).columns;
   for (auto const& name : asked) {
     auto const column =
         std::find_if(known.begin(), known.end(), [&](auto const& c) { return c.name == name; });
-    fields.push_back({name, "means around the nodes: " + column->meaning, {nodes}});
+    std::string const unit = name == "jacobian"  ? "1"
+                             : name == "density" ? "mass" + per_volume
+                                                 : "energy" + per_volume;
+    fields.push_back({name, "means around the nodes: " + column->meaning, {nodes}, {}, units.in(unit)});
     if (name != "stress") continue;
     fields.back().components = stress_components(d);
     fields.back().shape.push_back(fields.back().components.size());

@@ -10,6 +10,7 @@
 
 #include "actio/scene/hdf5_frames.hpp"
 #include "actio/scene/systems/medium_fields.hpp"
+#include "actio/scene/units.hpp"
 
 namespace actio::scene {
 
@@ -25,8 +26,9 @@ struct MediumFrames {
 
   /// The file in the folder of a run.
   /// @param asked  what it holds besides places and velocities
+  /// @param units  of the scene
   static Hdf5Frames in(std::string const& folder, MediumCells<d> const& cells,
-                       std::vector<std::string> const& asked);
+                       std::vector<std::string> const& asked, Units const& units);
   /// What all frames have in common.
   static std::vector<Hdf5Frames::Constant> constants(MediumCells<d> const& cells);
   /// The numbers of one frame, field by field.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "actio/multisymplectic/body_mesh_check.hpp"
 #include "actio/multisymplectic/body_shapes.hpp"
@@ -105,21 +104,16 @@ void use_groups(SceneFile const& scene, BodyMesh& body) {
 }
 
 void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
-  namespace fs = std::filesystem;
   mesh.allow({"shape", "file"});
-  fs::path path = mesh.text("file");
-  if (path.is_relative()) path = fs::absolute(fs::path(scene.name()).parent_path() / path).lexically_normal();
-  if (std::error_code none; fs::is_directory(path, none))
-    mesh.fail("file", fmt::format("file: a mesh of Gmsh is expected, {} is a folder", path.string()));
+  auto const [path, text] = mesh.read_file("file", "a mesh of Gmsh");
   BodyMesh body;
   try {
-    body = gmsh_mesh(path.string());
+    body = gmsh_mesh_of(text, path);
   } catch (Error const& error) {
     mesh.fail("file", std::string("file: ") + error.what());
   }
   use_groups(scene, body);
   out.read = std::make_shared<BodyMesh const>(std::move(body));
-  if (path.string() != mesh.text("file")) mesh.set("file", path.string());
   out.dimension = out.read->dimension;
 }
 
@@ -203,7 +197,7 @@ MediumMesh read_medium_mesh(SceneFile const& file) {
   if (out.shape == "box")
     read_box(mesh, out);
   else if (out.shape == "file")
-    read_mesh_file(file, mesh, out);
+    read_mesh_file(mesh, out);
   else
     read_round(mesh, out);
   if (out.cell_count() > 1e9)

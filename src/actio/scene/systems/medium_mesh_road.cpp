@@ -37,7 +37,8 @@ class MeshMotion final : public MotionOnMesh<d> {
                 {1, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
         cells_(medium_.mesh()),
         fluid_(road.material.record->fluid),
-        watch_(1, 32, fluid_, road.conserve == Conserve::form),
+        conserves_form_(road.conserve == Conserve::form),
+        watch_(1, 32, fluid_, conserves_form_),
         walls_(road.loads, medium_.mesh(), medium_.places()) {}
 
   void begin(double step, double longest) override {
@@ -59,6 +60,10 @@ class MeshMotion final : public MotionOnMesh<d> {
       if (walls_.any()) walls_.look(medium_.places(), medium_.time_step(), medium_.time());
       watch_.made(some, *this, medium_.time(), [this] { return medium_.largest_step(); });
     }
+  }
+  void change_step(double first, double step, long made) override {
+    if (conserves_form_) require_stable(step, medium_.largest_step(), medium_.time());
+    medium_.change_step(first, step, made);
   }
   void remember(CheckpointStream& stream) override {
     if (!stream.reading()) return save(stream);
@@ -91,7 +96,7 @@ class MeshMotion final : public MotionOnMesh<d> {
 
   MediumOnMesh<d> medium_;
   MeshCells<d> cells_;
-  bool fluid_;
+  bool fluid_, conserves_form_;
   StepWatch<d> watch_;
   WallWatch<d> walls_;
 };

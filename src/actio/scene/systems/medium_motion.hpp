@@ -132,6 +132,15 @@ class MediumMotion : public Motion {
               (fluid ? ": a fluid resists no shear, and cells that are sheared for long tangle" : ""));
 }
 
+/// That steps from a state can have this length: near the bound waves grow by what is not linear in them.
+/// @param longest  the longest stable step there
+/// @throws Error  with both, and the time of the state
+inline void require_stable(double step, double longest, double time) {
+  if (!(step <= 0.9 * longest))
+    throw Error("medium: the longest stable step at t = " + show(time) + " is " + show(longest) +
+                ", of which nine tenths are safe, and " + show(step) + " is longer");
+}
+
 /// The cells of a mesh.
 template <int d>
 class MeshCells final : public MediumCells<d> {

@@ -85,16 +85,59 @@ class MediumSnapshots : public SnapshotWriter {
     add_to_series(folder + "/" + series_file, pvd_entry(time, file_in_series(number)));
   }
 
+  std::vector<SnapshotArray> coordinates() const override {
+    std::vector<SnapshotArray> out;
+    for (auto const& [field, values, attributes] : MediumFrames<d>::constants(medium_.motion->cells())) {
+      SnapshotArray& one = out.emplace_back(array_of(field));
+      std::visit([&](auto const& all) { one.numbers.assign(all.begin(), all.end()); }, values());
+      one.counts = field.name == "cells" || field.name == "beyond";
+      one.axes = field.name == "periods"     ? std::vector<std::string>{"axis"}
+                 : field.name == "reference" ? std::vector<std::string>{"node", "axis"}
+                                             : std::vector<std::string>{"cell", "corner", "axis"};
+      one.axes.resize(one.shape.size());
+    }
+    return out;
+  }
+  std::vector<SnapshotArray> fields() const override {
+    return fields_of({medium_.motion->places(), medium_.motion->velocities()});
+  }
+  std::vector<SnapshotArray> fields_in(std::string const& folder, long number) const override {
+    return fields_of(read(folder, number));
+  }
+
   std::shared_ptr<PlayedMedium const> played(std::string const& folder,
                                              std::span<double const> times) const override {
-    return play_medium<d>(medium_, times, [&](std::size_t number) {
-      if (hdf5_) return MediumFrame<d>::in_hdf5(frames(folder), number);
-      std::string const file = snapshot_file(static_cast<long>(number), ".csv");
-      return MediumFrame<d>::in_table(folder + "/" + file, asked_);
-    });
+    return play_medium<d>(medium_, times,
+                          [&](std::size_t number) { return read(folder, static_cast<long>(number)); });
   }
 
  private:
+  MediumFrame<d> read(std::string const& folder, long number) const {
+    if (hdf5_) return MediumFrame<d>::in_hdf5(frames(folder), static_cast<std::size_t>(number));
+    return MediumFrame<d>::in_table(folder + "/" + snapshot_file(number, ".csv"), asked_);
+  }
+  static SnapshotArray array_of(Hdf5Frames::Field const& field) {
+    SnapshotArray out;
+    out.name = field.name, out.meaning = field.meaning, out.unit = field.unit;
+    out.shape = field.shape, out.names = field.components;
+    return out;
+  }
+  /// Places and velocities determine all the others.
+  std::vector<SnapshotArray> fields_of(MediumFrame<d> const& frame) const {
+    auto const numbers = mean_fields(medium_, frame.places, asked_, true);
+    auto const one = MediumFrames<d>::one(frame.places, frame.velocities, asked_, numbers);
+    std::vector<SnapshotArray> out;
+    auto const& all = frames("").fields();
+    for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+      SnapshotArray& array = out.emplace_back(array_of(all[k]));
+      auto const found = one(k);
+      array.numbers.assign(found.begin(), found.end());
+      array.axes = {"node", array.names.empty() ? "axis" : "component"};
+      array.axes.resize(array.shape.size());
+    }
+    return out;
+  }
+
   static constexpr char const* series_file = "snapshots/series.pvd";
   static std::string file_in_series(long number) {
     return snapshot_file(number, ".vtu").substr(std::string("snapshots/").size());
@@ -108,7 +151,7 @@ class MediumSnapshots : public SnapshotWriter {
   }
 
   Hdf5Frames frames(std::string const& folder) const {
-    return MediumFrames<d>::in(folder, medium_.motion->cells(), asked_);
+    return MediumFrames<d>::in(folder, medium_.motion->cells(), asked_, read_units(scene_));
   }
   std::vector<std::pair<std::string, std::string>> attributes() const {
     return {{"title", scene_.section("scene").text("title")},

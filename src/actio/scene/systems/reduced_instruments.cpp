@@ -222,6 +222,12 @@ class FollowingTangent : public ReducedMotion {
     now_ = time == 0 ? tangent_ : tangent_over(time) * tangent_;
     motion_->look_ahead(time);
   }
+  void change_step(double first, double step, long made) override {
+    motion_->look_ahead(0);
+    if (first > 0) tangent_ = tangent_over(first) * tangent_;
+    motion_->change_step(first, step, made);
+    step_ = step, now_ = tangent_;
+  }
   void remember(CheckpointStream& stream) override {
     motion_->remember(stream);
     std::span<double> tangent(tangent_.data(), static_cast<std::size_t>(tangent_.size()));

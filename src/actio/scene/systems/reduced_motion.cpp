@@ -36,6 +36,13 @@ class ChartMotion : public ReducedMotion {
     if (scheme_.with_configuration) ahead_->follow_configuration(steps_.configuration());
     ahead_->step();
   }
+  void change_step(double first, double step, long) override {
+    look_ahead(first);
+    ChartIntegrator steps(scheme_.system, step, scheme_.fractions, point(), velocity());
+    if (scheme_.with_configuration) steps.follow_configuration(configuration());
+    steps_ = std::move(steps), step_ = step;
+    ahead_.reset();
+  }
   void remember(CheckpointStream& stream) override { steps_.remember(stream); }
   ReducedPoint const& point() const override { return now().point(); }
   Eigen::MatrixXd const& configuration() const override { return now().configuration(); }

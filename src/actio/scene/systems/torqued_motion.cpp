@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <type_traits>
 
 #include "actio/fast_body/space/torqued_body.hpp"
@@ -16,49 +17,63 @@ class StepsOfTorque : public TorquedMotion {
  public:
   StepsOfTorque(PrincipalInertia const& inertia, FreeState const& start, Torque torque, double step,
                 Splitting method)
-      : inertia_(inertia),
-        inverse_(inertia.inverse_tensor()),
-        torque_(std::move(torque)),
-        body_(inertia, start.body_momentum, start.attitude, torque_, step, std::move(method)),
-        now_(body_.state()) {}
+      : inertia_(inertia), inverse_(inertia.inverse_tensor()), torque_(std::move(torque)), now_(start) {
+    body_.emplace(inertia, start.body_momentum, start.attitude, torque_, step, std::move(method));
+    now_ = body_->state();
+  }
   void advance(long steps) override {
-    body_.step(steps);
-    show(body_);
+    body_->step(steps);
+    show(*body_);
     // The energy bounds how fast gravity makes a body turn; a formula may do anything.
     if constexpr (std::is_same_v<Torque, PotentialTorque<FormulaPotential>>) check_turn();
   }
   void look_ahead(double time) override {
-    show(body_);
+    show(*body_);
     if (time == 0) return;
-    TorquedBody<Torque> ahead(inertia_, now_.body_momentum, now_.attitude, torque_, time, body_.method(),
-                              body_.time());
+    auto ahead = from_here(time);
     ahead.step();
     show(ahead);
   }
+  void change_step(double first, double step, long made) override {
+    show(*body_);
+    if (first > 0) {
+      auto on_the_way = from_here(first);
+      on_the_way.step();
+      show(on_the_way);
+    }
+    body_.emplace(inertia_, now_.body_momentum, now_.attitude, torque_, step, Splitting(body_->method()));
+    auto counted = [made](auto&, auto&, long& steps) { steps = made; };
+    body_->remember(counted);
+    show(*body_);
+  }
   void remember(CheckpointStream& stream) override {
-    body_.remember(stream);
-    show(body_);
+    body_->remember(stream);
+    show(*body_);
   }
   Eigen::Vector3d body_momentum() const override { return now_.body_momentum.components; }
   Eigen::Vector4d attitude() const override { return now_.attitude.value; }
   double time() const override { return time_; }
 
  private:
+  /// The body as it is shown, with a step of this length.
+  TorquedBody<Torque> from_here(double step) const {
+    return {inertia_, now_.body_momentum, now_.attitude, torque_, step, body_->method(), time_};
+  }
   void show(TorquedBody<Torque> const& body) { now_ = body.state(), time_ = body.time(); }
   void check_turn() const {
-    double const turn = (inverse_ * body_momentum()).norm() * body_.step_length();
+    double const turn = (inverse_ * body_momentum()).norm() * body_->step_length();
     if (turn > turn_of_a_step::most)
       throw Error(
           fmt::format("step: under this torque the body has come to turn by {:.3g} rad in a step of "
                       "{}, and the scheme is meant for at most {} rad; a step of {:.3g} would do here",
-                      turn, body_.step_length(), turn_of_a_step::most,
-                      body_.step_length() * turn_of_a_step::most / turn));
+                      turn, body_->step_length(), turn_of_a_step::most,
+                      body_->step_length() * turn_of_a_step::most / turn));
   }
 
   PrincipalInertia inertia_;
   Eigen::Matrix3d inverse_;
   Torque torque_;
-  TorquedBody<Torque> body_;
+  std::optional<TorquedBody<Torque>> body_;
   FreeState now_;
   double time_ = 0;
 };

@@ -3,8 +3,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "actio/scene/systems/vorticity_input.hpp"
 
@@ -61,12 +62,14 @@ std::string put_coefficient(SphereHarmonics& f, Eigen::MatrixXi& lines, int line
 }
 
 SphereHarmonics read_harmonics_file(std::string const& path, int n) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw SceneError({path}, "there is no such file");
-  if (!std::filesystem::is_regular_file(path, error))
-    throw SceneError({path}, "a table of harmonics is expected, this is no ordinary file");
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw FileError(path + ": cannot be read");
+  std::string const text{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open() || in.bad()) throw FileError(path + ": cannot be read");
+  return read_harmonics(text, path, n);
+}
+
+SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n) {
+  std::istringstream in(text);
   SphereHarmonics f(n);
   Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(n, n);
   int number = 0, last = 0;
@@ -75,11 +78,12 @@ SphereHarmonics read_harmonics_file(std::string const& path, int n) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     Place const here{path, static_cast<unsigned>(number), 1};
     if (number == 1) {
+      if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // the mark of UTF-8 that some editors write
       if (line != "l,m,re,im")
         throw SceneError(here, fmt::format("the heading l,m,re,im is expected, found '{}'", shown(line, 40)));
       continue;
     }
-    if (line.empty() && in.peek() == std::ifstream::traits_type::eof()) break;
+    if (line.empty() && in.peek() == std::istringstream::traits_type::eof()) break;
     double row[4];
     if (!parse_row(line, row))
       throw SceneError(here, fmt::format("four numbers l,m,re,im are expected, found '{}'", shown(line, 60)));
@@ -89,7 +93,6 @@ SphereHarmonics read_harmonics_file(std::string const& path, int n) {
     if (!wrong.empty()) throw SceneError(here, wrong);
     last = std::max(last, static_cast<int>(row[0]));
   }
-  if (in.bad()) throw FileError(path + ": cannot be read");
   if (number == 0) throw SceneError({path}, "the heading l,m,re,im is expected, the file is empty");
   for (int l = 1; l <= last; ++l)
     for (int m = 0; m <= l; ++m)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "actio/numbers/nearest_name.hpp"
@@ -41,22 +40,11 @@ void read_rows(SceneTable const& initial, SphereHarmonics& f) {
   }
 }
 
-/// A path in a scene is one beside the scene.
-std::string beside(std::string const& scene, std::string const& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  fs::path const full = fs::path(path).is_absolute() ? fs::path(path) : fs::path(scene).parent_path() / path;
-  fs::path const absolute = fs::absolute(full, error);
-  return (error ? full : absolute.lexically_normal()).string();
-}
-
-/// The coefficients in the file of the scene, which is written back with its whole path.
-SphereHarmonics read_file(std::string const& scene, SceneTable& initial, int n) {
-  std::string const path = beside(scene, initial.text("file"));
+/// The coefficients in the file of the scene.
+SphereHarmonics read_file(SceneTable& initial, int n) {
+  auto const [path, text] = initial.read_file("file", "a table of harmonics");
   try {
-    SphereHarmonics f = read_harmonics_file(path, n);
-    if (path != initial.text("file")) initial.set("file", path);
-    return f;
+    return read_harmonics(text, path, n);
   } catch (SceneError const& error) {
     initial.fail("file", std::string("file: ") + error.what());
   }
@@ -93,7 +81,7 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
   if (given[0] == "harmonics") {
     read_rows(initial, start.relative);
   } else if (given[0] == "file") {
-    start.relative = read_file(file.name(), initial, start.n);
+    start.relative = read_file(initial, start.n);
     remarks.emplace_back(
         "file: the copy of the scene names it by its whole path; who repeats or resumes the run needs it "
         "there, as it is now");

@@ -28,10 +28,13 @@ std::vector<Parameter> vorticity_parameters();
 /// @throws SceneError  where the start is missing, said twice or wrong
 VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::string>& remarks);
 
-/// Rows `l,m,re,im` of a file, with a heading.
+/// Rows `l,m,re,im` out of a text, with a heading.
+/// @param path   of its file, for complaints
 /// @param n      degrees are less than N
 /// @throws SceneError  with the line: of what is no such row, a row that is there twice or of a degree
 ///   beyond; where one is missing
+SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n);
+/// The same out of a file.
 /// @throws FileError   where it cannot be read
 SphereHarmonics read_harmonics_file(std::string const& path, int n);
 

@@ -1,4 +1,4 @@
-// snapshots/fields.nc: closed after each snapshot, so that what is in it can be read at any time.
+// snapshots/fields.nc, as a file that nobody else looks at: what readers see is renamed into its place.
 #include <fmt/format.h>
 
 #include <numbers>

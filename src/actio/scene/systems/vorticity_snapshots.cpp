@@ -1,7 +1,9 @@
 #include "actio/scene/systems/vorticity_snapshots.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/number_table.hpp"
@@ -55,7 +57,8 @@ class VorticitySnapshots : public SnapshotWriter {
     return out;
   }
   std::vector<std::string> shared_files() const override {
-    return netcdf_ ? std::vector<std::string>{fields_file} : std::vector<std::string>{};
+    return netcdf_ ? std::vector<std::string>{fields_file, std::string(fields_file) + ".part"}
+                   : std::vector<std::string>{};
   }
 
   double bytes_of_one() const override {
@@ -72,7 +75,8 @@ class VorticitySnapshots : public SnapshotWriter {
   /// The file that all share is made anew: it may have been cut short, and the harmonics hold all of it.
   void begin(std::string const& folder, std::span<double const> taken) override {
     if (!netcdf_) return;
-    std::string const path = folder + "/" + fields_file;
+    std::string const path = unseen(folder);
+    std::filesystem::remove(path);
     file_.create(path, grid_, n_);
     for (std::size_t k = 0; k < taken.size(); ++k) {
       long const number = static_cast<long>(k);
@@ -80,28 +84,109 @@ class VorticitySnapshots : public SnapshotWriter {
           read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_);
       file_.add(path, number, taken[k], all_fields(symbol_of(f, file_.symbol)), f);
     }
+    behind_ = true;
+    flush(folder, true);
+  }
+
+  /// Readers have the file open for as long as they like, and may lock it. So nothing is written into the one
+  /// that they see: a copy gets what is new, and then its name. A copy takes as long as the file is large,
+  /// and is made for a twentieth of the time at most.
+  void flush(std::string const& folder, bool at_once) override {
+    if (!behind_ || (!at_once && Clock::now() < due_)) return;
+    std::error_code error;
+    std::filesystem::rename(unseen(folder), folder + "/" + fields_file, error);
+    if (error) throw FileError(folder + "/" + fields_file + ": cannot be written: " + error.message());
+    behind_ = false;
+    due_ = Clock::now() + 20 * copying_;
+  }
+
+  std::vector<SnapshotArray> coordinates() const override {
+    std::vector<double> longitude, latitude, degree, order;
+    for (int k = 0; k < grid_.longitudes; ++k) longitude.push_back(grid_.longitude(k));
+    for (int j = 0; j < grid_.latitudes(); ++j) latitude.push_back(grid_.latitude(j));
+    for (int l = 1; l < n_; ++l)
+      for (int m = 0; m <= l; ++m) degree.push_back(l), order.push_back(m);
+    std::size_t const meridians = longitude.size(), parallels = latitude.size(), all = degree.size();
+    return {{"latitude", "of the parallels, radians", {"latitude"}, {parallels}, std::move(latitude)},
+            {"longitude", "of the meridians, radians", {"longitude"}, {meridians}, std::move(longitude)},
+            {"l", "the degree", {"coefficient"}, {all}, std::move(degree), {}, "", true},
+            {"m", "the order", {"coefficient"}, {all}, std::move(order), {}, "", true}};
+  }
+  std::vector<SnapshotArray> fields() const override { return arrays_of(harmonics_now()); }
+  std::vector<SnapshotArray> fields_in(std::string const& folder, long number) const override {
+    return arrays_of(read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_));
   }
 
   void write(std::string const& folder, long number, double time, bool durable) override {
-    SphereHarmonics f = harmonics_of(motion_.vorticity_at_output());
-    f(0, 0) = 0;  // rounding: the trace of the matrix is zero
+    SphereHarmonics const f = harmonics_now();
     write_whole_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), table_of_harmonics(f), durable);
     FlowFields const fields = needed_fields(symbol_of(f, file_.symbol));
     if (csv_) {
       std::vector<GridField const*> columns;
-      for (auto const& name : names_)
-        columns.push_back(name == "vorticity"        ? &fields.vorticity
-                          : name == "streamfunction" ? &fields.streamfunction
-                          : name == "u"              ? &fields.east
-                                                     : &fields.north);
+      for (auto const& name : names_) columns.push_back(&field_of(fields, name));
       write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, names_, columns),
                        durable);
     }
-    if (netcdf_) file_.add(folder + "/" + fields_file, number, time, fields, f);
+    if (!netcdf_) return;
+    copy_what_is_seen(folder);
+    file_.add(unseen(folder), number, time, fields, f);
+    behind_ = true;
+    flush(folder, false);
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   static constexpr char const* fields_file = "snapshots/fields.nc";
+
+  /// The file that the next snapshot is added to.
+  static std::string unseen(std::string const& folder) { return folder + "/" + fields_file + ".part"; }
+  void copy_what_is_seen(std::string const& folder) {
+    if (behind_) return;
+    auto const began = Clock::now();
+    std::error_code error;
+    std::filesystem::remove(unseen(folder), error);
+    std::filesystem::copy_file(folder + "/" + fields_file, unseen(folder), error);
+    if (error) throw FileError(folder + "/" + fields_file + ": cannot be copied: " + error.message());
+    copying_ = Clock::now() - began;
+  }
+
+  SphereHarmonics harmonics_now() const {
+    SphereHarmonics f = harmonics_of(motion_.vorticity_at_output());
+    f(0, 0) = 0;  // rounding: the trace of the matrix is zero
+    return f;
+  }
+  static GridField const& field_of(FlowFields const& fields, std::string const& name) {
+    return name == "vorticity"        ? fields.vorticity
+           : name == "streamfunction" ? fields.streamfunction
+           : name == "u"              ? fields.east
+                                      : fields.north;
+  }
+  std::vector<SnapshotArray> arrays_of(SphereHarmonics const& f) const {
+    FlowFields const fields = needed_fields(symbol_of(f, file_.symbol));
+    std::vector<SnapshotArray> out;
+    for (auto const& name : names_) {
+      SnapshotArray& one = out.emplace_back();
+      one.name = name, one.meaning = meaning_of(name), one.axes = {"latitude", "longitude"};
+      GridField const& field = field_of(fields, name);
+      one.shape = {static_cast<std::size_t>(field.rows()), static_cast<std::size_t>(field.cols())};
+      one.numbers.assign(field.data(), field.data() + field.size());
+    }
+    for (bool const real : {true, false}) {
+      SnapshotArray& part = out.emplace_back();
+      part.name = real ? "harmonics_re" : "harmonics_im", part.axes = {"coefficient"};
+      part.meaning = std::string(real ? "real" : "imaginary") + " part of the coefficients of the matrix";
+      for (int l = 1; l < f.degrees(); ++l)
+        for (int m = 0; m <= l; ++m)
+          part.numbers.push_back(real ? f(l, m).real() : m == 0 ? 0 : f(l, m).imag());
+      part.shape = {part.numbers.size()};
+    }
+    return out;
+  }
+  static std::string meaning_of(std::string const& name) {
+    for (auto const& column : vorticity_snapshots().columns)
+      if (column.name == name) return column.meaning;
+    return "relative to the sphere";
+  }
 
   bool asks(char const* name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
   /// The velocity belongs to the Laplacian of the stream function, which for a layer is not the vorticity.
@@ -129,6 +214,9 @@ class VorticitySnapshots : public SnapshotWriter {
   VorticityMotion const& motion_;
   FieldsFile file_;
   SphereGrid grid_;
+  bool behind_ = false;           // whether what is seen has fewer snapshots
+  Clock::duration copying_ = {};  // what the last copy took
+  Clock::time_point due_ = {};    // when the next one is due
 };
 
 }  // namespace

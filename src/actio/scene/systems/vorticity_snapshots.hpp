@@ -32,7 +32,7 @@ struct FieldsFile {
   Symbol symbol;                  ///< of the fields
   SphereHamiltonian hamiltonian;  ///< by which a vorticity has a stream function
 
-  /// Makes the file, in place of one that is there: without a time.
+  /// Makes a file without a time.
   /// @throws FileError
   void create(std::string const& path, SphereGrid const& grid, int degrees) const;
   /// One time more.

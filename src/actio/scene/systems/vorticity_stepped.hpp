@@ -43,17 +43,18 @@ class SteppedVorticity : public VorticityMotion {
     make_step(shorter, w, time);
     ahead_.emplace(std::move(w)), beyond_ = time;
   }
+  void change_step(double first, double step, long made) override {
+    ahead_.reset();
+    if (first > 0) {
+      auto on_the_way = substeps(first);
+      make_step(on_the_way, w_, first);
+    }
+    steps_ = substeps(step), step_ = step, made_ = made;
+  }
   void remember(CheckpointStream& stream) override {
     auto const n = flow_->sphere.n;
     stream(made_);
     remember_matrix(stream, w_, n);
-    // Numbers of the start: those of another file in its place are not continued.
-    double mark = flow_->start.imaginary.sum() + flow_->start.real.cwiseAbs().sum();
-    double const own = mark;
-    stream(mark);
-    if (!(mark == own))
-      throw FileError(
-          "the run began from other numbers; the file that they were read from was changed since");
     for (auto& step : steps_) {
       auto past = step.past();
       auto size = static_cast<long>(past.size());
