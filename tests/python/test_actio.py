@@ -409,16 +409,38 @@ class Arguments(unittest.TestCase):
             self.assertIn("angular_velocity = [0.1, 0.2, 0.3]", listed.scene)
             self.assertEqual(listed.summary["title"], 'a "title"\\\x01\n\té')
 
-    def test_any_mapping_sets_keys_nested_or_with_dots(self):
+    def test_any_mapping_sets_keys(self):
         plain = actio.run(text=SCENE, set={"method.order": 4, "run.every": 5.0})
         for table in [
             types.MappingProxyType({"method.order": 4, "run.every": 5.0}),
-            {"method": {"order": 4}, "run": types.MappingProxyType({"every": 5.0})},
+            {"method": {"order": 4, "step": 0.25}, "run": types.MappingProxyType({"until": 25, "every": 5.0})},
             collections.OrderedDict({"method.order": 4, "run.every": 5.0}),
             collections.ChainMap({"method.order": 4}, {"run.every": 5.0}),
         ]:
             self.assertEqual(actio.run(text=SCENE, set=table).table.tobytes(), plain.table.tobytes())
         self.assertEqual(actio.run(text=SCENE, set={}).rows, 101)
+
+    def test_a_mapping_takes_the_place_of_the_table_that_was_there(self):
+        plain = SCENE.replace('order = "exact"\n', "")
+        for text in [
+            plain + '[system.torque]\npotential = "r33"\n',
+            plain.replace('"apophis"\n', '"apophis"\ntorque = { potential = "r33" }\n'),
+        ]:
+            for table, left in [
+                ({"system.torque": {"potential": "2*r33"}}, True),
+                ({"system.torque": {"potential": None, "uniform_gravity": None}}, None),
+                ({"system.torque": {}}, None),
+                ({"system.torque": None}, False),
+            ]:
+                if left is None:
+                    with self.assertRaisesRegex(actio.SceneError, "torque. needs one of"):
+                        actio.run(text=text, set=table)
+                else:
+                    self.assertEqual("2*r33" in actio.run(text=text, set=table).scene, left)
+        self.assertEqual(actio.run(text=SCENE, set={"run": {"until": 25.0}}).rows, 2)
+        self.assertEqual(actio.run(text=SCENE, set={"run": {"until": 25.0, "every": None}}).rows, 2)
+        with self.assertRaisesRegex(actio.SceneError, "needs 'until'"):
+            actio.run(text=SCENE, set={"run": {"every": 5.0}})
 
     def test_none_takes_a_key_out(self):
         with self.assertRaisesRegex(actio.SceneError, "body"):
@@ -427,7 +449,7 @@ class Arguments(unittest.TestCase):
         self.assertNotIn('apophis"', run.scene)
         self.assertEqual(
             actio.run(
-                text=SCENE, set={"run": {"every": None}, "scene.seed": None, "nothing.like_it": None}
+                text=SCENE, set={"run.every": None, "scene.seed": None, "nothing.like_it": None}
             ).rows,
             2,
         )
@@ -495,7 +517,10 @@ class Arguments(unittest.TestCase):
             actio.run(SCENE)
 
     def test_files_that_a_run_in_memory_does_not_write_are_warned_of(self):
-        for change in [{"output.plots": True}, {"output": {"formats": ["hdf5"]}}]:
+        for change in [
+            {"output.plots": True},
+            {"output": {"quantities": ["energy"], "formats": ["hdf5"]}},
+        ]:
             with self.assertWarnsRegex(UserWarning, r"^output\.\w+ has no effect on a run in memory") as seen:
                 actio.run(text=SCENE, set=change)
             self.assertEqual(seen.filename, __file__)

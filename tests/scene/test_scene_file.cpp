@@ -118,10 +118,31 @@ BOOST_AUTO_TEST_CASE(an_override_is_pointed_at_in_its_argument) {
   BOOST_TEST(complaint(text, {std::string(100000, 'k')}).size() < 200u);
 }
 
+BOOST_AUTO_TEST_CASE(a_table_takes_the_place_of_a_table_however_the_scene_writes_it) {
+  for (std::string const text : {"[a]\nb = { x = 1, c = { y = 2 } }\n", "[a.b]\nx = 1\n[a.b.c]\ny = 2\n",
+                                 "a.b.x = 1\na.b.c.y = 2\n", "[a]\nb.x = 1\nb.c = { y = 2 }\n"}) {
+    auto const changed = [&](std::vector<std::string> const& set) {
+      SceneTable const b = SceneFile::parse(text, "f", set).section("a.b");
+      return b.name() + (b.has("x") ? " x" : "") + (b.has("c") ? " c" : "") +
+             (b.inside("c").has("y") ? " y" : "") + (b.inside("c").has("z") ? " z" : "");
+    };
+    BOOST_TEST(changed({}) == "a.b x c y", text);
+    BOOST_TEST(changed({"a.b={}"}) == "a.b", text);
+    BOOST_TEST(changed({"a.b={x = 3}"}) == "a.b x", text);
+    BOOST_TEST(changed({"a={b = {c = {z = 1}}}"}) == "a.b c z", text);
+    BOOST_TEST(changed({"a.b.c={}"}) == "a.b x c", text);
+    BOOST_TEST(changed({"a.b.c={z = 1}"}) == "a.b x c z", text);
+    BOOST_TEST(changed({"a.b.c.z=1"}) == "a.b x c y z", text);
+    BOOST_TEST(changed({"a.b={}", "a.b.c.z=1"}) == "a.b c z", text);
+    BOOST_TEST(changed({"!a.b.c"}) == "a.b x", text);
+    BOOST_TEST(changed({"a.b.x={y = 1}"}) == "a.b x c y", text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_last_override_of_a_key_holds) {
   auto const file = SceneFile::parse("[a]\nx = 1\ny = 2\n", "f", {"a.x=3", "a={x = 4, z = 'w'}", "a.t=word"});
   BOOST_TEST(file.section("a").number("x") == 4);
-  BOOST_TEST(file.section("a").number("y") == 2);
+  BOOST_TEST(!file.section("a").has("y"));
   BOOST_TEST(file.section("a").text("z") == "w");
   BOOST_TEST(file.section("a").text("t") == "word");
 }

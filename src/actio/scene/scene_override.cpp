@@ -38,22 +38,20 @@ toml::table read_override(std::string const& argument, std::string const& name) 
   }
 }
 
-/// Moves what is in `from`, with its places, over what is in `into`.
+/// Moves what is in `from`, with its places, over what is in `into`: a table for each name that leads to the
+/// key, and then its value, which takes the place of what was there. So does a table in braces, of which
+/// nothing stays whether the scene has it in braces or as a section.
 void merge(toml::table& into, toml::table&& from, std::string const& name) {
   for (auto&& [key, node] : from) {
     toml::node* const there = into.get(key.str());
-    // A table in braces that takes the place of another one is a value like any: nothing of the other stays.
-    bool const values = node.is_table() && there && there->is_table() && node.as_table()->is_inline() &&
-                        there->as_table()->is_inline();
-    if (values)
+    bool const leads_on = node.is_table() && !node.as_table()->is_inline();
+    if (!leads_on || !there)
       into.insert_or_assign(key, std::move(node));
-    else if (node.is_table() && there && there->is_table())
+    else if (there->is_table())
       merge(*there->as_table(), std::move(*node.as_table()), name);
-    else if (node.is_table() && there)
+    else
       throw SceneError(detail::place_of(key.source(), name),
                        "'" + shown(key.str()) + "' is no table, so nothing in it can be set");
-    else
-      into.insert_or_assign(key, std::move(node));
   }
 }
 

@@ -110,12 +110,12 @@ def outcome(
 def warn_of_files(over: list[tuple[bytes, bool]]) -> None:
     """Says which of the changes are for files, which a run in memory does not write."""
     for text, _ in over:
-        key = text.split(b"=")[0]
-        if key in (b"output.plots", b"output.formats"):
-            warnings.warn(
-                f"{key.decode()} has no effect on a run in memory, which writes no file before Run.save",
-                stacklevel=3,
-            )
+        for name in ("plots", "formats"):
+            if re.match(rf"output(\.{name}=|=\{{.*\b{name} = )", text.decode()):
+                warnings.warn(
+                    f"output.{name} has no effect on a run in memory, which writes no file before Run.save",
+                    stacklevel=3,
+                )
 
 
 def checked_call(told: Any, what: str) -> Any:
@@ -155,7 +155,8 @@ def run(
     scene: the path of a scene in TOML; or the scene itself as a mapping, {"system": {"kind": "rigid_body",
         ...}, ...}.
     text: the scene itself, in TOML.
-    set: keys to set over it, {"method.order": 4, "system": {"body": "apophis"}}. None takes a key out.
+    set: keys to set over it, {"method.order": 4, "system.body": "apophis"}. None takes a key out; a mapping
+        takes the place of the table that was there.
     progress: called with the fraction that is done, from 0 to 1, and the time in the scene, four times a
         second and at the end. Where what it returns is true, the run ends there, and the rows so far are
         returned.

@@ -112,12 +112,8 @@ class _Writer:
             raise SceneError(f"{self.where}: lists are nested at most {DEEPEST} deep")
         self.open.append(id(value))
         if isinstance(value, Mapping):
-            entries = self.asked(value, "items", lambda table: list(table.items()))
-            text = (
-                "{"
-                + ", ".join(f"{name_in_toml(key, self.where)} = {self.write(item)}" for key, item in entries)
-                + "}"
-            )
+            entries = [(key, item) for key, item in _entries(value, self.where) if item is not None]
+            text = "{" + ", ".join(f"{_key(key, self.where)} = {self.write(item)}" for key, item in entries) + "}"
         else:
             text = "[" + ", ".join([self.write(item) for item in value]) + "]"
         self.open.pop()
@@ -177,6 +173,15 @@ def _entries(table: Mapping[str, Any], what: str) -> list[tuple[str, Any]]:
     return entries
 
 
+def _key(name: str, what: str) -> str:
+    """Names joined by dots, each between quotes where it needs them."""
+    if len(name) > LONGEST_NAME:
+        raise SceneError(
+            f"{what}: a key has at most {LONGEST_NAME} characters, found one of {len(name)}: {shown(name)}"
+        )
+    return name if _KEY.match(name) else ".".join(name_in_toml(part, what) for part in str(name).split("."))
+
+
 def leaves(
     table: Mapping[str, Any], what: str, before: str = "", depth: int = 0
 ) -> Iterator[tuple[str, Any]]:
@@ -184,21 +189,16 @@ def leaves(
     if depth > DEEPEST:
         raise SceneError(f"{what}: tables are nested at most {DEEPEST} deep")
     for name, value in _entries(table, what):
-        if len(name) > LONGEST_NAME:
-            raise SceneError(
-                f"{what}: a key has at most {LONGEST_NAME} characters, found one of {len(name)}:"
-                f" {shown(name)}"
-            )
-        if not _KEY.match(name):
-            name = ".".join(name_in_toml(part, what) for part in str(name).split("."))
+        key = _key(name, what)
         if isinstance(value, Mapping) and _entries(value, what):
-            yield from leaves(value, what, before + name + ".", depth + 1)
+            yield from leaves(value, what, before + key + ".", depth + 1)
         else:
-            yield before + name, value
+            yield before + key, value
 
 
 def changes(table: Optional[Mapping[str, Any]], what: str = "set") -> list[tuple[bytes, bool]]:
-    """What is set, KEY=VALUE, and what is taken out, KEY with True."""
+    """What is set, KEY=VALUE, and what is taken out, KEY with True. A mapping takes the place of the table
+    that was there, as it does on the command line."""
     if table is None:
         return []
     if not isinstance(table, Mapping):
@@ -207,7 +207,8 @@ def changes(table: Optional[Mapping[str, Any]], what: str = "set") -> list[tuple
             f" {shown(table)}, of type {kind(table)}"
         )
     out = []
-    for key, value in leaves(table, what):
+    for name, value in _entries(table, what):
+        key = _key(name, what)
         text = key if value is None else f"{key}={in_toml(value, f'{what}: {key}')}"
         out.append((in_utf8(text, what), value is None))
     return out
