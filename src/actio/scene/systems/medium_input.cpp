@@ -197,7 +197,7 @@ MediumMesh read_medium_mesh(SceneFile const& file) {
   if (out.shape == "box")
     read_box(mesh, out);
   else if (out.shape == "file")
-    read_mesh_file(mesh, out);
+    read_mesh_file(file, mesh, out);
   else
     read_round(mesh, out);
   if (out.cell_count() > 1e9)
