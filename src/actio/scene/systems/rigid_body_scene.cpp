@@ -23,9 +23,9 @@ MethodChoice read_choice(SceneTable const& method, std::vector<Method> const& me
 }
 
 /// @throws SceneError  where it is beyond all numbers
-double pace(RigidBodyScene const& scene, double until) {
+double pace(RigidBodyScene& scene, double until) {
   double const fastest =
-      scene.torque ? scene.torque->pace(scene.start, until)
+      scene.torque ? scene.torque->pace(scene.start, until, scene.remarks)
                    : fastest_turn(scene.inertia, kinetic_energy(scene.inertia, scene.start.body_momentum));
   if (scene.torque && !is_finite(fastest))
     throw SceneError(scene.initial.place(), "the numbers are too large: the energy is beyond 1e308");
