@@ -57,6 +57,19 @@ BOOST_AUTO_TEST_CASE(a_traction_gives_momentum) {
   }
 }
 
+// The momentum that a pressure gives in all is that of its pulse, which is a hundredth as long as a stable step.
+BOOST_AUTO_TEST_CASE(a_pulse_of_pressure_is_followed_by_the_default_step_and_a_longer_one_is_remarked_on) {
+  Medium pressed = block();
+  pressed.mesh += ", periodic = [false, true]";
+  pressed.until = "0.5", pressed.every = "0.5";
+  pressed.system = "load = { pressure.right = \"exp(-((t - 0.2718)/0.0005)^2)\" }\n";
+  Folder const folder;
+  double const impulse = 0.0005 * std::sqrt(std::acos(-1.0));
+  BOOST_TEST(std::abs(run_in(folder, pressed)["momentum_x"].back() + impulse) <= 1e-6 * impulse);
+  pressed.method += "step = 0.01\n";
+  BOOST_TEST(says(plan_of(pressed), "step: loads change as a wave that turns by "));
+}
+
 // A column that is periodic upwards: the side has a period's length however it bends, and the force across is
 // p times that. Kicks at both ends of a step are exact for a pressure that grows with time.
 BOOST_AUTO_TEST_CASE(a_pressure_follows_its_side) {

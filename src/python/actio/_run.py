@@ -189,7 +189,8 @@ class Run(Mapping[str, Array]):
 
     @property
     def error(self) -> dict[str, float]:
-        """The estimated errors of the method, as the summary tells them; empty where there is no estimate."""
+        """The estimated errors of the method, as the summary tells them; empty where there is no estimate.
+        What has none at the end has a sentence in `untold`."""
         told = self.summary.get("error")
         entries = told.items() if isinstance(told, dict) else ()
         return {name: value for name, value in entries if isinstance(value, (int, float))}
@@ -202,6 +203,13 @@ class Run(Mapping[str, Array]):
         if self._about["with_snapshots"] and not len(held["t"]) and "folder" in self._about:
             held = self._about["snapshots"] = _actio.snapshots(self._about["folder"])
         return Snapshots._of(held)
+
+    @property
+    def untold(self) -> dict[str, str]:
+        """Why no error of a quantity is told, and until when there was one: a sentence for each of them."""
+        told = self.summary.get("error")
+        entries = told.items() if isinstance(told, dict) else ()
+        return {name: value for name, value in entries if isinstance(value, str) and name != "how"}
 
     # ---- For others
 

@@ -78,11 +78,13 @@ Eigen::Matrix3d FormulaPotential::curvature(NineEntries const& rotation, double 
   tapes_->curvature(x, y, work_);
   return along_turns(rotation, y + 1, y + 10);
 }
-double FormulaPotential::second_rate(NineEntries const& rotation, double time) const {
-  double x[10], y[3];
-  std::ranges::copy(rotation, x), x[9] = time;
-  tapes_->second_rate(x, y, work_);
-  return y[2];
+ChangeInTime FormulaPotential::change(NineEntries const& rotation, double until, double enough) const {
+  std::vector<double> x(rotation.begin(), rotation.end());
+  x.push_back(0);
+  // As many intervals as take about a tenth of a second.
+  auto const operations = static_cast<double>(tapes_->second_rate.instructions.size());
+  return change_in_time(tapes_->second_rate, std::move(x), until, enough,
+                        std::clamp(static_cast<int>(1e6 / (operations + 1)), 100, 4000));
 }
 
 std::size_t FormulaPotential::operations_of_slope() const { return tapes_->slope.instructions.size(); }

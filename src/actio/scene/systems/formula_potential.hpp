@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "actio/fast_body/space/potential_torque.hpp"
+#include "actio/scene/change_in_time.hpp"
 #include "actio/scene/scene_error.hpp"
 
 namespace actio::scene {
@@ -30,8 +31,9 @@ class FormulaPotential {
   /// The second derivative along turns in the body, a symmetric matrix: of \f$V(R\exp\hat\eta)\f$ at
   /// \f$\eta = 0\f$, energy.
   Eigen::Matrix3d curvature(NineEntries const& rotation, double time) const;
-  /// \f$\partial^2V/\partial t^2\f$, energy/time^2.
-  double second_rate(NineEntries const& rotation, double time) const;
+  /// How fast it changes from t = 0 on, the attitude being fixed.
+  /// @param enough  a second derivative by the time that does not matter, energy/time^2
+  ChangeInTime change(NineEntries const& rotation, double until, double enough) const;
   /// How many operations a value with its first derivatives takes.
   std::size_t operations_of_slope() const;
   std::size_t operations_of_curvature() const;  ///< the same with the second ones

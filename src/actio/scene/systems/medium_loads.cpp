@@ -8,6 +8,7 @@
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/numbers/nearest_name.hpp"
+#include "actio/scene/change_in_time.hpp"
 
 namespace actio::scene {
 namespace {
@@ -82,7 +83,8 @@ SpacePotential<d> read_potential(SceneTable const& table, std::string const& key
 
 /// A motion of a side, formulas in X, Y, Z and t.
 template <int d>
-PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side) {
+PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side,
+                                std::vector<LoadInTime>& in_time) {
   using Place = std::array<double, d>;
   auto variables = first_names({"X", "Y", "Z"}, d);
   variables.emplace_back("t");
@@ -91,8 +93,11 @@ PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side
     table.fail(side, fmt::format("motion: {} formulas in {} are expected, found {}", d, listed(variables),
                                  texts.size()));
   auto const tapes = std::make_shared<std::vector<Evaluated>>();
-  for (std::size_t k = 0; k < texts.size(); ++k)
-    tapes->push_back({with_gradient(parsed(texts[k], variables, table.text_place(side, k)), {d})});
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    Tape const value = parsed(texts[k], variables, table.text_place(side, k));
+    tapes->push_back({with_gradient(value, {d})});
+    if (value.depends_on(d)) in_time.push_back({"motion." + side, with_hessian(value, {d})});
+  }
   auto const at = [tapes](Place const& X, double t, int which) {
     double x[d + 1], y[2];
     std::copy(X.begin(), X.end(), x), x[d] = t;
@@ -147,8 +152,9 @@ void read_pressures(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
       out.loads.pressures[side] = [p](double) { return p; };
       continue;
     }
-    auto const tape =
-        std::make_shared<Evaluated>(Evaluated{parsed(table.text(side), {"t"}, table.text_place(side))});
+    Tape const value = parsed(table.text(side), {"t"}, table.text_place(side));
+    out.in_time.push_back({"pressure." + side, with_hessian(value, {0})});
+    auto const tape = std::make_shared<Evaluated>(Evaluated{value});
     out.loads.pressures[side] = [tape](double t) {
       double p;
       (*tape)(&t, &p);
@@ -165,7 +171,7 @@ void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>&
     if (mesh.sides.at(side) != "free")
       table.fail(side, fmt::format("motion: the side '{}' is {} and cannot be moved besides", side,
                                    mesh.sides.at(side)));
-    out.sides[side] = {BodySide<d>::Kind::moved, read_motion<d>(table, side)};
+    out.sides[side] = {BodySide<d>::Kind::moved, read_motion<d>(table, side, out.in_time)};
     out.energy = out.momentum = out.angular_momentum = false;
   }
 }
@@ -191,6 +197,25 @@ template struct MediumLoads<1>;
 template struct MediumLoads<2>;
 /// In space.
 template struct MediumLoads<3>;
+
+double frequency_of(std::vector<LoadInTime> const& loads, std::vector<std::array<double, 3>> const& points,
+                    double until, std::vector<std::string>& remarks) {
+  double fastest = 0;
+  for (auto const& load : loads) {
+    ChangeInTime change{HUGE_VAL, -HUGE_VAL};
+    auto const coordinates = static_cast<std::ptrdiff_t>(load.second.inputs) - 1;
+    for (std::size_t const k : {std::size_t{0}, points.size() / 2, points.size() - 1}) {
+      std::vector<double> x(points[k].begin(), points[k].begin() + coordinates);
+      x.push_back(0);
+      change.join(change_in_time(load.second, std::move(x), until, 0, 1000));
+    }
+    fastest = std::max(fastest, change.frequency());
+    if (!change.settled)
+      remarks.push_back(fmt::format("{}: from t = {:.9g} to {:.9g} it may change faster than steps know of",
+                                    load.key, change.from, change.to));
+  }
+  return fastest;
+}
 
 bool has_loads(SceneFile const& file) {
   return !file.section("system.load").keys().empty() || !file.section("system.obstacle").keys().empty();

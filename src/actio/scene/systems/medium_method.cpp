@@ -57,15 +57,23 @@ void require_rows_at_steps(Request const& request, double step) {
 
 }  // namespace
 
-double medium_step(Request const& request, double longest) {
+double medium_step(Request const& request, double longest, double frequency,
+                   std::vector<std::string>& remarks) {
   SceneTable method = request.file.section("method");
   if (!method.has("step") && request.schedule.common_divisor() == 0) fail_without_divisor(request);
-  double const step = read_step(method, request.schedule, 2 / longest, 0.8);
+  constexpr double stable = 0.8, much = 0.25;  // radians that a wave turns in a step
+  double const step =
+      read_step(method, request.schedule, std::max(2 / longest, stable / much * frequency), stable);
   // The largest frequency is known from below, within a per cent.
   if (step > 0.99 * longest)
     fail_for_long_step(method, request.schedule, StepTooLong("medium", step, 0.99 * longest),
                        fmt::format("steps of length {} are not stable", step));
   require_rows_at_steps(request, step);
+  if (step * frequency > much * (1 + 1e-9))
+    remarks.push_back(
+        fmt::format("step: loads change as a wave that turns by {:.2g} rad in a step of {}; steps of "
+                    "{:.2g} follow them",
+                    step * frequency, step, much / frequency));
   return step;
 }
 

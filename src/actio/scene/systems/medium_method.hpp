@@ -21,10 +21,13 @@ struct MediumMethod {
 /// @throws SceneError  where a key is refused
 MediumMethod read_medium_method(SceneFile const& file);
 
-/// The step of the scene, by default four tenths of the longest stable one.
-/// @param longest  stable step, from above within a per cent
+/// The step of the scene, by default four tenths of the longest stable one, and short enough to follow loads.
+/// @param longest    stable step, from above within a per cent
+/// @param frequency  of loads that depend on time, 1/time
+/// @param remarks    are told where a step that is given is too long for them
 /// @throws SceneError, NumericsError  where it is longer, or does not meet rows and snapshots
-double medium_step(Request const& request, double longest);
+double medium_step(Request const& request, double longest, double frequency,
+                   std::vector<std::string>& remarks);
 
 /// The records of the keys of [method] of a medium.
 std::vector<Parameter> medium_method_parameters();

@@ -97,7 +97,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   double const longest = road->longest_step(begin.places);
   begin.places = {};
   require_reachable_end(request.file, longest, request.schedule.until());
-  simulation.step = medium_step(request, longest);
+  simulation.step = medium_step(request, longest, 0, simulation.remarks);
   tell_crossing<d>(simulation, request, mesh, material, *start);
   simulation.shortcuts.emplace_back(
       fmt::format("a box of equal cells of one density in {} without loads: fused steps",
@@ -152,7 +152,10 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
   auto motion = motion_of(request.file, road);
   double const longest = motion->longest_step();
   require_reachable_end(request.file, longest, request.schedule.until());
-  simulation.step = medium_step(request, longest);
+  simulation.step = medium_step(
+      request, longest,
+      frequency_of(road.loads.in_time, road.mesh.nodes, request.schedule.until(), simulation.remarks),
+      simulation.remarks);
   motion->begin(simulation.step, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, std::move(motion),

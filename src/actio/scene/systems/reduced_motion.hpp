@@ -20,6 +20,8 @@ class ReducedMotion : public Motion {
   virtual void advance_plainly(long steps) { advance(steps); }
   /// How momentum and vectors now change with those at the start; null where that is not followed.
   virtual Eigen::MatrixXd const* tangent() const { return nullptr; }
+  /// That of the configurations is the largest of their columns, relative to the length of the column: for a
+  /// rotation about the angle of a small turn.
   StateDistance distance(Motion const& other) const override;
 };
 

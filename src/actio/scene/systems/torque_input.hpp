@@ -32,9 +32,11 @@ class SceneTorque {
   double rate() const { return rate_; }
   /// What steps are measured by, 1/time: a bound of the angular velocity, by the energy, and of the
   /// frequencies at which the body and the torque may swing. Of a formula it is estimated, from its values
-  /// and derivatives at two thousand attitudes and times, fewer where the formula is long.
-  /// @param until  the last time
-  double pace(FreeState const& start, double until) const;
+  /// and derivatives at two thousand attitudes and times, fewer where the formula is long, and at some
+  /// attitudes from bounds over all times, so that no short event is stepped over.
+  /// @param until    the last time
+  /// @param remarks  are told what was not found out
+  double pace(FreeState const& start, double until, std::vector<std::string>& remarks) const;
   /// How many steps take a few milliseconds, as `Simulation` has it.
   long steps_at_once() const;
 
@@ -45,8 +47,8 @@ class SceneTorque {
   void check_start(FormulaPotential const& potential, FreeState const& start) const;
   double pace_of(GravityGradient const& gradient, FreeState const& start) const;
   double pace_of(UniformGravity const& gravity, FreeState const& start) const;
-  double pace_of(PotentialTorque<FormulaPotential> const& potential, FreeState const& start,
-                 double until) const;
+  double pace_of(PotentialTorque<FormulaPotential> const& potential, FreeState const& start, double until,
+                 std::vector<std::string>& remarks) const;
 
   PrincipalInertia inertia_;
   Place place_;  // of the formula

@@ -71,12 +71,12 @@ void SceneTorque::check_start(FormulaPotential const& potential, FreeState const
 }
 
 double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, FreeState const& start,
-                            double until) const {
+                            double until, std::vector<std::string>& remarks) const {
   check_start(torque.function(), start);
   Eigen::Matrix3d const inverse = inertia_.inverse_tensor();
   double const kinetic = kinetic_energy(inertia_, start.body_momentum),
                first = potential(start.attitude.value, 0);
-  double least = first, most = first, swing = 0, bend = 0, lightest = 0;
+  double least = first, most = first, swing = 0, lightest = 0;
   // As many as take about a tenth of a second.
   auto const operations = static_cast<double>(torque.function().operations_of_curvature());
   int const count = std::clamp(static_cast<int>(2e7 / (operations + 1)), 20, 2000);
@@ -91,21 +91,28 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
     swing = std::max(swing, swing_frequency(inertia_, K));
     Eigen::Vector3d const t(torque_of_slope(rotation, slope).data());
     if (magnitude(t) > 0) lightest = std::max(lightest, t.normalized().dot(inverse * t.normalized()));
-    if (formula_in_time_)
-      bend = std::max(bend, std::abs(torque.function().second_rate(rotation, samples.time())));
   }
   // What falls turns about the axes that there are torques about. Where the energy is not conserved it may
   // come from as high as there is.
   double const fall = (formula_in_time_ ? most : first) - least, turn = fastest_turn(inertia_, kinetic);
-  // A wave in time has the square of its frequency for the ratio of the second derivative to itself.
-  double const wave = most > least ? std::sqrt(bend / (most - least)) : 0;
-  return std::max({std::hypot(turn, std::sqrt(2 * fall * lightest)), swing, wave});
+  double const moves = std::max(std::hypot(turn, std::sqrt(2 * fall * lightest)), swing);
+  if (!formula_in_time_) return moves;
+  ChangeInTime change{least, most};
+  for (Samples samples(start.attitude.value, until, 3); samples.next();)
+    change.join(torque.function().change(rotation_entries(samples.attitude()), until,
+                                         moves * moves * (change.most - change.least)));
+  if (!change.settled)
+    remarks.push_back(fmt::format(
+        "potential: from t = {:.9g} to {:.9g} it may change faster than the steps know of: the bound of its "
+        "second derivative by the time is {:.2g}, and {:.2g} was found",
+        change.from, change.to, change.bound, change.bend));
+  return std::max(moves, change.frequency());
 }
 
-double SceneTorque::pace(FreeState const& start, double until) const {
+double SceneTorque::pace(FreeState const& start, double until, std::vector<std::string>& remarks) const {
   if (auto const* const gradient = std::get_if<GravityGradient>(&torque_)) return pace_of(*gradient, start);
   if (auto const* const gravity = std::get_if<UniformGravity>(&torque_)) return pace_of(*gravity, start);
-  return pace_of(std::get<PotentialTorque<FormulaPotential>>(torque_), start, until);
+  return pace_of(std::get<PotentialTorque<FormulaPotential>>(torque_), start, until, remarks);
 }
 
 long SceneTorque::steps_at_once() const {
