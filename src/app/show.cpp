@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/bodies.hpp"
@@ -13,6 +14,7 @@
 #include "actio/scene/printable.hpp"
 #include "actio/scene/scenes.hpp"
 #include "actio/scene/statements.hpp"
+#include "actio/scene/systems/conservation.hpp"
 #include "actio/scene/units.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
@@ -126,6 +128,29 @@ std::vector<std::string> about_keys(std::string const& name) {
   return accounts;
 }
 
+bool has_word(std::string const& text, std::string const& word) {
+  auto const letter = [&text](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == '_');
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    if ((at == 0 || !letter(at - 1)) && !letter(at + word.size())) return true;
+  return false;
+}
+/// The key of the table that holds an entry: system.mesh of system.mesh.cells. An entry that the record of
+/// the table does not name is one of it where the entries have names of one's own.
+std::vector<std::string> about_table_of(std::string const& name) {
+  std::vector<std::string> accounts;
+  std::size_t const section = name.find('.'), dot = name.find('.', section + 1);
+  if (section == std::string::npos || dot == std::string::npos) return accounts;
+  std::string const table = name.substr(0, dot),
+                    entry = name.substr(dot + 1, name.find('.', dot + 1) - dot - 1);
+  for (auto const& one : all_keys())
+    if (one.parameter.key == table && one.parameter.expects.starts_with("a table") &&
+        (has_word(one.parameter.expects, "by") || has_word(one.parameter.meaning, entry)))
+      accounts.push_back(about(one));
+  return accounts;
+}
+
 std::string about(NamedScene const& carried) {
   Account account(carried.name, "a scene that comes with actio: " + carried.title);
   account.tell("system", carried.system);
@@ -195,6 +220,16 @@ std::string columns_of(Quantity const& quantity) {
   return out;
 }
 
+/// Where the motion keeps a quantity, so that a run has its drift.
+std::string where_conserved(QuantityOf const& entry) {
+  auto const* const law = find_law(entry.system->name, entry.quantity->name);
+  if (!law) return "no";
+  std::string unless;
+  for (auto const feature : law->unless)
+    unless += (unless.empty() ? ", but not where " : "; or ") + std::string(in_words(feature));
+  return "yes, and its drift is in summary.json" + unless;
+}
+
 std::string about(QuantityOf const& entry) {
   Quantity const& q = *entry.quantity;
   Account account(q.name, "a quantity of " + entry.system->name);
@@ -203,8 +238,7 @@ std::string about(QuantityOf const& entry) {
   account.tell("unit", q.unit);
   account.tell("columns", columns_of(q));
   account.tell("needs", q.needs.empty() ? "the state alone" : listed(q.needs));
-  account.tell("conserved",
-               q.conserved ? "yes: the motion conserves it, and its drift is in summary.json" : "no");
+  account.tell("conserved", where_conserved(entry));
   account.tell("statement", statement_in_words(q.statement));
   return account.text();
 }
@@ -282,6 +316,7 @@ int show(std::string const& name) {
     accounts.push_back(about(*carried));
   if (accounts.empty())
     if (auto account = about_section(name); !account.empty()) accounts.push_back(std::move(account));
+  if (accounts.empty()) accounts = about_table_of(name);
   for (auto const* const statement : find_statements(name)) accounts.push_back(about(*statement));
   if (accounts.empty())
     throw SceneError(

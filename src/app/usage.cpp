@@ -133,9 +133,13 @@ std::string usage_error(CLI::App const& command, CLI::ParseError const& error) {
   auto const left = part.remaining();
   auto const option = std::find_if(left.begin(), left.end(),
                                    [](std::string const& word) { return word.size() > 1 && word[0] == '-'; });
+  // Behind '--' all words stand for themselves.
+  auto const mark = std::find(left.begin(), left.end(), "--");
   std::string what = error.what();
   CLI::Option const* const known = option_in(part, what);
-  if (option != left.end())
+  if (mark != left.end() && mark + 1 != left.end())
+    what = fmt::format("'{}' is one too many behind '--', where there are no options", mark[1]);
+  else if (option != left.end())
     what = unknown_option(command, part, *option);
   else if (dynamic_cast<CLI::RequiredError const*>(&error) && known)
     what = known->get_positional() ? example_of(known->get_name()) : written(*known) + " is needed";

@@ -121,6 +121,18 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_is_answered_with_the_nearest) {
   BOOST_TEST(has(actio({"show", "apofis"}).err, "did you mean 'apophis'?"));
 }
 
+BOOST_AUTO_TEST_CASE(an_entry_of_a_table_is_told_with_the_table) {
+  for (std::string const name : {"system.mesh.cells", "system.load.traction", "system.load.traction.right",
+                                 "system.material.kappa", "system.parameters.c", "system.boundary.left"}) {
+    auto const outcome = actio({"show", name});
+    BOOST_TEST(outcome.status == 0, name);
+    BOOST_TEST(outcome.out.starts_with(name.substr(0, name.find('.', 7)) + ", a key of scenes of"),
+               outcome.out);
+  }
+  BOOST_TEST(actio({"show", "system.mesh.cell_count"}).status == 2);
+  BOOST_TEST(has(actio({"show", "circulation"}).out, "yes, and its drift is in summary.json, but not where"));
+}
+
 BOOST_AUTO_TEST_CASE(a_name_of_several_systems_is_told_for_each) {
   std::string const systems = actio({"list", "systems"}).out, shown = actio({"show", "energy"}).out;
   for (auto const& line : lines_of(systems))

@@ -190,6 +190,11 @@ BOOST_AUTO_TEST_CASE(circulation_is_that_of_the_loops_that_are_named) {
   check_ends(with("a = { lower = [0, 0.5], upper = [1, 0.5] }"), 2, "no cell lies between lower and upper");
   check_ends(with("a = { along = \"Z\", through = [0, 0] }"), 2, "'Z'");
   check_ends(with("\"a b\" = { along = \"X\", through = [0, 0] }"), 2, "letters, digits and _");
+  check_ends(with("\"\" = { along = \"X\", through = [0, 0] }"), 2, "letters, digits and _");
+  gas.quantities = "\"energy\"";
+  check_ends(with("a = { along = \"X\", through = [0, 0] }"), 2,
+             "loops: nothing uses 'a': it is for 'circulation', which output.quantities does not have");
+  gas.quantities = "\"circulation\"";
   gas.mesh = "shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [16, 16]";
   check_ends(with("a = \"left\""), 2, "the side 'left' is no closed row of nodes");
 }

@@ -189,6 +189,21 @@ BOOST_AUTO_TEST_CASE(a_title_cannot_break_out_of_a_picture_or_of_the_page) {
       said.out);
 }
 
+BOOST_AUTO_TEST_CASE(characters_that_xml_does_not_have_are_written_out) {
+  command::Folder const folder;
+  auto const scene =
+      folder.write("apophis.toml", command::apophis({{"title", R"("a\u0001b\uFFFEc\u001bd")"}}));
+  BOOST_TEST_REQUIRE(command::actio({"run", scene, "--plots"}).status == 0);
+  for (char const* const name : {"plots/body_momentum.svg", "plots/polhode.svg", "plots/index.html"}) {
+    std::string const text = command::contents(folder / ("apophis/" + std::string(name)));
+    BOOST_TEST(text.find(R"(a\u0001b\ufffec\u001bd)") != std::string::npos, name);
+    BOOST_TEST(std::ranges::none_of(text, [](unsigned char c) { return c < 0x20 && c != '\n' && c != '\t'; }),
+               name);
+    if (std::string_view(name).ends_with("svg"))
+      BOOST_TEST(text.find("\xef\xbf\xbe") == std::string::npos, name);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_page_needs_nothing_beside_itself) {
   command::Folder const folder;
   BOOST_TEST_REQUIRE(

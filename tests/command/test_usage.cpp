@@ -40,6 +40,9 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_wh
             "actio run: unknown option '--jobs'; actio resume has it (actio run --help)\n"},
            {{"run", "a.toml", "b.toml"},
             "actio run: 'b.toml' is one too many; usage: actio run SCENE [OPTIONS] (actio run --help)\n"},
+           {{"run", "--", "a.toml", "--out", "d"},
+            "actio run: '--out' is one too many behind '--', where there are no options (actio run "
+            "--help)\n"},
            {{"run", "a.toml", "--out"}, "actio run: --out DIR: DIR is missing (actio run --help)\n"},
            {{"run", "a.toml", "--out", "d", "--out", "e"},
             "actio run: --out is there twice (actio run --help)\n"},
@@ -65,6 +68,24 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_wh
     BOOST_TEST(outcome.err == said);
     BOOST_TEST(outcome.out == "");
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_may_come_from_a_pipe_and_behind_two_dashes) {
+  command::Folder const folder;
+  std::string const scene = folder.write("a.toml", command::apophis());
+  auto const in_bash = [&](std::string const& line) {
+    return command::shell("cd '" + (folder / "") + "' && bash -c '" + line + "'");
+  };
+  auto const piped = in_bash("\"$ACTIO\" run <(cat a.toml) --out piped --quiet");
+  BOOST_TEST(piped.status == 0, piped.err);
+  BOOST_TEST(in_bash("\"$ACTIO\" run --out dashed --quiet -- a.toml").status == 0);
+  BOOST_TEST(command::contents(folder / "piped/series.csv") ==
+             command::contents(folder / "dashed/series.csv"));
+  auto const nameless = in_bash("\"$ACTIO\" run <(cat a.toml)");
+  BOOST_TEST(nameless.status == 2);
+  BOOST_TEST(
+      nameless.err.find("a scene from a pipe has no name; --out names the folder") != std::string::npos,
+      nameless.err);
 }
 
 BOOST_AUTO_TEST_CASE(what_was_typed_cannot_command_the_terminal) {

@@ -50,6 +50,24 @@ BOOST_AUTO_TEST_CASE(from_zero_it_is_measured_by_the_largest_seen) {
   BOOST_TEST(drift_of({{0}, {1e-320}}) == 1);
 }
 
+BOOST_AUTO_TEST_CASE(of_what_is_at_rest_it_is_measured_by_its_own_pace) {
+  using Unit = actio::scene::QuantityGraph::Unit;
+  auto const drift = [](std::vector<double> const& values, std::vector<double> const& terms) {
+    Drift out({{"q", 0, 1}});
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      Unit const unit{terms[k], 1e-12, 4};
+      out.see({&values[k], 1}, {&unit, 1});
+    }
+    return out.entries().front();
+  };
+  // Terms of rounding alone: the unit is that of rest.
+  BOOST_TEST(drift({0, 1e-17}, {0, 1e-16}).unit == 4);
+  BOOST_TEST(drift({0, 1e-17}, {0, 1e-16}).relative == 1e-17 / 4);
+  // Once it moves the unit is what it is made of, however slow that is, from whatever start.
+  BOOST_TEST(drift({0, 1e-11}, {0, 2e-11}).relative == 0.5);
+  BOOST_TEST(drift({0, 1, 0}, {0, 8, 0}).relative == 0.125);
+}
+
 BOOST_AUTO_TEST_CASE(quantities_have_each_their_own) {
   Drift drift({{"a", 0, 1}, {"b", 2, 2}});
   drift.see(std::vector<double>{1, 100, 3, 4});

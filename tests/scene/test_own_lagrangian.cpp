@@ -178,10 +178,49 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said_at_its_place) {
   check_refused("velocity = [0.7, 1.0, 0.2]", "velocity = [0.7, 1.0]", "own.toml:7:12: velocity: 3 numbers");
   check_refused("[method]", "configuration = [[2, 0, 0], [0, 1, 0], [0, 0, 1]]\n[method]",
                 "element of the group");
-  check_refused("c*v2^2", "0*v2^2", "it is not regular at the start: along v2");
+  check_refused("c*v2^2", "0*c*v2^2", "it is not regular at the start: along v2");
   check_refused("c*v2^2", "c*v2^2 + 2*v1*v2*sqrt(6)", "not regular at the start: along");
   check_refused("c*v2^2", "c*log(v2 - 1)", "at the start");
   check_refused("step = 0.1", "name = \"galerkin\"\norder = 3\nstep = 0.1", "galerkin takes");
+}
+
+BOOST_AUTO_TEST_CASE(a_name_that_nothing_uses_is_refused_with_the_nearest) {
+  check_refused("{ c = 6 }", "{ c = 6, C = 5 }",
+                "own.toml:5:25: parameters: 'C' does not occur in the lagrangian; did you mean 'c'?");
+  check_refused("{ c = 6 }", "{ c = 6, mass = 5 }",
+                "own.toml:5:28: parameters: 'mass' does not occur in the lagrangian");
+  check_refused("(w^2 +", "m = 2; (w^2 +",
+                "own.toml:4:15: 'm' is defined, and nothing in the formula uses it");
+  check_refused("(w^2 +", "m = 2; k = m; (w^2 +", "own.toml:4:22: 'k' is defined");
+  check_refused("parameters", "advected = { down = [0, 1] }\nparameters",
+                "own.toml:5:21: advected: down1 to down3 do not occur in the lagrangian, and "
+                "output.quantities has no down");
+  // Where it is asked for, or one component occurs, a vector is used.
+  std::string const vector = sleigh("parameters", "advected = { down = [0, 1] }\nparameters");
+  auto const with = [&vector](std::string const& what, std::string const& instead) {
+    std::string text = vector;
+    return refusal(text.replace(text.find(what), what.size(), instead), "own.toml");
+  };
+  BOOST_TEST(with("[\"energy\"]", "[\"energy\", \"down\"]") == "");
+  BOOST_TEST(with("c*v2^2)/2", "c*v2^2)/2 - down2") == "");
+  std::string const body =
+      "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\ntorque = { potential = \"k = 2; j = 3; "
+      "-k*r33\" }\n[initial]\nangular_velocity = [1, 0, 0]\n[run]\nuntil = 1\n[output]\nquantities = "
+      "[\"energy\"]\n";
+  check_said(refusal(body, "own.toml"), "own.toml:4:34: potential: 'j' is defined, and nothing");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_near_the_group_is_told_and_what_is_too_small_is_refused) {
+  auto const scene = Scene::read(SceneFile::parse(
+      sleigh("[method]", "configuration = [[1, 0, 0], [0, 1.0000000002, 0], [0, 0, 1]]\n[method]"),
+      "own.toml"));
+  BOOST_REQUIRE_EQUAL(scene.simulation.remarks.size(), 1u);
+  check_said(scene.simulation.remarks[0], "configuration: it is taken as it is, 2e-10 away from the group");
+  BOOST_TEST(Scene::read(SceneFile::parse(sleigh(), "own.toml")).simulation.remarks.empty());
+  check_refused("[method]", "configuration = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]\n[method]",
+                "so far from it that no distance can be told");
+  check_refused("(w^2 + v1^2 + c*v2^2)/2", "1e-300*(w^2 + v1^2 + c*v2^2)/2",
+                "lagrangian: its second derivatives at the start are 6e-300 at most, and at least 1e-280 is");
 }
 
 BOOST_AUTO_TEST_CASE(a_step_too_long_is_told_with_the_longest) {

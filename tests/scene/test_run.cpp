@@ -42,8 +42,9 @@ Scene counting(Counter::Stumble how = Counter::Stumble::never, long at = 0,
                        "[0.1, 0, 0.2]\n[method]\norder = 2\nstep = 0.25\n"
                        "[run]\nuntil = 5000\nevery = 62.5\n[output]\nquantities = [\"energy\"]\n",
                        "counting.toml"));
-  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}, true}});
+  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}}});
   auto motion = std::make_unique<Counter>(how, at, pieces);
+  simulation.quantities.conserve([](auto const&) { return true; });
   simulation.quantities.define("count", {""}, [m = motion.get()](auto, double* value) {
     *value = m->how == Counter::Stumble::tells_nothing && m->steps >= m->at
                  ? std::numeric_limits<double>::quiet_NaN()

@@ -62,8 +62,9 @@ std::string text_of(std::string const& run, std::string const& output) {
 /// The same scene with a counter in the place of its motion.
 Scene counting(std::string const& run, std::string const& output, std::map<long, long>* written = nullptr) {
   Scene scene = Scene::read(SceneFile::parse(text_of(run, output), "snaps.toml"));
-  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}, true}});
+  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}}});
   auto motion = std::make_unique<Counter>();
+  simulation.quantities.conserve([](auto const&) { return true; });
   simulation.quantities.define("count", {""},
                                [m = motion.get()](auto, double* value) { *value = m->time(0.25); });
   simulation.quantities.ask({"count"});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,11 +56,15 @@ class FormulaNames {
   }
   /// Gives an entry a name that is free.
   void add(std::string_view name, Entry entry) { entries_.emplace(name, entry); }
-  /// The entry with this name.
-  std::optional<Entry> find(std::string_view name) const {
+  /// The entry with this name, which is used now.
+  std::optional<Entry> use(std::string_view name) {
     auto const found = entries_.find(name);
-    return found == entries_.end() ? std::nullopt : std::optional(found->second);
+    if (found == entries_.end()) return std::nullopt;
+    used_.emplace(name);
+    return found->second;
   }
+  /// The names that were used.
+  std::set<std::string, std::less<>> const& used() const { return used_; }
 
   /// Says why a name has no meaning.
   /// @param called  whether a bracket follows it
@@ -103,6 +108,7 @@ class FormulaNames {
   }
 
   std::map<std::string, Entry, std::less<>> entries_;
+  std::set<std::string, std::less<>> used_;
 };
 
 }  // namespace actio::detail

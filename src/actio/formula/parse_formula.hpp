@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,14 @@
 #include "actio/formula/tape_builder.hpp"
 
 namespace actio {
+
+/// A formula that was read.
+struct ReadFormula {
+  Tape value;                               ///< behind the definitions
+  std::set<std::string, std::less<>> used;  ///< names of inputs, constants and definitions that occur in it
+  /// the definitions whose names occur nowhere, and the bytes of the text where these stand
+  std::vector<std::pair<std::string, std::size_t>> unused = {};
+};
 
 namespace detail {
 /// Reads a formula by recursive descent and records it.
@@ -40,10 +49,13 @@ class FormulaParser {
     }
   }
 
-  /// The tape of the value.
-  Tape run() {
+  /// All of it.
+  ReadFormula run() {
     try {
-      return value_of_all();
+      ReadFormula out{value_of_all(), names_.used()};
+      for (auto const& [name, position] : defined_)
+        if (!out.used.contains(name)) out.unused.emplace_back(name, position);
+      return out;
     } catch (FormulaError const&) {
       throw;
     } catch (Error const& too_many_instructions) {
@@ -86,6 +98,7 @@ class FormulaParser {
     if (!text_.take_sign(';'))
       unexpected("an operator, or ';' behind the definition of '" + shown(name.text) + "'");
     names_.add(name.text, value);
+    defined_.emplace_back(name.text, name.position);
   }
 
   Entry sum() {
@@ -160,7 +173,7 @@ class FormulaParser {
   Entry name(Token const& token) {
     if (token.text == "pi") return builder_.pi();
     if (auto const function = function_called(token.text)) return call(*function, token);
-    auto const entry = names_.find(token.text);
+    auto const entry = names_.use(token.text);
     if (!entry) names_.refuse(token, text_.is_sign('('));
     if (text_.is_sign('('))
       unexpected("an operator behind '" + shown(token.text) + "', which is a number and no function");
@@ -208,6 +221,7 @@ class FormulaParser {
   TapeBuilder builder_;
   FormulaText text_;
   FormulaNames names_;
+  std::vector<std::pair<std::string, std::size_t>> defined_;
   int depth_ = 0;
 };
 }  // namespace detail
@@ -223,6 +237,11 @@ class FormulaParser {
 /// @throws FormulaError  where the text is none, with the place; of the names, the place is 0
 inline Tape parse_formula(std::string_view text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants = {}) {
+  return detail::FormulaParser(text, names, constants).run().value;
+}
+/// The same, with the names that it uses.
+inline ReadFormula read_formula(std::string_view text, std::vector<std::string> const& names,
+                                std::map<std::string, double> const& constants = {}) {
   return detail::FormulaParser(text, names, constants).run();
 }
 

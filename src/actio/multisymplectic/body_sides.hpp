@@ -64,6 +64,47 @@ inline void require_side(BodyMesh const& mesh, std::string const& name) {
                     "; the mesh has " + (known.empty() ? std::string("none") : listed(known)));
 }
 
+/// The unit vector across a side that is plane in the reference space.
+/// @throws NotABodyMesh  where it bends
+template <int d>
+std::array<double, d> plane_normal(BodyMesh const& mesh, std::string const& name) {
+  using Place = std::array<double, d>;
+  Place normal{}, first{};
+  bool begun = false;
+  // Across a seam a facet has its places from its cell.
+  for (auto const& facet : facets_of_side(mesh, name)) {
+    std::array<double, 3> p[3]{};
+    for (int k = 0; k < d; ++k)
+      p[k] = corner_place(mesh, facet.cell, facet_corners(mesh.shape, facet.facet)[k]);
+    Place here{};
+    if constexpr (d == 1)
+      here[0] = 1;
+    else if constexpr (d == 2)
+      here = {p[1][1] - p[0][1], p[0][0] - p[1][0]};
+    else
+      for (int a = 0; a < 3; ++a) {
+        int const b = (a + 1) % 3, c = (a + 2) % 3;
+        here[a] = (p[1][b] - p[0][b]) * (p[2][c] - p[0][c]) - (p[1][c] - p[0][c]) * (p[2][b] - p[0][b]);
+      }
+    double size = 0, along = 0, away = 0, length = 0;
+    for (int a = 0; a < d; ++a) size += here[a] * here[a];
+    for (int a = 0; a < d; ++a) here[a] /= std::sqrt(size);
+    if (!begun)
+      for (int a = 0; a < d; ++a) normal[a] = here[a], first[a] = p[0][a];
+    begun = true;
+    for (int a = 0; a < d; ++a) {
+      along += here[a] * normal[a], away += normal[a] * (p[0][a] - first[a]);
+      length = std::max(length, std::abs(p[0][a]));
+    }
+    double const bend = std::max(1 - along, std::abs(away) / std::max(length, 1e-300));
+    if (bend > 1e-9)
+      throw NotABodyMesh("side '" + name + "'",
+                         "a side along which a body slides is plane in the reference space; its bend", bend,
+                         1e-9);
+  }
+  return normal;
+}
+
 /// The nodes that are not free, and which of their accelerations are left to them.
 template <int d>
 class HeldNodes {
@@ -78,7 +119,7 @@ class HeldNodes {
     for (auto const& [name, side] : sides) {
       require_side(mesh, name);
       if (side.kind == BodySide<d>::Kind::free) continue;
-      Place const normal = side.kind == BodySide<d>::Kind::sliding ? plane_normal(mesh, name) : Place{};
+      Place const normal = side.kind == BodySide<d>::Kind::sliding ? plane_normal<d>(mesh, name) : Place{};
       if (side.kind == BodySide<d>::Kind::moved) motions_.push_back(side.motion);
       for (auto const& facet : mesh.sides.at(name))
         for (int const at : facet) {
@@ -160,43 +201,6 @@ class HeldNodes {
         to[std::size_t(d) * node.at + a] = place[a];
       }
     }
-  }
-  /// The direction across a side that is plane.
-  static Place plane_normal(BodyMesh const& mesh, std::string const& name) {
-    Place normal{}, first{};
-    bool begun = false;
-    // Across a seam a facet has its places from its cell.
-    for (auto const& facet : facets_of_side(mesh, name)) {
-      std::array<double, 3> p[3]{};
-      for (int k = 0; k < d; ++k)
-        p[k] = corner_place(mesh, facet.cell, facet_corners(mesh.shape, facet.facet)[k]);
-      Place here{};
-      if constexpr (d == 1)
-        here[0] = 1;
-      else if constexpr (d == 2)
-        here = {p[1][1] - p[0][1], p[0][0] - p[1][0]};
-      else
-        for (int a = 0; a < 3; ++a) {
-          int const b = (a + 1) % 3, c = (a + 2) % 3;
-          here[a] = (p[1][b] - p[0][b]) * (p[2][c] - p[0][c]) - (p[1][c] - p[0][c]) * (p[2][b] - p[0][b]);
-        }
-      double size = 0, along = 0, away = 0, length = 0;
-      for (int a = 0; a < d; ++a) size += here[a] * here[a];
-      for (int a = 0; a < d; ++a) here[a] /= std::sqrt(size);
-      if (!begun)
-        for (int a = 0; a < d; ++a) normal[a] = here[a], first[a] = p[0][a];
-      begun = true;
-      for (int a = 0; a < d; ++a) {
-        along += here[a] * normal[a], away += normal[a] * (p[0][a] - first[a]);
-        length = std::max(length, std::abs(p[0][a]));
-      }
-      double const bend = std::max(1 - along, std::abs(away) / std::max(length, 1e-300));
-      if (bend > 1e-9)
-        throw NotABodyMesh("side '" + name + "'",
-                           "a side along which a body slides is plane in the reference space; its bend", bend,
-                           1e-9);
-    }
-    return normal;
   }
 };
 

@@ -45,8 +45,11 @@ void Drift::start(std::span<double const> row) {
   started_ = true;
 }
 
-void Drift::see(std::span<double const> row, std::span<double const> units) {
-  for (std::size_t k = 0; k < units.size(); ++k) seen_[k].natural = std::max(seen_[k].natural, units[k]);
+void Drift::see(std::span<double const> row, std::span<QuantityGraph::Unit const> units) {
+  for (std::size_t k = 0; k < units.size(); ++k)
+    for (double QuantityGraph::Unit::*const part :
+         {&QuantityGraph::Unit::terms, &QuantityGraph::Unit::rounding, &QuantityGraph::Unit::at_rest})
+      seen_[k].natural.*part = std::max(seen_[k].natural.*part, units[k].*part);
   if (!started_) return start(row);
   double const* then = start_.data();
   for (std::size_t k = 0; k < quantities_.size(); ++k) {

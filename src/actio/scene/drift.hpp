@@ -3,8 +3,9 @@
 //
 // Where a quantity may be near zero although what it is made of is not, the unit is natural to it: kinetic
 // energy plus the modulus of the potential energy for the energy, the modulus of the momentum for one of its
-// components; the largest that it has been over the rows. Otherwise it is |Q(0)|, or the largest |Q| seen
-// where Q(0) = 0.
+// components; the largest that it has been over the rows. Where even that is rounding, as it is of a body at
+// rest, the unit is what the quantity is in a motion at the body's own pace. Otherwise it is |Q(0)|, or the
+// largest |Q| seen where Q(0) = 0.
 #pragma once
 
 #include "actio/scene/checkpoint_stream.hpp"
@@ -24,9 +25,9 @@ class Drift {
   /// Whether there is nothing to look at.
   bool empty() const { return quantities_.empty(); }
   /// One row more, without its time. The first one is that of t = 0, even where it is not written.
-  /// @param units  natural units of the quantities now, in their order; zero, or none at all: the modulus of
-  ///               the quantity
-  void see(std::span<double const> row, std::span<double const> units = {});
+  /// @param units  natural units of the quantities now, in their order; of no terms, or none at all: the
+  ///               modulus of the quantity
+  void see(std::span<double const> row, std::span<QuantityGraph::Unit const> units = {});
   /// How far one quantity has drifted.
   struct Entry {
     std::string name;     ///< of the quantity
@@ -42,8 +43,12 @@ class Drift {
 
  private:
   struct Seen {
-    double difference = 0, modulus = 0, at_start = 0, natural = 0;
-    double unit() const { return natural > 0 ? natural : at_start > 0 ? at_start : modulus; }
+    double difference = 0, modulus = 0, at_start = 0;
+    QuantityGraph::Unit natural = {};  // the largest of each of its parts
+    double unit() const {
+      if (natural.at_rest > 0 && !(natural.terms > natural.rounding)) return natural.at_rest;
+      return natural.terms > 0 ? natural.terms : at_start > 0 ? at_start : modulus;
+    }
     double relative() const { return unit() > 0 ? difference / unit() : 0; }
   };
   void start(std::span<double const> row);

@@ -18,7 +18,7 @@ namespace {
 
 std::vector<DataSet> data_sets(SeriesHead const& head) {
   std::vector<DataSet> out;
-  Quantity time{"t", Quantity::Kind::scalar, "The time.", "t", head.time_unit, "", {}, false};
+  Quantity time{"t", Quantity::Kind::scalar, "The time.", "t", head.time_unit, "", {}};
   out.emplace_back(ColumnGroup{time, {"t"}});
   for (auto const& group : head.groups) out.emplace_back(group);
   return out;

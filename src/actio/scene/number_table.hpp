@@ -12,14 +12,14 @@ class NumberTable {
  public:
   /// @param heading  the names of the columns, with commas between
   explicit NumberTable(std::string heading) : text_(std::move(heading)) { text_ += '\n'; }
-  /// One number more in this row.
+  /// One number more in this row; zero has no sign.
   void add(double x) {
     constexpr std::size_t longest = 25;
     std::size_t const before = text_.size();
     text_.resize(before + longest);
     char* const at = text_.data() + before;
     text_.resize(static_cast<std::size_t>(
-        std::to_chars(at, at + longest, x, std::chars_format::general, 17).ptr - text_.data()));
+        std::to_chars(at, at + longest, x == 0 ? 0 : x, std::chars_format::general, 17).ptr - text_.data()));
     text_ += ',';
   }
   /// The next number begins a row.

@@ -11,6 +11,7 @@
 #include "actio/scene/drift.hpp"
 #include "actio/scene/own_files.hpp"
 #include "actio/scene/played_medium.hpp"
+#include "actio/scene/printable.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/run_files.hpp"
 #include "actio/scene/series_reader.hpp"
@@ -36,7 +37,7 @@ std::string standing_alone(std::string const& title, double width, std::string c
       "var(--plot-text,#d8dbde)}}}}</style>\n"
       "<rect class=\"run-sheet\" width=\"100%\" height=\"100%\"/>\n<text class=\"run-title\" x=\"16\" "
       "y=\"23\">{2}</text>\n<g transform=\"translate(0 32)\">\n{3}</g>\n</svg>\n",
-      width, height, book::svg::escape(title), picture);
+      width, height, book::svg::escape(printable(title)), picture);
 }
 
 constexpr double plot_width = 760, sphere_width = 420;

@@ -88,6 +88,10 @@ void QuantityGraph::define(std::string const& name, std::vector<std::string> end
   n.ends = std::move(ends), n.evaluate = std::move(evaluate), n.unit = std::move(unit);
 }
 
+void QuantityGraph::conserve(std::function<bool(std::string const& name)> const& conserved) {
+  for (auto& n : nodes_) n.quantity.conserved = conserved(n.quantity.name);
+}
+
 void QuantityGraph::require(Node& n) {
   if (n.needed) return;
   if (!n.evaluate) throw std::logic_error("quantities: " + n.quantity.name + " is not defined");
@@ -165,8 +169,8 @@ std::vector<QuantityGraph::Conserved> QuantityGraph::conserved() const {
   return out;
 }
 
-std::vector<double> QuantityGraph::natural_units() const {
-  std::vector<double> out;
+std::vector<QuantityGraph::Unit> QuantityGraph::natural_units() const {
+  std::vector<Unit> out;
   bool const any =
       std::ranges::any_of(asked_, [](Node const* n) { return n->quantity.conserved && n->unit; });
   if (!any) return out;
@@ -174,7 +178,7 @@ std::vector<double> QuantityGraph::natural_units() const {
     if (!n->quantity.conserved) continue;
     std::size_t const count = n->quantity.kind == Quantity::Kind::list ? n->value.size() : 1;
     for (std::size_t i = 0; i < count; ++i)
-      out.push_back(n->unit ? n->unit(n->needs, n->value.data(), i) : 0);
+      out.push_back(n->unit ? n->unit(n->needs, n->value.data(), i) : Unit());
   }
   return out;
 }

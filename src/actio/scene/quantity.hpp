@@ -47,8 +47,9 @@ struct Quantity {
   std::string statement;  ///< of the thesis; may be empty
   /// other quantities of the system that it is computed from; none: the state
   std::vector<std::string> needs;
-  bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
   Shown shown = Shown::by_curves;  ///< besides its curves
+  /// whether the motion keeps it, so that its drift is an error: as conservation.hpp has it
+  bool conserved = false;
 };
 
 /// What the numbers of a kind are, in words: "scalar", "skew matrix".
@@ -74,10 +75,22 @@ class QuantityGraph {
  public:
   /// Writes the value, from those of what the quantity needs, in the order of `needs`.
   using Evaluate = std::function<void(std::span<double const* const> needs, double* value)>;
-  /// The natural unit of a conserved quantity: what its drift is to be compared with where the quantity
-  /// itself may be near zero, as an energy is where its parts cancel. Of a list, that of one of its numbers.
+  /// What the drift of a conserved quantity is to be compared with where the quantity itself may be near
+  /// zero, as an energy is where its parts cancel.
+  struct Unit {
+    double terms = 0,  ///< the moduli of what it is made of, added up; 0: its own modulus
+        rounding = 0,  ///< terms up to this size are rounding, and the system is at rest
+        at_rest = 0;   ///< the unit then: what the quantity is where the system moves at its own pace
+    Unit() = default;
+    /// Terms that are never rounding alone.
+    Unit(double of_terms) : terms(of_terms) {}  // NOLINT(google-explicit-constructor)
+    /// With the unit at rest.
+    Unit(double of_terms, double from_rounding, double of_rest)
+        : terms(of_terms), rounding(from_rounding), at_rest(of_rest) {}
+  };
+  /// The unit of a conserved quantity now. Of a list, that of one of its numbers.
   using NaturalUnit =
-      std::function<double(std::span<double const* const> needs, double const* value, std::size_t component)>;
+      std::function<Unit(std::span<double const* const> needs, double const* value, std::size_t component)>;
 
   /// How often a quantity was evaluated.
   struct Count {
@@ -96,6 +109,8 @@ class QuantityGraph {
   /// @param unit  of a conserved quantity; left out: its own modulus
   void define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate,
               NaturalUnit unit = {});
+  /// Says which quantities the motion conserves.
+  void conserve(std::function<bool(std::string const& name)> const& conserved);
   /// What the rows hold, in this order. Once, before anything is evaluated.
   void ask(std::vector<std::string> const& names);
 
@@ -125,9 +140,9 @@ class QuantityGraph {
   };
   /// The conserved quantities that the rows hold.
   std::vector<Conserved> conserved() const;
-  /// Their natural units, in the same order, as of the last evaluation; zero where a quantity has none but
-  /// its modulus, and an empty list where no quantity has one.
-  std::vector<double> natural_units() const;
+  /// Their units, in the same order, as of the last evaluation; of no terms where a quantity has none but its
+  /// modulus, and an empty list where no quantity has one.
+  std::vector<Unit> natural_units() const;
 
  private:
   struct Node {

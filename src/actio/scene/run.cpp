@@ -145,7 +145,10 @@ class Run {
     std::span<double> const values = std::span(row_).subspan(1);
     simulation_.quantities.evaluate(values);
     double nothing = 0;
-    for (double const x : values) nothing += 0 * x;
+    for (double& x : values) {
+      nothing += 0 * x;
+      if (x == 0) x = 0;  // and not -0
+    }
     if (nothing != 0) refuse_row(t);
     drift_.see(values, simulation_.quantities.natural_units());
     long const row = position_.rows();

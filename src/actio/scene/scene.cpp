@@ -16,6 +16,11 @@ namespace {
 System const& system_of(SceneFile const& file) {
   std::vector<std::string> kinds;
   for (auto const& system : systems()) kinds.push_back(system.name);
+  SceneTable const table = file.section("system");
+  if (!table.has("kind"))
+    for (auto const& key : table.keys())
+      if (std::string const meant = did_you_mean(key, {"kind"}); !meant.empty())
+        table.fail(key, "unknown key of [system] '" + shown(key) + "'" + meant);
   return *find_system(file.section("system").choice("kind", "system", kinds, "actio list systems"));
 }
 

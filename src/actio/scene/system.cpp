@@ -1,5 +1,7 @@
 #include "actio/scene/system.hpp"
 
+#include "actio/scene/systems/conservation.hpp"
+
 // One line for each system, in the order in which they are told: systems/NAME.cpp defines NAME_system().
 // clang-format off
 #define ACTIO_EACH_SYSTEM(with) \
@@ -19,7 +21,11 @@ ACTIO_EACH_SYSTEM(ACTIO_DECLARED)
 #define ACTIO_MADE(name) name##_system(),
 
 std::vector<System> const& systems() {
-  static std::vector<System> const all{ACTIO_EACH_SYSTEM(ACTIO_MADE)};
+  static std::vector<System> const all = [] {
+    std::vector<System> made{ACTIO_EACH_SYSTEM(ACTIO_MADE)};
+    for (auto& system : made) system.quantities = with_conserved(system.name, std::move(system.quantities));
+    return made;
+  }();
   return all;
 }
 

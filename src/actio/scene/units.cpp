@@ -29,7 +29,7 @@ std::string unit_named(SceneTable const& units, std::string const& key) {
   std::string const name = units.text(key);
   bool const plain = std::all_of(name.begin(), name.end(),
                                  [](unsigned char c) { return c >= 0x80 || std::isalpha(c) || c == '_'; });
-  if (name.empty() || name.size() > 16 || !plain)
+  if (name.empty() || name.size() > 16 || !plain || printable(name) != name)
     units.fail(key,
                key + ": the name of a unit is expected, of at most 16 letters, for example \"m\"; found '" +
                    shown(name, 40) + "'");

@@ -6,6 +6,7 @@
 #include "actio/scene/body_shape.hpp"
 #include "actio/scene/embedded.hpp"
 #include "actio/scene/pictures.hpp"
+#include "actio/scene/printable.hpp"
 #include "actio/scene/units.hpp"
 #include "book/svg.hpp"
 
@@ -211,7 +212,7 @@ std::string viewer_page(Scene const& scene, Overview const& overview, std::strin
         embedded::viewer_page})
     script.append(piece);
   return filled(embedded::viewer_html,
-                {{"<!-- title -->", book::svg::escape(scene.title)},
+                {{"<!-- title -->", book::svg::escape(printable(scene.title))},
                  {"/* style */", std::string(embedded::viewer_css)},
                  {"<!-- run -->", run_json(scene, overview, summary_json, maps_json, medium_json)},
                  {"/* script */", script}});

@@ -39,13 +39,13 @@ std::vector<Parameter> parameters() {
        "the carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no "
        "abs, min or comparison.",
        "", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
-      {"system.parameters", "a table", "none", "Numbers that the Lagrangian knows by their names.", "",
-       "{ c = 6 }"},
-      {"system.advected", "a table of vectors", "none",
+      {"system.parameters", "a table by names of one's own", "none",
+       "Numbers by whose names the Lagrangian uses them; each is used.", "", "{ c = 6 }"},
+      {"system.advected", "a table of vectors by names of one's own", "none",
        "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in "
        "space on the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] "
        "has the components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. "
-       "On SE(n) a list of n numbers is a direction.",
+       "On SE(2) and SE(3) a list of 2 or 3 numbers is a direction.",
        "", "{ gravity = [0, 0, -1] }"},
       {"initial.velocity", "a list of as many numbers as the group has dimensions", "needed",
        "The velocity at the start, in the order of the components.", "1/time", "[0.7, 1.0, 0.2]"},

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/groups/rotations.hpp"
+#include "actio/scene/systems/scene_formula.hpp"
 
 namespace actio::scene {
 namespace {
@@ -16,16 +16,6 @@ std::vector<std::string> const& variables() {
   return names;
 }
 std::vector<int> const entries{0, 1, 2, 3, 4, 5, 6, 7, 8};
-
-Tape parsed(std::string const& text, TextPlace const& place) {
-  try {
-    return parse_formula(text, variables(), {});
-  } catch (FormulaError const& error) {
-    place.fail(text, error.position, "potential: " + std::string(error.what()));
-  } catch (Error const& error) {
-    place.fail(text, 0, "potential: " + std::string(error.what()));
-  }
-}
 
 using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
@@ -55,7 +45,7 @@ struct FormulaPotential::Tapes {
 };
 
 FormulaPotential::FormulaPotential(std::string const& text, TextPlace const& place) {
-  Tape const value = parsed(text, place);
+  Tape const value = scene_formula(text, variables(), {}, place, "potential").value;
   for (int i = 0; i < 10; ++i) uses_[static_cast<std::size_t>(i)] = value.depends_on(i);
   try {
     tapes_ = std::make_shared<Tapes const>(

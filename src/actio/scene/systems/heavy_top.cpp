@@ -4,6 +4,7 @@
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "actio/scene/body_shape.hpp"
 #include "actio/scene/companion.hpp"
+#include "actio/scene/systems/conservation.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/torqued_motion.hpp"
@@ -43,16 +44,14 @@ std::vector<Quantity> quantities() {
                  "\\Gamma = R(q)^T g/|g|",
                  "1",
                  "",
-                 {"attitude"},
-                 false});
+                 {"attitude"}});
   all.push_back({"vertical_momentum",
                  Kind::scalar,
                  "The angular momentum about the vertical through the fixed point, against gravity.",
                  "-\\langle\\pi, g/|g|\\rangle",
                  "energy x time",
                  "",
-                 {"spatial_momentum"},
-                 true});
+                 {"spatial_momentum"}});
   all.push_back({"energy",
                  Kind::scalar,
                  "Kinetic and potential energy; the potential is zero with the centre of mass as high as the "
@@ -60,8 +59,7 @@ std::vector<Quantity> quantities() {
                  "H = \\tfrac12\\langle M, I^{-1}M\\rangle - m|g|\\langle\\chi, \\Gamma\\rangle",
                  "energy",
                  "",
-                 {"body_momentum", "angular_velocity", "direction_of_gravity"},
-                 true});
+                 {"body_momentum", "angular_velocity", "direction_of_gravity"}});
   all.push_back({"casimir",
                  Kind::list,
                  "The Casimirs of the dual of se(3), where momentum and direction of gravity move: |Gamma|^2 "
@@ -69,8 +67,7 @@ std::vector<Quantity> quantities() {
                  "|\\Gamma|^2, \\langle M, \\Gamma\\rangle",
                  "1, and energy x time",
                  "",
-                 {"body_momentum", "direction_of_gravity"},
-                 true});
+                 {"body_momentum", "direction_of_gravity"}});
   return all;
 }
 
@@ -177,6 +174,9 @@ Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
 }
 
 void define_top(QuantityGraph& graph, TopScene const& scene) {
+  auto const unit = [inertia = scene.top.inertia, pace = scene.fastest](double modulus) {
+    return unit_of_momentum(modulus, inertia, pace);
+  };
   graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector),
                [down = scene.top.down](auto needs, double* gamma) {
     as_matrix<3, 1>(gamma) = SU2::Ad<double>(SU2::inverse<double>(as_matrix<4, 1>(needs[0])), down);
@@ -184,8 +184,8 @@ void define_top(QuantityGraph& graph, TopScene const& scene) {
   graph.define(
       "vertical_momentum", {""},
       [down = scene.top.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
-      [](auto needs, double const*, std::size_t) {
-    return magnitude(Eigen::Vector3d(ConstVector(needs[0])));
+      [unit](auto needs, double const*, std::size_t) {
+    return unit(magnitude(Eigen::Vector3d(ConstVector(needs[0]))));
       });
   graph.define(
       "energy", {""},
@@ -201,14 +201,15 @@ void define_top(QuantityGraph& graph, TopScene const& scene) {
     ConstVector const M(needs[0]), gamma(needs[1]);
     casimir[0] = gamma.squaredNorm(), casimir[1] = M.dot(gamma);
       },
-      [](auto needs, double const*, std::size_t component) {
-    return component == 0 ? 1 : magnitude(Eigen::Vector3d(ConstVector(needs[0])));
+      [unit](auto needs, double const*, std::size_t component) {
+    return component == 0 ? QuantityGraph::Unit(1) : unit(magnitude(Eigen::Vector3d(ConstVector(needs[0]))));
   });
 }
 
 Simulation prepare(Request const& request) {
   TopScene scene(request);
-  Simulation simulation(quantities());
+  Simulation simulation(with_conserved("heavy_top", quantities(),
+                                       scene.is_free() ? std::set<Feature>{} : std::set{Feature::gravity}));
   auto motion = motion_of(scene, request.schedule, simulation.failure);
   if (simulation.failure.empty()) simulation.companion = companion_of(scene, request.error_estimate);
   define_turning_body(simulation.quantities, *motion, scene.top.inertia);

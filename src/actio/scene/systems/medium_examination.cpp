@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <stdexcept>
 
 #include "actio/scene/systems/medium_points.hpp"
 
@@ -30,6 +32,29 @@ void require_periodic(SceneTable const& initial, std::string const& key, PlaceFo
                         key, "XYZ"[k], key == "placement" ? "placement minus the identity" : "the velocity",
                         jump, "XYZ"[k], mesh.lower[k], mesh.upper[k]));
     }
+  }
+}
+
+/// Which direction a side of a box is across, and at which end.
+std::pair<std::size_t, int> side_of_box(std::string const& side) {
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int const end : {0, 1})
+      if (side == actio::detail::side_names[k][end]) return {k, end};
+  throw std::logic_error("a box has no side " + side);
+}
+
+/// The unit vector across a side that is plane; zero where it is none, which is refused later.
+template <int d>
+PointOfBody<d> direction_across(MediumMesh const& mesh, std::string const& side) {
+  PointOfBody<d> out{};
+  if (mesh.shape == "box") {
+    out[side_of_box(side).first] = 1;
+    return out;
+  }
+  try {
+    return plane_normal<d>(mesh.make(), side);
+  } catch (NotABodyMesh const&) {
+    return out;
   }
 }
 
@@ -77,20 +102,44 @@ ExaminedStart<d> examined_start(SceneFile const& file, MediumStart& start, Mediu
 }
 
 template <int d>
-std::vector<std::string> drifting_sides(MediumMesh const& box, MediumCells<d> const& cells,
-                                        ExaminedStart<d> const& start) {
-  std::vector<std::string> out;
-  for (std::size_t k = 0; k < d; ++k)
-    for (int end = 0; end < 2; ++end) {
-      std::string const name = actio::detail::side_names[k][end];
-      if (box.periodic[k] || box.sides.at(name) != "fixed") continue;
-      double const far = 1e-9 * (box.upper[k] - box.lower[k]), wall = end == 0 ? box.lower[k] : box.upper[k];
-      double fastest = 0;
-      for (std::size_t n = 0; n < cells.nodes(); ++n)
-        if (std::abs(cells.reference(n)[k] - wall) <= far)
-          fastest = std::max(fastest, size_of(start.velocities[n]));
-      if (fastest > 0) out.push_back(drifting(name, fastest));
+std::vector<std::size_t> nodes_of_side(MediumMesh const& mesh, MediumCells<d> const& cells,
+                                       std::string const& side) {
+  std::vector<std::size_t> out;
+  if (mesh.shape == "box") {
+    auto const [k, end] = side_of_box(side);
+    double const far = 1e-9 * (mesh.upper[k] - mesh.lower[k]),
+                 wall = end == 0 ? mesh.lower[k] : mesh.upper[k];
+    for (std::size_t n = 0; n < cells.nodes(); ++n)
+      if (std::abs(cells.reference(n)[k] - wall) <= far) out.push_back(n);
+    return out;
+  }
+  std::set<int> nodes;
+  BodyMesh const made = mesh.read ? BodyMesh{} : mesh.make();
+  for (auto const& facet : (mesh.read ? *mesh.read : made).sides.at(side))
+    nodes.insert(facet.begin(), facet.end());
+  for (int const n : nodes)
+    if (n >= 0) out.push_back(static_cast<std::size_t>(n));
+  return out;
+}
+
+template <int d>
+std::map<std::string, double> driven_sides(MediumMesh const& mesh, MediumCells<d> const& cells,
+                                           ExaminedStart<d> const& start) {
+  std::map<std::string, double> out;
+  for (auto const& [side, does] : mesh.sides) {
+    if (does == "free") continue;
+    auto const across = does == "sliding" ? direction_across<d>(mesh, side) : PointOfBody<d>{};
+    double fastest = 0, rounding = 0;
+    for (std::size_t const n : nodes_of_side(mesh, cells, side)) {
+      auto const& v = start.velocities[n];
+      double along = 0;
+      for (std::size_t a = 0; a < d; ++a) along += across[a] * v[a];
+      fastest = std::max(fastest, does == "fixed" ? size_of(v) : std::abs(along));
+      // Across a side that is oblique a velocity along it has a rounding.
+      if (does == "sliding") rounding = std::max(rounding, 1e-14 * size_of(v));
     }
+    if (fastest > rounding) out[side] = fastest;
+  }
   return out;
 }
 
@@ -130,10 +179,23 @@ template ExaminedStart<2> examined_start<2>(SceneFile const&, MediumStart&, Medi
 /// In space.
 template ExaminedStart<3> examined_start<3>(SceneFile const&, MediumStart&, MediumCells<3> const&,
                                             MediumMesh const&);
+/// Along a line.
+template std::map<std::string, double> driven_sides<1>(MediumMesh const&, MediumCells<1> const&,
+                                                       ExaminedStart<1> const&);
 /// In the plane.
-template std::vector<std::string> drifting_sides<2>(MediumMesh const&, MediumCells<2> const&,
-                                                    ExaminedStart<2> const&);
+template std::map<std::string, double> driven_sides<2>(MediumMesh const&, MediumCells<2> const&,
+                                                       ExaminedStart<2> const&);
 /// In space.
-template std::vector<std::string> drifting_sides<3>(MediumMesh const&, MediumCells<3> const&,
-                                                    ExaminedStart<3> const&);
+template std::map<std::string, double> driven_sides<3>(MediumMesh const&, MediumCells<3> const&,
+                                                       ExaminedStart<3> const&);
+/// Along a line.
+template std::vector<std::size_t> nodes_of_side<1>(MediumMesh const&, MediumCells<1> const&,
+                                                   std::string const&);
+/// In the plane.
+template std::vector<std::size_t> nodes_of_side<2>(MediumMesh const&, MediumCells<2> const&,
+                                                   std::string const&);
+/// In space.
+template std::vector<std::size_t> nodes_of_side<3>(MediumMesh const&, MediumCells<3> const&,
+                                                   std::string const&);
+
 }  // namespace actio::scene

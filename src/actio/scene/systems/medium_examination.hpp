@@ -2,6 +2,7 @@
 // each with the others. What is wrong is told at its key, before anything moves.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,17 +29,22 @@ ExaminedStart<d> examined_start(SceneFile const& file, MediumStart& start, Mediu
 /// forces act on sides that they can move, motions begin where the placement is, and sides that share a node
 /// agree there.
 /// @param until  the end of the run
-/// @return what is no fault and still not what one would expect: sides that move by their start
+/// @return what is no fault and still not what one would expect: a motion that begins with a push
 /// @throws SceneError  where they are not so, with what was found and what would do
 template <int d>
 std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, BodyMesh const& body,
                                         MediumLoads<d> const& loads, ExaminedStart<d> const& start,
                                         double until);
 
-/// The sides of a box that are fixed to a velocity which is not zero, in words.
+/// The nodes of a side.
 template <int d>
-std::vector<std::string> drifting_sides(MediumMesh const& box, MediumCells<d> const& cells,
-                                        ExaminedStart<d> const& start);
+std::vector<std::size_t> nodes_of_side(MediumMesh const& mesh, MediumCells<d> const& cells,
+                                       std::string const& side);
+/// The sides that are held to a velocity which they have at the start, and how fast each moves: fixed ones
+/// with any velocity, sliding ones with one across them. They do work.
+template <int d>
+std::map<std::string, double> driven_sides(MediumMesh const& mesh, MediumCells<d> const& cells,
+                                           ExaminedStart<d> const& start);
 
 /// That the stable step is not so short that the end is out of reach.
 /// @param longest  the longest stable step

@@ -122,7 +122,6 @@ class MotionExamination {
       for (std::size_t k = 1; k < sides.size(); ++k) agree(node, sides[0], sides[k]);
     }
     std::vector<std::string> out;
-    for (auto const& [side, speed] : drifting_) out.push_back(drifting(side, speed));
     for (auto const& [side, jump] : kicked_)
       out.push_back(
           fmt::format("motion.{} begins with another velocity than initial.velocity, by up to {:.6g}: it "
@@ -145,12 +144,7 @@ class MotionExamination {
   }
   void begins(int node, Sided<d> const& one) {
     auto const n = static_cast<std::size_t>(node);
-    if (one.does->kind == Kind::fixed) {
-      double& fastest = drifting_[one.side];
-      fastest = std::max(fastest, size_of(start_.velocities[n]));
-      if (fastest == 0) drifting_.erase(one.side);
-      return;
-    }
+    if (one.does->kind == Kind::fixed) return;
     PointOfBody<d> const X = reference(node), there = place(node, one, 0),
                          v = one.does->motion.velocity(X, 0);
     if (!std::isfinite(size_of(there)) || !std::isfinite(size_of(v)))
@@ -187,7 +181,7 @@ class MotionExamination {
   ExaminedStart<d> const& start_;
   double until_, near_ = 0;
   std::map<int, std::vector<Sided<d>>> nodes_;
-  std::map<std::string, double> drifting_, kicked_;
+  std::map<std::string, double> kicked_;
 };
 
 }  // namespace

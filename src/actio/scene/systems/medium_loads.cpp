@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/change_in_time.hpp"
+#include "actio/scene/systems/scene_formula.hpp"
 
 namespace actio::scene {
 namespace {
@@ -19,13 +19,7 @@ std::vector<std::string> first_names(std::vector<std::string> names, int d) {
 }
 
 Tape parsed(std::string const& text, std::vector<std::string> const& variables, TextPlace const& place) {
-  try {
-    return parse_formula(text, variables, {});
-  } catch (FormulaError const& error) {
-    place.fail(text, error.position, error.what());
-  } catch (Error const& error) {
-    place.fail(text, 0, error.what());
-  }
+  return scene_formula(text, variables, {}, place).value;
 }
 
 /// A tape with the memory that it works in.
@@ -134,7 +128,6 @@ void read_tractions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
     require_known_side(table, side, mesh);
     auto const force = table.numbers(side, d);
     std::copy_n(force.begin(), d, out.loads.tractions[side].begin());
-    out.momentum = out.angular_momentum = false;
   }
 }
 
@@ -146,7 +139,6 @@ void read_pressures(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
   SceneTable const table = load.inside("pressure");
   for (auto const& side : table.keys()) {
     require_known_side(table, side, mesh);
-    out.energy = out.momentum = out.angular_momentum = false;
     if (!table.is_text(side)) {
       double const p = table.number(side);
       out.loads.pressures[side] = [p](double) { return p; };
@@ -172,23 +164,27 @@ void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>&
       table.fail(side, fmt::format("motion: the side '{}' is {} and cannot be moved besides", side,
                                    mesh.sides.at(side)));
     out.sides[side] = {BodySide<d>::Kind::moved, read_motion<d>(table, side, out.in_time)};
-    out.energy = out.momentum = out.angular_momentum = false;
   }
 }
 
 }  // namespace
 
 template <int d>
-std::string MediumLoads<d>::pull_of_gravity(std::array<double, d> const& x) const {
+double MediumLoads<d>::slope_of_gravity(std::array<double, d> const& x) const {
+  double square = 0;
+  if (gravity)
+    for (double const one : loads.potentials.front().gradient(x)) square += one * one;
+  return std::sqrt(square);
+}
+template <int d>
+std::string MediumLoads<d>::pull_of_gravity(std::array<double, d> const& x, double steepest) const {
   if (!gravity) return "";
+  double const size = slope_of_gravity(x), nothing = 1e-12 * steepest;
+  if (!(size > nothing)) return "gravity does not pull at the centre of the body";
   auto const slope = loads.potentials.front().gradient(x);
-  double size = 0;
-  for (double const one : slope) size += one * one;
-  size = std::sqrt(size);
-  if (!(size > 0)) return "gravity does not pull at the centre of the body";
   std::string along;
   for (double const one : slope)
-    along += fmt::format("{}{:.4g}", along.empty() ? "" : ", ", one == 0 ? 0 : -one / size);
+    along += fmt::format("{}{:.4g}", along.empty() ? "" : ", ", std::abs(one) <= nothing ? 0 : -one / size);
   return fmt::format("gravity pulls along ({}) with {:.6g} at the centre of the body", along, size);
 }
 /// Along a line.
@@ -228,21 +224,15 @@ MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh) 
   for (auto const& [name, does] : mesh.sides) {
     if (does == "free") continue;
     out.sides[name] = {does == "fixed" ? Kind::fixed : Kind::sliding, {}};
-    out.momentum = out.angular_momentum = false;
   }
-  for (bool const one : mesh.periodic) out.angular_momentum = out.angular_momentum && !one;
   SceneTable const load = file.section("system.load"), obstacle = file.section("system.obstacle");
   load.allow({"gravity", "pressure", "traction", "motion"});
   obstacle.allow({"potential"});
   if (load.has("gravity")) out.loads.potentials.push_back(read_potential<d>(load, "gravity"));
   out.gravity = load.has("gravity");
   if (obstacle.has("potential")) out.loads.potentials.push_back(read_potential<d>(obstacle, "potential"));
-  if (!out.loads.potentials.empty()) out.momentum = out.angular_momentum = false;
-  if (load.has("pressure") && !load.is_table("pressure")) {
+  if (load.has("pressure") && !load.is_table("pressure"))
     out.loads.outside_pressure = load.number("pressure");
-    // The pressure of a closed surface adds up to nothing, that of a part of one does not.
-    for (auto const& [name, does] : mesh.sides) out.momentum = out.momentum && does == "free";
-  }
   read_tractions(file, mesh, out), read_pressures(file, mesh, out), read_motions(file, mesh, out);
   return out;
 }

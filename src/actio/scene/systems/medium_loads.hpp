@@ -22,14 +22,14 @@ template <int d>
 struct MediumLoads {
   BodySides<d> sides;                    ///< by their names
   BodyLoads<d> loads;                    ///< what acts on it
-  bool energy = true;                    ///< whether energy is conserved
-  bool momentum = true;                  ///< whether linear momentum is
-  bool angular_momentum = true;          ///< whether angular momentum is
   bool gravity = false;                  ///< whether the first potential is that of gravity
   std::vector<LoadInTime> in_time = {};  ///< those that depend on time
 
   /// Where gravity pulls at a place, in words: "gravity pulls along (0, -1) with 9.81 ..."; empty without it.
-  std::string pull_of_gravity(std::array<double, d> const& x) const;
+  /// @param steepest  the largest slope in the body: 1e-12 of that is rounding
+  std::string pull_of_gravity(std::array<double, d> const& x, double steepest) const;
+  /// How fast gravity changes at a place, acceleration; zero without it.
+  double slope_of_gravity(std::array<double, d> const& x) const;
 };
 
 /// The largest frequency of loads that depend on time: each is looked at over all times

@@ -174,15 +174,27 @@ MaterialLoop<d> loop_of_box(SceneTable const& loops, std::string const& key, Med
 
 std::vector<std::string> loop_names(SceneFile const& file) { return file.section("system.loops").keys(); }
 
+void require_used_loops(SceneFile const& file, bool circulates) {
+  SceneTable const table = file.section("system.loops");
+  if (auto const names = table.keys(); !circulates && !names.empty())
+    table.fail(names.front(), fmt::format("loops: nothing uses '{}': it is for 'circulation', which "
+                                          "output.quantities does not have",
+                                          shown(names.front())));
+}
+
 template <int d>
 std::vector<MaterialLoop<d>> read_loops(SceneFile const& file, MediumCells<d> const& cells,
                                         MediumMesh const& mesh) {
   SceneTable const table = file.section("system.loops");
   std::vector<MaterialLoop<d>> out;
   for (auto const& name : loop_names(file)) {
-    bool const word =
-        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-    if (!word) table.fail(name, "loops: a name has letters, digits and _, since a column is named by it");
+    bool const word = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return std::isalnum(c) || c == '_';
+    });
+    if (!word)
+      table.fail(name, fmt::format("loops: a name has letters, digits and _, since a column is named by it; "
+                                   "found '{}'",
+                                   shown(name)));
     out.push_back(table.is_table(name) ? loop_of_box<d>(table, name, mesh)
                                        : loop_of_side<d>(table, name, mesh));
     out.back().name = name;
@@ -206,10 +218,11 @@ template std::vector<MaterialLoop<3>> read_loops(SceneFile const&, MediumCells<3
 Parameter loops_parameter() {
   return {
       "system.loops",
-      "a table",
+      "a table by names of one's own",
       "the outermost closed row of nodes",
       "Closed rows of nodes by names of one's own, along which the circulation is taken: the name of a side "
-      "that is closed; in a box in the plane { lower = [X, Y], upper = [X, Y] }, the edge of the rectangle "
+      "that is closed, along which the body is to the left, so that one around a hole goes clockwise; in a "
+      "box in the plane { lower = [X, Y], upper = [X, Y] }, the edge of the rectangle "
       "of cells nearest to these corners, counterclockwise; in a periodic box { along = \"X\", through = "
       "[X, Y] }, the row nearest to a point that goes once around it.",
       "",

@@ -21,6 +21,10 @@ struct MaterialLoop {
 /// The names in [system.loops]; empty where it is left out.
 std::vector<std::string> loop_names(SceneFile const& file);
 
+/// That loops which are named are looked at: the circulation is asked for.
+/// @throws SceneError  at the first one, where it is not
+void require_used_loops(SceneFile const& file, bool circulates);
+
 /// The loops of [system.loops]. Left out it is the outermost closed row of nodes of a body in the plane,
 /// counterclockwise, or the row that goes once around a periodic box.
 /// @throws SceneError  where one is not closed, or the body has none

@@ -159,6 +159,10 @@ void require_stable_material(SceneTable const& system, Material const& material,
                   first - more, -2 * mu / d - more));
 }
 
+bool pressure_is_of_density(Material const& material) {
+  return material.record->name == "polytropic_gas" || material.record->name == "shallow_water";
+}
+
 template <int d>
 std::shared_ptr<StoredEnergy<d> const> stored_energy_of(Material const& material) {
   std::string const& name = material.record->name;

@@ -27,6 +27,10 @@ Material read_material(SceneTable const& system, bool fluid);
 /// @throws SceneError  where it is not, with the modulus and the bound
 void require_stable_material(SceneTable const& system, Material const& material, int d);
 
+/// Whether the pressure of a fluid is a function of its density alone, so that it is barotropic where its
+/// reference density varies, too. That of Tait's liquid is one of the Jacobian.
+bool pressure_is_of_density(Material const& material);
+
 /// Its stored energy in d dimensions, 1, 2 or 3.
 template <int d>
 std::shared_ptr<StoredEnergy<d> const> stored_energy_of(Material const& material);

@@ -30,13 +30,6 @@ double distance(std::array<double, d> const& a, std::array<double, d> const& b) 
 }
 /// The length of a vector.
 template <std::size_t d>
-double size_of(std::array<double, d> const& a) {
-  return distance(a, {});
-}
-
-/// A side that is fixed and moves all the same, in words.
-inline std::string drifting(std::string const& side, double speed) {
-  return fmt::format("side {} is fixed to the velocity that it has at the start, up to {:.6g}", side, speed);
-}
+double size_of(std::array<double, d> const& a) { return distance(a, {}); }
 
 }  // namespace actio::scene

@@ -2,11 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "actio/scene/systems/medium_points.hpp"
 
 namespace actio::scene {
 namespace {
 
 using Kind = Quantity::Kind;
+
+/// The square of the speed of sound along a dilation of the undeformed body.
+template <int d>
+double sound_squared(StoredEnergy<d> const& law, double density) {
+  Matrix<double, d, d> const one = Matrix<double, d, d>::Identity(), P = law.stress(one),
+                             rate = law.stress_rate(one, one);
+  double sum = 0;
+  for (int k = 0; k < d; ++k) sum += rate(k, k) - (d - 1) * P(k, k);
+  return std::max(0.0, sum / (d * d) * law.weight(density) / density);
+}
 
 /// Places and velocities of the nodes, read once for all quantities of a row, and only where one needs them.
 template <int d>
@@ -37,12 +50,39 @@ class Observed {
       visit(motion().mass(k), x, v);
     }
   }
+  /// The speed of sound in the body where it is not deformed, of the mean density: what moves by much less
+  /// than that, over a rounding, is at rest.
+  double sound() {
+    if (sound_) return *sound_;
+    auto const& cells = motion().cells();
+    std::size_t const apart = 1 + cells.nodes() / 1000;
+    double mass = 0, sum = 0;
+    for (std::size_t k = 0; k < cells.nodes(); k += apart)
+      mass += motion().mass(k), sum += motion().mass(k) * medium_.density(cells.reference(k));
+    return sound_.emplace(sum > 0 ? std::sqrt(sound_squared(*medium_.law, sum / mass)) : 0);
+  }
+  /// The unit of something that is linear in the velocities.
+  /// @param per_speed  what it is made of, for each unit of velocity
+  QuantityGraph::Unit unit(double terms, double per_speed) {
+    return {terms, rounding * per_speed * sound(), per_speed * sound()};
+  }
+  /// Of energies.
+  QuantityGraph::Unit unit(BodyEnergies const& e) {
+    double mass = 0;
+    for (std::size_t k = 0; k < motion().cells().nodes(); ++k) mass += motion().mass(k);
+    double const at_rest = mass * sound() * sound();
+    return {e.kinetic + std::abs(e.stored) + std::abs(e.loads), rounding * rounding * at_rest, at_rest};
+  }
 
  private:
   void forget_older() {
     if (seen_ != motion().steps()) x_ = {}, v_ = {}, seen_ = motion().steps();
   }
+  /// Forces are rounded to 1e-16 of the stiffness, and these roundings are added up over many steps.
+  static constexpr double rounding = 1e-12;
+
   MediumView<d> medium_;
+  std::optional<double> sound_;
   std::vector<Place> x_, v_;
   long seen_ = -1;  // the steps after which they were read
 };
@@ -65,9 +105,9 @@ void define_momenta(QuantityGraph& graph, Seen<d> const& seen) {
     });
       },
       [seen](auto, double const*, std::size_t) {
-    double sum = 0;
-    seen->for_nodes([&](double m, auto const&, auto const& v) { sum += m * length_of(v); });
-    return sum;
+    double sum = 0, mass = 0;
+    seen->for_nodes([&](double m, auto const&, auto const& v) { sum += m * length_of(v), mass += m; });
+    return seen->unit(sum, mass);
   });
   // On a line there is none: the zero has a column all the same.
   graph.define(
@@ -84,10 +124,19 @@ void define_momenta(QuantityGraph& graph, Seen<d> const& seen) {
     std::copy_n(d == 3 ? sum : sum + 2, d == 3 ? 3 : 1, out);
       },
       [seen](auto, double const*, std::size_t) {
-    double sum = 0;
-    seen->for_nodes([&](double m, auto const& x, auto const& v) { sum += m * length_of(x) * length_of(v); });
-    return sum;
+    double sum = 0, arms = 0;
+    seen->for_nodes([&](double m, auto const& x, auto const& v) {
+      sum += m * length_of(x) * length_of(v), arms += m * length_of(x);
+    });
+    return seen->unit(sum, arms);
   });
+}
+
+template <int d>
+void define_energy(QuantityGraph& graph, Seen<d> const& seen) {
+  graph.define(
+      "energy", {""}, [seen](auto, double* out) { *out = seen->motion().energies().total(); },
+      [seen](auto, double const*, std::size_t) { return seen->unit(seen->motion().energies()); });
 }
 
 template <int d>
@@ -114,20 +163,16 @@ void define_circulation(QuantityGraph& graph, Seen<d> const& seen,
     for (auto const& loop : loops) *out++ = circulation_along(*seen, loop);
       },
       [seen, loops](auto, double const*, std::size_t which) {
-    auto const& x = seen->places();
+    auto const &x = seen->places(), &v = seen->velocities();
     auto const& stops = loops[which].stops;
-    double fastest = 0, length = 0;
+    double sum = 0, length = 0;
     for (std::size_t k = 1; k < stops.size(); ++k) {
       auto const &a = stops[k - 1], &b = stops[k];
-      double edge = 0;
-      for (int i = 0; i < d; ++i) {
-        double const along = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
-        edge += along * along;
-      }
-      length += std::sqrt(edge);
+      std::array<double, d> edge;
+      for (int i = 0; i < d; ++i) edge[i] = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
+      sum += 0.5 * (size_of(v[a.node]) + size_of(v[b.node])) * size_of(edge), length += size_of(edge);
     }
-    seen->for_nodes([&](double, auto const&, auto const& u) { fastest = std::max(fastest, length_of(u)); });
-    return fastest * length;
+    return seen->unit(sum, length);
   });
 }
 
@@ -144,9 +189,7 @@ void define_checks(QuantityGraph& graph, Seen<d> const& seen, double step) {
 }
 
 std::vector<Quantity> sums_of_body(bool fluid) {
-  std::string const loss =
-      " The steps of conserve = form keep it to the square of the step; it is not conserved where a side is "
-      "moved.";
+  std::string const loss = " The steps of conserve = form keep it to the square of the step.";
   return {
       {"energy",
        Kind::scalar,
@@ -154,8 +197,7 @@ std::vector<Quantity> sums_of_body(bool fluid) {
        "E = \\sum\\tfrac m2|v|^2 + \\int\\rho W + \\int\\rho V",
        "energy",
        "",
-       {},
-       true},
+       {}},
       {"dissipated",
        Kind::scalar,
        "The energy that method.viscosity has taken since the start: energy and this together are constant to "
@@ -166,35 +208,32 @@ std::vector<Quantity> sums_of_body(bool fluid) {
        {}},
       {"momentum",
        Kind::vector,
-       "The linear momentum: conserved to rounding where every side is free or periodic and no load acts.",
+       "The linear momentum, which the steps keep to rounding.",
        "\\int\\rho\\,\\dot\\phi",
        "mass x length/time",
        "thm_9_1_1",
-       {},
-       true},
+       {}},
       {"angular_momentum",
        Kind::vector,
-       "The angular momentum about the origin of space, in the plane its component across it: conserved to "
-       "rounding where every side is free and no load acts.",
+       "The angular momentum about the origin of space, in the plane its component across it. The steps keep "
+       "it to rounding.",
        "\\int\\rho\\,\\phi\\times\\dot\\phi",
        "mass x length^2/time",
        "",
-       {},
-       true},
+       {}},
       {"circulation",
        Kind::scalar,
        std::string(
            "The circulation of the velocity along each of system.loops; where these are left out along "
            "the outermost closed row of nodes of a body in the plane, counterclockwise, or the row that "
            "goes once around a periodic box. ") +
-           (fluid ? "In the continuum the motion conserves it; on a mesh it does so to the order of the "
-                    "scheme."
+           (fluid ? "In the continuum the motion of a barotropic fluid conserves it; on a mesh it does so to "
+                    "the order of the scheme."
                   : "A solid does not conserve it."),
        "\\oint\\dot\\phi\\cdot d\\phi",
        "length^2/time",
        "",
-       {},
-       fluid},
+       {}},
   };
 }
 
@@ -228,12 +267,7 @@ void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
                    std::vector<MaterialLoop<d>> const& loops, double step) {
   auto const seen = std::make_shared<Observed<d>>(medium);
   MediumMotion<d> const& motion = *medium.motion;
-  graph.define(
-      "energy", {""}, [&motion](auto, double* out) { *out = motion.energies().total(); },
-      [&motion](auto, double const*, std::size_t) {
-    BodyEnergies const e = motion.energies();
-    return e.kinetic + std::abs(e.stored) + std::abs(e.loads);
-      });
+  define_energy<d>(graph, seen);
   graph.define("dissipated", {""}, [&motion](auto, double* out) { *out = motion.dissipated(); });
   define_momenta<d>(graph, seen);
   define_circulation<d>(graph, seen, loops);

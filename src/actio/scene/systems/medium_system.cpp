@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actio/scene/systems/medium_conservation.hpp"
 #include "actio/scene/systems/medium_crossing.hpp"
 #include "actio/scene/systems/medium_examination.hpp"
 #include "actio/scene/systems/medium_fast_road.hpp"
@@ -30,16 +31,28 @@ double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, 
   return needed;
 }
 
+/// What acts on a medium, and what of that ends the conservation of something.
+template <int d>
+struct Acting {
+  MediumLoads<d> const& loads;
+  std::set<Feature> features;
+};
+
 template <int d>
 void finish(Simulation& simulation, Request const& request, std::unique_ptr<MediumMotion<d>> motion,
-            MediumView<d> view, MediumMesh const& mesh, double cells) {
+            MediumView<d> view, MediumMesh const& mesh, double cells, Acting<d> acting) {
   view.motion = motion.get();
   require_finite_energies(request.file, motion->energies());
-  bool const circulates = std::find(request.quantities.begin(), request.quantities.end(), "circulation") !=
-                          request.quantities.end();
-  auto const loops = circulates || !loop_names(request.file).empty()
-                         ? read_loops(request.file, motion->cells(), mesh)
-                         : std::vector<MaterialLoop<d>>{};
+  bool const circulates = std::ranges::find(request.quantities, "circulation") != request.quantities.end();
+  require_used_loops(request.file, circulates);
+  std::vector<MaterialLoop<d>> loops;
+  if (circulates) {
+    loops = read_loops<d>(request.file, motion->cells(), mesh);
+    acting.features.merge(features_of_loops<d>(mesh, motion->cells(), acting.loads, loops, motion->places()));
+  }
+  simulation.quantities.conserve([&](std::string const& name) {
+    return is_conserved(request.file.section("system").text("kind"), name, acting.features);
+  });
   define_medium(simulation.quantities, view, loops, simulation.step);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_medium(request, view);
@@ -75,6 +88,21 @@ void tell_crossing(Simulation& simulation, Request const& request, MediumMesh co
                          : "this scheme does not resolve (method.viscosity spreads one over a few cells)"));
 }
 
+/// Sides that are held to a velocity, which do work.
+template <int d>
+void tell_driven_sides(Simulation& simulation, std::set<Feature>& features, MediumMesh const& mesh,
+                       MediumCells<d> const& cells, ExaminedStart<d> const& start) {
+  for (auto const& [side, speed] : driven_sides<d>(mesh, cells, start)) {
+    features.insert(Feature::driven_side);
+    simulation.remarks.push_back(
+        mesh.sides.at(side) == "fixed"
+            ? fmt::format("side {} is fixed to the velocity that it has at the start, up to {:.6g}", side,
+                          speed)
+            : fmt::format("side {} slides, and keeps the velocity across it that it has at the start, {:.6g}",
+                          side, speed));
+  }
+}
+
 /// By fused steps, where the scene is one for them.
 /// @return whether it is
 template <class Box>
@@ -92,7 +120,9 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   BoxCells<Box> const cells(*box);
   // Places of the start are let go of before there is a motion.
   auto begin = examined_start<d>(request.file, *start, cells, mesh);
-  for (auto& told : drifting_sides<d>(mesh, cells, begin)) simulation.remarks.push_back(std::move(told));
+  MediumLoads<d> const loads = read_medium_loads<d>(request.file, mesh);
+  auto features = features_of<d>(request.file, mesh, loads, material, start->uniform);
+  tell_driven_sides<d>(simulation, features, mesh, cells, begin);
   begin.velocities = {};
   double const longest = road->longest_step(begin.places);
   begin.places = {};
@@ -104,7 +134,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
                   d == 2 ? "the plane" : "space"));
   finish<d>(simulation, request, road->motion(simulation.step, longest, start),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh,
-            (d == 2 ? 1 : 5) * mesh.cell_count());
+            (d == 2 ? 1 : 5) * mesh.cell_count(), {loads, std::move(features)});
   return true;
 }
 
@@ -113,9 +143,12 @@ template <int d>
 void tell_gravity(Simulation& simulation, MediumLoads<d> const& loads,
                   std::vector<std::array<double, d>> const& x) {
   std::array<double, d> centre{};
-  for (auto const& place : x)
+  double steepest = 0;
+  for (auto const& place : x) {
+    steepest = std::max(steepest, loads.slope_of_gravity(place));
     for (std::size_t a = 0; a < d; ++a) centre[a] += place[a] / static_cast<double>(x.size());
-  std::string told = loads.pull_of_gravity(centre);
+  }
+  std::string told = loads.pull_of_gravity(centre, steepest);
   if (!told.empty()) simulation.remarks.push_back(std::move(told));
 }
 
@@ -142,8 +175,11 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
                      std::shared_ptr<MediumStart> const& start) {
   MeshRoad<d> road{mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
                    method.order, method.conserve, method.viscosity};
+  auto features = features_of<d>(request.file, mesh, road.loads, material, start->uniform);
   {
-    auto const begin = examined_start<d>(request.file, *start, MeshCells<d>(road.mesh), mesh);
+    MeshCells<d> const cells(road.mesh);
+    auto const begin = examined_start<d>(request.file, *start, cells, mesh);
+    tell_driven_sides<d>(simulation, features, mesh, cells, begin);
     for (auto& told :
          examined_loads<d>(request.file, mesh, road.mesh, road.loads, begin, request.schedule.until()))
       simulation.remarks.push_back(std::move(told));
@@ -159,7 +195,8 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
   motion->begin(simulation.step, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, std::move(motion),
-            {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count());
+            {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count(),
+            {road.loads, std::move(features)});
 }
 
 /// Media move in Euclidean space.
@@ -169,18 +206,11 @@ void require_euclidean(SceneTable system) {
   system.fail("metric", "metric: media move in Euclidean space, \"euclidean\"; curved spaces are not there");
 }
 
-/// What the motion conserves under these sides and loads.
-template <int d>
-std::vector<Quantity> conserved_here(bool fluid, SceneFile const& file, MediumMesh const& mesh) {
-  MediumLoads<d> const loads = read_medium_loads<d>(file, mesh);
+/// The quantities of a scene: a circulation for each of its loops.
+std::vector<Quantity> quantities_of(bool fluid, SceneFile const& file) {
   auto all = medium_quantities(fluid);
-  for (auto& quantity : all) {
-    if (quantity.name == "energy")
-      quantity.conserved = loads.energy && !file.section("method").has("viscosity");
+  for (auto& quantity : all)
     if (quantity.name == "circulation" && !loop_names(file).empty()) quantity.kind = Quantity::Kind::list;
-    if (quantity.name == "momentum") quantity.conserved = loads.momentum;
-    if (quantity.name == "angular_momentum") quantity.conserved = loads.angular_momentum;
-  }
   return all;
 }
 
@@ -202,9 +232,7 @@ Simulation prepare_medium(bool fluid, Request const& request) {
     throw SceneError(
         request.file.section("output").place("quantities", static_cast<std::size_t>(turns - asked.begin())),
         "quantities: angular_momentum is that of bodies in the plane or in space");
-  Simulation simulation(d == 1   ? conserved_here<1>(fluid, request.file, mesh)
-                        : d == 2 ? conserved_here<2>(fluid, request.file, mesh)
-                                 : conserved_here<3>(fluid, request.file, mesh));
+  Simulation simulation(quantities_of(fluid, request.file));
   bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
   if (plain_steps && (prepare_fast<FastBox2d>(simulation, request, mesh, fluid, material, start) ||
                       prepare_fast<FastBox3d>(simulation, request, mesh, fluid, material, start)))

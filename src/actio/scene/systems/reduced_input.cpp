@@ -11,8 +11,7 @@
 #include "actio/any_group/membership.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
-#include "actio/formula/parse_formula.hpp"
-#include "actio/numbers/nearest_name.hpp"
+#include "actio/scene/systems/scene_formula.hpp"
 
 namespace actio::scene {
 namespace {
@@ -109,30 +108,67 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, MatrixAlgebra 
   return out;
 }
 
-Tape read_lagrangian(SceneTable const& system, MatrixAlgebra const& algebra,
-                     std::vector<CarriedVector> const& carried) {
-  std::vector<std::string> names = algebra.components;
-  for (auto const& vector : carried)
-    for (int i = 1; i <= algebra.size; ++i) names.push_back(vector.name + std::to_string(i));
-  auto const parameters = read_parameters(system, names);
-  std::string const text = system.text("lagrangian");
-  try {
-    return parse_formula(text, names, parameters);
-  } catch (FormulaError const& error) {
-    system.text_place("lagrangian").fail(text, error.position, error.what());
+/// The names of the components of a carried vector.
+std::vector<std::string> components_of(CarriedVector const& vector, MatrixAlgebra const& algebra) {
+  std::vector<std::string> out;
+  for (int i = 1; i <= algebra.size; ++i) out.push_back(vector.name + std::to_string(i));
+  return out;
+}
+
+/// Refuses a parameter, or a carried vector, that the Lagrangian does not use; a vector may be asked for.
+void require_used(SceneFile const& file, std::map<std::string, double> const& parameters,
+                  std::vector<CarriedVector> const& carried, MatrixAlgebra const& algebra,
+                  std::set<std::string, std::less<>> const& used) {
+  SceneTable const system = file.section("system");
+  for (auto const& [name, value] : parameters)
+    if (!used.contains(name))
+      system.inside("parameters")
+          .fail(name, fmt::format("parameters: '{}' does not occur in the lagrangian{}", name,
+                                  meant_used_name(name, used)));
+  auto const asked = file.section("output").texts("quantities");
+  for (auto const& vector : carried) {
+    bool const occurs = std::ranges::any_of(components_of(vector, algebra),
+                                            [&used](auto const& one) { return used.contains(one); });
+    if (!occurs && std::ranges::find(asked, vector.name) == asked.end())
+      system.inside("advected")
+          .fail(vector.name,
+                fmt::format(
+                    "advected: {0}1 to {0}{1} do not occur in the lagrangian, and output.quantities has "
+                    "no {0}{2}",
+                    vector.name, algebra.size, meant_used_name(vector.name + "1", used)));
   }
 }
 
-Eigen::MatrixXd read_configuration(SceneTable& initial, MatrixAlgebra const& algebra) {
+Tape read_lagrangian(SceneFile const& file, MatrixAlgebra const& algebra,
+                     std::vector<CarriedVector> const& carried) {
+  SceneTable const system = file.section("system");
+  std::vector<std::string> names = algebra.components;
+  for (auto const& vector : carried)
+    for (auto& name : components_of(vector, algebra)) names.push_back(std::move(name));
+  auto const parameters = read_parameters(system, names);
+  auto formula = scene_formula(system.text("lagrangian"), names, parameters, system.text_place("lagrangian"));
+  require_used(file, parameters, carried, algebra, formula.used);
+  return std::move(formula.value);
+}
+
+Eigen::MatrixXd read_configuration(SceneTable& initial, MatrixAlgebra const& algebra,
+                                   std::vector<std::string>& remarks) {
   if (!initial.has("configuration"))
     initial.set("configuration", Eigen::MatrixXd(Eigen::MatrixXd::Identity(algebra.size, algebra.size)));
   Eigen::MatrixXd const g = initial.matrix("configuration", algebra.size);
   double distance = 0;
   if (!is_element(algebra, g, distance))
-    initial.fail("configuration",
-                 fmt::format("configuration: an element of the group is expected; this matrix is {:.3g} away "
-                             "from it, and at most 1e-9 is allowed",
-                             distance));
+    initial.fail(
+        "configuration",
+        std::isfinite(distance)
+            ? fmt::format("configuration: an element of the group is expected; this matrix is {:.3g} "
+                          "away from it, and at most 1e-9 is allowed",
+                          distance)
+            : "configuration: an element of the group is expected; this matrix is so far from it that "
+              "no distance can be told");
+  if (double const rounding = 1e-14 * static_cast<double>(algebra.size) * g.norm(); distance > rounding)
+    remarks.push_back(
+        fmt::format("configuration: it is taken as it is, {:.2g} away from the group", distance));
   return g;
 }
 
@@ -153,6 +189,14 @@ std::string combination(Eigen::VectorXd const& direction, std::vector<std::strin
 void require_regular(SceneTable const& system, ReducedScene const& scene) {
   LegendreVelocity legendre(*scene.system);
   LeastRegular const least(legendre.hessian(scene.velocity, scene.start.vectors));
+  // Far below them, a quotient of one by them is beyond the numbers.
+  constexpr double smallest = 1e-280;
+  if (least.largest > 0 && least.largest < smallest)
+    system.fail("lagrangian",
+                fmt::format("lagrangian: its second derivatives at the start are {:.3g} at most, and "
+                            "at least {:.3g} is needed; a Lagrangian times a number has the same "
+                            "motion",
+                            least.largest, smallest));
   if (least.smallest > 1e-12 * least.largest) return;
   system.fail(
       "lagrangian",
@@ -167,7 +211,7 @@ Chart read_chart(SceneTable const& method, MatrixAlgebra const& algebra) {
   if (!SpanOfMatrices(algebra).cayley_stays())
     method.fail("name",
                 "cayley_chart: Cayley's transform does not map the algebra into this group, as it does for "
-                "SO(n), SE(n), U(n), Sp(2n) and GL(n); natural_chart serves every group");
+                "SO(n), SE(2), SE(3), U(n), Sp(2n) and GL(n); natural_chart serves every group");
   return Chart::cayley;
 }
 
@@ -179,16 +223,16 @@ std::vector<std::string> carried_names(SceneFile const& file) {
                                                                : std::vector<std::string>{};
 }
 
-ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&) {
+ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>& remarks) {
   SceneTable system = file.section("system"), initial = file.section("initial");
   MatrixAlgebra algebra = read_algebra(system);
   if (!system.has("side")) system.set("side", "left");
   Side const side = system.choice("side", "side", {"left", "right"}) == "left" ? Side::left : Side::right;
   ReducedScene scene;
   scene.carried = read_carried(system, algebra);
-  Tape l = read_lagrangian(system, algebra, scene.carried);
+  Tape l = read_lagrangian(file, algebra, scene.carried);
   scene.velocity = initial.numbers("velocity", algebra.dimension);
-  scene.configuration = read_configuration(initial, algebra);
+  scene.configuration = read_configuration(initial, algebra, remarks);
   Eigen::MatrixXd mover = scene.configuration;
   if (side == Side::left) mover = inverse_matrix(scene.configuration, "configuration");
   for (auto const& vector : scene.carried) {

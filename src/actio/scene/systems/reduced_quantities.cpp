@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "actio/scene/systems/conservation.hpp"
 #include "actio/scene/systems/reduced_shown.hpp"
 
 namespace actio::scene {
@@ -18,40 +19,35 @@ std::vector<Quantity> quantities_of_states() {
        "v = g^{-1}\\dot g,\\ \\dot g g^{-1}",
        "of the component over time",
        "eq_2_16",
-       {},
-       false},
+       {}},
       {"body_momentum",
        Kind::list,
        "The momentum of the body, dl/dv on the left.",
        "\\Pi = \\partial l/\\partial v = \\mathrm{Ad}^*_g\\,\\mu",
        "energy x time",
        "eq_2_16",
-       {},
-       false},
+       {}},
       {"spatial_momentum",
        Kind::list,
        "The momentum in space, dl/dv on the right.",
        "\\mu = \\mathrm{Ad}^*_{g^{-1}}\\,\\Pi",
        "energy x time",
        "eq_3_8",
-       {},
-       false},
+       {}},
       {"energy",
        Kind::scalar,
        "The energy.",
        "\\langle\\partial l/\\partial v, v\\rangle - l",
        "energy",
        "",
-       {},
-       true},
+       {}},
       {"configuration",
        Kind::matrix,
        "The configuration, an element of the group, as a matrix.",
        "g",
        "1",
        "",
-       {},
-       false},
+       {}},
       {"casimir",
        Kind::list,
        "The functions of degree one and two that every motion on the dual of the algebra conserves, as far "
@@ -60,8 +56,7 @@ std::vector<Quantity> quantities_of_states() {
        "C(\\Pi, a)",
        "of the momentum, or its square",
        "",
-       {},
-       true},
+       {}},
   };
 }
 
@@ -76,24 +71,21 @@ std::vector<Quantity> quantities_of_steps() {
        "|A B A^T - B|/(|A B A^T| + |B|)",
        "1",
        "thm_3_2_1",
-       {},
-       false},
+       {}},
       {"symplectic_defect",
        Kind::scalar,
        "How far the next step is from preserving the canonical two-form of configurations and momenta.",
        "|A^T\\Omega A - \\Omega|/(|A^T\\Omega A| + |\\Omega|)",
        "1",
        "eq_3_5",
-       {},
-       false},
+       {}},
       {"leaf_defect",
        Kind::scalar,
        "How far the next step leads away from the coadjoint orbit, relative to the momentum.",
        "\\min_g|\\Pi_1 - \\mathrm{Ad}^*_g\\Pi_0|/|\\Pi_0|",
        "1",
        "thm_3_2_1",
-       {},
-       false},
+       {}},
       {"order",
        Kind::scalar,
        "The order that the method shows here: from one step, two of half its length and four of a quarter; "
@@ -101,8 +93,7 @@ std::vector<Quantity> quantities_of_steps() {
        "\\log_2(|\\Phi_h - \\Phi_{h/2}^2|/|\\Phi_{h/2}^2 - \\Phi_{h/4}^4|)",
        "1",
        "",
-       {},
-       false},
+       {}},
       {"tangent_map",
        Kind::matrix,
        "How momentum and carried vectors now change with those at the start: the product of the exact "
@@ -110,8 +101,7 @@ std::vector<Quantity> quantities_of_steps() {
        "\\partial(\\Pi, a)(t)/\\partial(\\Pi, a)(0)",
        "1",
        "",
-       {},
-       false},
+       {}},
   };
 }
 
@@ -126,24 +116,19 @@ std::vector<Quantity> reduced_quantities() {
 std::vector<Quantity> named_quantities(SceneFile const& file) {
   std::vector<Quantity> out;
   for (auto const& name : carried_names(file))
-    out.push_back({name,
-                   Quantity::Kind::list,
-                   "The carried vector of that name.",
-                   "g^{-1}c,\\ g\\,c",
-                   "1",
-                   "",
-                   {},
-                   false});
+    out.push_back(
+        {name, Quantity::Kind::list, "The carried vector of that name.", "g^{-1}c,\\ g\\,c", "1", "", {}});
   return out;
 }
 
 /// Those of the scene: what the symmetry conserves depends on the side, and on whether a vector breaks it.
 std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& scene) {
-  auto all = reduced_quantities();
-  bool const left = scene.system->side == Side::left;
-  for (auto& quantity : all)
-    if (quantity.name == (left ? "spatial_momentum" : "body_momentum"))
-      quantity.conserved = scene.carried.empty();
+  std::set<Feature> here{scene.system->side == Side::left ? Feature::left_invariance
+                                                          : Feature::right_invariance};
+  Tape const& l = scene.system->lagrangian;
+  for (int i = scene.system->dimension(); i < l.inputs; ++i)
+    if (l.depends_on(i)) here.insert(Feature::carried_vector);
+  auto all = with_conserved("euler_poincare", reduced_quantities(), here);
   for (auto& own : named_quantities(file)) all.push_back(std::move(own));
   show_reduced(all, scene);
   return all;

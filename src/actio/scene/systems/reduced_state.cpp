@@ -27,7 +27,16 @@ class Reader {
     legendre_.solve(motion_.point().momentum, motion_.point().vectors, velocity_);
     return velocity_;
   }
-  double energy() { return legendre_.energy(velocity(), motion_.point().vectors); }
+  double energy() {
+    double const E = legendre_.energy(velocity(), motion_.point().vectors);
+    kinetic_ = 0;
+    for (std::size_t a = 0; a < velocity_.size(); ++a)
+      kinetic_ += motion_.point().momentum[a] * velocity_[a] / 2;
+    return E;
+  }
+  /// Half of the momentum on the velocity, which is the kinetic energy where the Lagrangian is quadratic in
+  /// the velocity: of the last energy.
+  double kinetic() const { return kinetic_; }
   /// The momentum on the other side: \f$\mathrm{Ad}^*_{g^{-1}}\Pi\f$ from that of the body,
   /// \f$\mathrm{Ad}^*_g\mu\f$ from that in space.
   void momentum_across(double* out) const {
@@ -55,6 +64,7 @@ class Reader {
   ReducedMotion const& motion_;
   LegendreVelocity legendre_;
   std::vector<double> velocity_;
+  double kinetic_ = 0;
 };
 
 QuantityGraph::NaturalUnit modulus_of(ReducedMotion const& motion) {
@@ -78,7 +88,11 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   graph.define(
       left ? "spatial_momentum" : "body_momentum", ends,
       [reader](auto, double* out) { reader->momentum_across(out); }, modulus_of(motion));
-  graph.define("energy", {""}, [reader](auto, double* out) { *out = reader->energy(); });
+  graph.define(
+      "energy", {""}, [reader](auto, double* out) { *out = reader->energy(); },
+      [reader](auto, double const* E, std::size_t) {
+    return std::abs(reader->kinetic()) + std::abs(*E - reader->kinetic());
+      });
   graph.define("configuration", column_ends(Quantity::Kind::matrix, algebra.size),
                [&motion](auto, double* out) {
     Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(

@@ -4,6 +4,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/body_shape.hpp"
 #include "actio/scene/pictures.hpp"
+#include "actio/scene/systems/conservation.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 #include "actio/scene/systems/rigid_body_scene.hpp"
 
@@ -56,16 +57,14 @@ std::vector<Quantity> quantities() {
                  "H = \\tfrac12\\langle M, I^{-1}M\\rangle + V(q, t)",
                  "energy",
                  "eq_5_1",
-                 {"body_momentum", "angular_velocity"},
-                 true});
+                 {"body_momentum", "angular_velocity"}});
   all.push_back({"casimir",
                  Kind::scalar,
                  "The square of the angular momentum, which names the coadjoint orbit; a torque changes it.",
                  "C = |M|^2",
                  "(energy x time)^2",
                  "claim_5_3_dual_casimir",
-                 {"body_momentum"},
-                 true});
+                 {"body_momentum"}});
   all.push_back(
       {"axial_momentum",
        Kind::scalar,
@@ -76,8 +75,7 @@ std::vector<Quantity> quantities() {
        "\\pi_a = \\langle\\pi, a\\rangle",
        "energy x time",
        "claim_5_2_spatial_momentum",
-       {"spatial_momentum"},
-       true});
+       {"spatial_momentum"}});
   all.push_back(
       {"jacobi_integral",
        Kind::scalar,
@@ -86,25 +84,22 @@ std::vector<Quantity> quantities() {
        "J = H - n\\langle\\pi, a\\rangle",
        "energy",
        "",
-       {"attitude", "body_momentum", "angular_velocity", "axial_momentum"},
-       true});
+       {"attitude", "body_momentum", "angular_velocity", "axial_momentum"}});
   return all;
 }
 
-/// The quantities of a body under a torque: the potential looks at the attitude, and not all of them are
-/// conserved.
-std::vector<Quantity> quantities_under(SceneTorque const& torque) {
+/// The quantities of a body, under a torque or not: with one the potential looks at the attitude, and not all
+/// are conserved.
+std::vector<Quantity> quantities_under(std::optional<SceneTorque> const& torque) {
+  if (!torque) return with_conserved("rigid_body", quantities());
+  std::set<Feature> here{Feature::torque};
+  if (torque->depends_on_time()) here.insert(Feature::torque_depends_on_time);
+  if (!torque->is_steady()) here.insert(Feature::torque_of_time);
+  if (!torque->is_symmetric()) here.insert(Feature::torque_without_axis);
   auto all = quantities();
-  for (auto& quantity : all) {
-    if (quantity.name == "energy") {
-      quantity.needs.emplace_back("attitude");
-      quantity.conserved = !torque.depends_on_time();
-    }
-    if (quantity.name == "jacobi_integral") quantity.conserved = torque.is_steady();
-    if (quantity.name == "axial_momentum") quantity.conserved = torque.is_symmetric();
-    if (quantity.name == "casimir" || quantity.name == "spatial_momentum") quantity.conserved = false;
-  }
-  return all;
+  for (auto& quantity : all)
+    if (quantity.name == "energy") quantity.needs.emplace_back("attitude");
+  return with_conserved("rigid_body", std::move(all), here);
 }
 
 /// Sees to it that the angle turned until the end has digits.
@@ -193,7 +188,10 @@ void define_about_axis(QuantityGraph& graph, RigidBodyScene const& scene, Energi
   using ConstVector = Eigen::Map<Eigen::Vector3d const>;
   graph.define(
       "axial_momentum", {""}, [axis](Needs n, double* momentum) { *momentum = axis.dot(ConstVector(n[0])); },
-      [](Needs n, double const*, std::size_t) { return magnitude(Eigen::Vector3d(ConstVector(n[0]))); });
+      [inertia = scene.inertia, pace = scene.torque ? scene.fastest : 0](Needs n, double const*,
+                                                                         std::size_t) {
+    return unit_of_momentum(magnitude(Eigen::Vector3d(ConstVector(n[0]))), inertia, pace);
+      });
   graph.define(
       "jacobi_integral", {""},
       [energies, rate](Needs n, double* integral) {
@@ -209,7 +207,7 @@ void define_about_axis(QuantityGraph& graph, RigidBodyScene const& scene, Energi
 Simulation prepare(Request const& request) {
   RigidBodyScene scene(request, methods());
   if (scene.is_exact()) check_phase(scene, request.file.section("run"), request.schedule.until());
-  Simulation simulation(scene.torque ? quantities_under(*scene.torque) : quantities());
+  Simulation simulation(quantities_under(scene.torque));
   auto [motion, torqued, failure] = motion_of(scene, request.schedule);
   QuantityGraph& graph = simulation.quantities;
   define_turning_body(graph, *motion, scene.inertia);

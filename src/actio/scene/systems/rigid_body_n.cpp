@@ -8,6 +8,7 @@
 #include "actio/scene/companion.hpp"
 #include "actio/scene/systems/angle_input.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
+#include "actio/scene/systems/conservation.hpp"
 #include "actio/scene/systems/free_motion_n.hpp"
 #include "actio/scene/systems/method_input.hpp"
 
@@ -119,7 +120,7 @@ Simulation prepare(Request const& request) {
   };
   bool const with_attitude = asked("attitude");
 
-  Simulation simulation(turning_body_n_quantities());
+  Simulation simulation(with_conserved("rigid_body_n", turning_body_n_quantities()));
   StartOfBodyN const start = read_start(system, initial, asked("casimir"), simulation.remarks);
   MethodChoice const asked_method = read_method(method, methods());
   StepsOfBodyN const choice{asked_method.name == "natural_chart", asked_method.number(), with_attitude};

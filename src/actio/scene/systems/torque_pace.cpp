@@ -10,6 +10,9 @@
 namespace actio::scene {
 namespace {
 
+/// A NaN has no sign.
+double told(double x) { return std::isnan(x) ? std::abs(x) : x; }
+
 /// The attitude at the start, attitudes that fill the rotations evenly, and times that fill an interval:
 /// multiples of the powers of one number, each without its whole part.
 class Samples {
@@ -67,7 +70,7 @@ void SceneTorque::check_start(FormulaPotential const& potential, FreeState const
     throw SceneError(place_,
                      fmt::format("potential: at the start it is {}, and the torque [{}, {}, {}], where "
                                  "finite numbers are needed",
-                                 value, torque[0], torque[1], torque[2]));
+                                 told(value), told(torque[0]), told(torque[1]), told(torque[2])));
 }
 
 double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, FreeState const& start,

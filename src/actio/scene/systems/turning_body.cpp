@@ -36,7 +36,6 @@ std::vector<Quantity> turning_body_quantities(bool free) {
        "1",
        "",
        {},
-       false,
        Shown::as_direction},
       {"body_momentum",
        Kind::vector,
@@ -45,7 +44,6 @@ std::vector<Quantity> turning_body_quantities(bool free) {
        "energy x time",
        "eq_5_1",
        {},
-       false,
        Shown::as_direction},
       {"angular_velocity",
        Kind::vector,
@@ -54,7 +52,6 @@ std::vector<Quantity> turning_body_quantities(bool free) {
        "1/time",
        "",
        {"body_momentum"},
-       false,
        Shown::as_direction},
       {"spatial_momentum",
        Kind::vector,
@@ -63,7 +60,6 @@ std::vector<Quantity> turning_body_quantities(bool free) {
        "energy x time",
        "claim_5_2_spatial_momentum",
        {"attitude", "body_momentum"},
-       free,
        Shown::beside_motion},
   };
 }
@@ -81,6 +77,13 @@ void define_turning_body(QuantityGraph& graph, TurningBody const& motion, Princi
   graph.define("spatial_momentum", column_ends(Kind::vector), [](auto needs, double* pi) {
     Vector{pi} = Eigen::Vector3d(SU2::Ad<double>(as_matrix<4, 1>(needs[0]), as_matrix<3, 1>(needs[1])));
   });
+}
+
+QuantityGraph::Unit unit_of_momentum(double modulus, PrincipalInertia const& inertia, double pace) {
+  // Roundings of the attitude make torques, which are added up over a million steps or so.
+  constexpr double rounding = 1e-10;
+  double const at_rest = inertia.inertia.moments.maxCoeff() * pace;
+  return {modulus, rounding * at_rest, at_rest};
 }
 
 double fastest_turn(PrincipalInertia const& inertia, double kinetic_energy) {

@@ -37,4 +37,9 @@ void define_turning_body(QuantityGraph& graph, TurningBody const& motion, Princi
 /// 1/time.
 double fastest_turn(PrincipalInertia const& inertia, double kinetic_energy);
 
+/// What the drift of a part of the angular momentum is compared with: its modulus, and where that is
+/// rounding, as of a body at rest under a torque, what the body has where it turns at its own pace.
+/// @param pace  a bound of angular velocities and frequencies, 1/time; of a free body at rest zero
+QuantityGraph::Unit unit_of_momentum(double modulus, PrincipalInertia const& inertia, double pace);
+
 }  // namespace actio::scene

@@ -32,8 +32,7 @@ std::vector<Quantity> turning_body_n_quantities() {
        "g",
        "1",
        "claim_5_2_reconstruction",
-       {},
-       false},
+       {}},
       {"momentum",
        Kind::skew,
        "The angular momentum in the frame of the body: a skew matrix, for n = 3 with M_12 = -M_z, M_13 = "
@@ -42,7 +41,6 @@ std::vector<Quantity> turning_body_n_quantities() {
        "energy x time",
        "eq_5_8",
        {},
-       false,
        Quantity::Shown::by_planes},
       {"energy",
        Kind::scalar,
@@ -50,8 +48,7 @@ std::vector<Quantity> turning_body_n_quantities() {
        "H = \\tfrac12\\sum_{i<j}(\\Lambda_i+\\Lambda_j)\\,\\xi_{ij}^2",
        "energy",
        "eq_5_1",
-       {"momentum"},
-       true},
+       {"momentum"}},
       {"spectrum",
        Kind::list,
        "The moduli of the n eigenvalues of the momentum in ascending order; those that rounding cannot tell "
@@ -59,8 +56,7 @@ std::vector<Quantity> turning_body_n_quantities() {
        "\\sigma_k = |z_k|,\\quad \\det(M-z_k) = 0",
        "energy x time",
        "claim_5_2_update_by_conjugation",
-       {"momentum"},
-       true},
+       {"momentum"}},
       {"casimir",
        Kind::list,
        "The traces of the even powers of the momentum, which name the coadjoint orbit; summed over the "
@@ -68,8 +64,7 @@ std::vector<Quantity> turning_body_n_quantities() {
        "C_{2k} = (-1)^k\\,\\mathrm{tr}\\,M^{2k},\\quad k = 1,\\dots,\\lfloor n/2\\rfloor",
        "(energy x time)^2k",
        "claim_5_3_dual_casimir",
-       {"spectrum"},
-       true},
+       {"spectrum"}},
   };
 }
 

@@ -14,8 +14,7 @@ std::vector<Quantity> quadratic_invariants() {
        "H = -\\tfrac12\\int\\psi\\,\\zeta = -\\tfrac12\\tfrac{4\\pi}N\\langle P, W\\rangle",
        "1/time^2",
        "",
-       {},
-       true},
+       {}},
       {"enstrophy",
        Kind::scalar,
        "Half of the integral of the square of the vorticity relative to the sphere; half of casimirs_2, that "
@@ -23,8 +22,7 @@ std::vector<Quantity> quadratic_invariants() {
        "Z = \\tfrac12\\int\\zeta^2",
        "1/time^2",
        "",
-       {},
-       true},
+       {}},
       {"angular_momentum",
        Kind::vector,
        "The angular momentum of the absolute motion, the rotation of the sphere included, along axes that do "
@@ -34,8 +32,7 @@ std::vector<Quantity> quadratic_invariants() {
        "L_j = \\int x_j\\,(\\zeta + 2\\Omega\\cos\\theta) = \\tfrac{4\\pi}N\\hbar\\,\\mathrm{Tr}(S_j(-iW))",
        "1/time",
        "",
-       {},
-       true},
+       {}},
   };
 }
 
@@ -49,8 +46,7 @@ std::vector<Quantity> values_of_vorticity() {
        "2,\\dots,8",
        "1/time^k",
        "eq_3_17",
-       {},
-       true},
+       {}},
       {"eigenvalues",
        Kind::list,
        "All values of the absolute vorticity in ascending order, each on 1/N of the sphere: the eigenvalues "
@@ -67,8 +63,7 @@ std::vector<Quantity> values_of_vorticity() {
        "\\min,\\,\\max\\ \\sigma(-iW)",
        "1/time",
        "eq_3_17",
-       {"eigenvalues"},
-       true},
+       {"eigenvalues"}},
       {"histogram",
        Kind::list,
        "How much of the sphere has which absolute vorticity: the share of it with values in each of 32 bins "
@@ -90,8 +85,7 @@ std::vector<Quantity> parts_by_degree() {
        "H_l = \\tfrac12\\sum_m\\frac{|\\zeta_{lm}|^2}{l(l+1)+\\gamma}",
        "1/time^2",
        "",
-       {},
-       false},
+       {}},
       {"enstrophy_spectrum",
        Kind::list,
        "The enstrophy of the flow relative to the sphere in each degree l = 1, ..., N - 1; their sum is the "
@@ -99,8 +93,7 @@ std::vector<Quantity> parts_by_degree() {
        "Z_l = \\tfrac12\\sum_m|\\zeta_{lm}|^2",
        "1/time^2",
        "",
-       {},
-       false},
+       {}},
   };
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "actio/reduction/composition.hpp"
+#include "actio/scene/systems/conservation.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/vorticity_input.hpp"
 #include "actio/scene/systems/vorticity_memory.hpp"
@@ -174,7 +175,7 @@ Simulation prepare(Request const& request) {
   SphereScheme const scheme = scheme_of(choice, method, read_hamiltonian(system).layer());
   require_memory(system, scheme, request.quantities);
 
-  Simulation simulation(vorticity_quantities());
+  Simulation simulation(with_conserved("vorticity_sphere", vorticity_quantities()));
   VorticityStart start = read_vorticity_start(request.file, simulation.remarks);
   require_size(initial, start, start.matrix + planetary_vorticity(QuantizedSphere(start.n), start.rotation),
                asked("casimirs"));
