@@ -40,11 +40,12 @@ class Observed {
 
  private:
   void forget_older() {
-    if (seen_ != motion().steps()) x_ = {}, v_ = {}, seen_ = motion().steps();
+    std::pair const now{motion().steps(), motion().ahead()};
+    if (seen_ != now) x_ = {}, v_ = {}, seen_ = now;
   }
   MediumView<d> medium_;
   std::vector<Place> x_, v_;
-  long seen_ = -1;  // the steps after which they were read
+  std::pair<long, double> seen_{-1, 0};  // the steps, and the time since, after which they were read
 };
 
 template <int d>

@@ -152,7 +152,8 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
   auto motion = motion_of(request.file, road);
   double const longest = motion->longest_step();
   require_reachable_end(request.file, longest, request.schedule.until());
-  simulation.step = medium_step(request, longest);
+  simulation.step =
+      medium_step(request, longest, motion->longest_in_one_part(), method.conserve == Conserve::form);
   motion->begin(simulation.step, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, std::move(motion),
