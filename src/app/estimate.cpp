@@ -15,46 +15,68 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Of the snapshots of a run, as they are written.
+constexpr double seconds_per_byte = 1.5e-8;
+
 double since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
+
+// When the program began, so that what it takes to read a scene is known.
+Clock::time_point const program_began = Clock::now();
 
 /// The first steps of a scene and some of its rows.
 class Sample {
  public:
   explicit Sample(Scene& scene) : scene_(scene), values_(scene.simulation.quantities.row_size()) {}
 
-  /// Seconds of a step.
-  double step(long steps) {
-    double seconds = 0;
-    auto const began = Clock::now();
-    for (long made = 0, at_once = 1; made < steps && since(began) < budget;) {
-      at_once = std::min(at_once, steps - made);
-      auto const before = Clock::now();
-      scene_.simulation.motion->advance(at_once);
-      seconds = since(before) / static_cast<double>(at_once);  // the last ones, when all is warm
-      made += at_once, left_ = steps - made, at_once = std::min(2 * at_once, scene_.simulation.steps_at_once);
+  /// Seconds of so many steps, made in such pieces as the run makes. What a run does once at its start, and then
+  /// rarely, may take as long as hundreds of steps: the first piece is counted once, and others are made until
+  /// they have taken several times as long.
+  double steps(long all) {
+    Motion& motion = *scene_.simulation.motion;
+    Companion& companion = scene_.simulation.companion;
+    double first = 0, rest = 0;
+    long made = 0, of_first = 0, pieces = 0;
+    for (long piece = 1; made < all && !(pieces > 4 && first + rest > enough(first)); ++pieces) {
+      piece = std::min(piece, all - made);
+      auto const began = Clock::now();
+      motion.advance(piece);
+      long const before = made;
+      made += piece;
+      if (companion.motion && companion.steps > 0)
+        companion.motion->advance(made / companion.steps - before / companion.steps);
+      (before == 0 ? first : rest) += since(began);
+      if (before == 0) of_first = piece;
+      piece = std::min(2 * piece, scene_.simulation.steps_at_once);
     }
-    return seconds;
+    left_ = all - made;
+    step_ = made > of_first ? rest / static_cast<double>(made - of_first) : first;
+    return first + rest + static_cast<double>(left_) * step_;
   }
-  /// Seconds of a row and those of the step before it. Of an exact method the rows are spread over the whole
-  /// time.
+  /// Seconds of a row, without the steps to it but for a shorter one where it is between two. Of an exact method
+  /// the rows are spread over the whole time.
   double row() {
     long const rows = scene_.schedule.rows();
+    Motion& motion = *scene_.simulation.motion;
+    double const beside = scene_.simulation.exact ? 0 : share_of_rows_between_steps();
     auto const began = Clock::now();
+    double place = 0, seconds = 0, ahead = 0;
     long made = 0;
-    double place = 0;
     do {
       place = std::fmod(place + 0.6180339887498949, 1);
+      if (!scene_.simulation.exact && left_ > 0) motion.advance(1), --left_;
+      auto const before = Clock::now();
       if (scene_.simulation.exact)
-        scene_.simulation.motion->go_to(
-            scene_.schedule.time(static_cast<long>(place * static_cast<double>(rows))));
-      else if (left_ > 0)
-        scene_.simulation.motion->advance(1), --left_;
+        motion.go_to(scene_.schedule.time(static_cast<long>(place * static_cast<double>(rows))));
+      if (beside > 0) motion.look_ahead(0.5 * scene_.simulation.step), ahead += since(before);
+      auto const there = Clock::now();
       scene_.simulation.quantities.evaluate(values_);
       for (double const x : values_) characters_ += written(x);
+      seconds += since(scene_.simulation.exact ? before : there);
       ++made;
     } while (made < rows && since(began) < budget);
+    if (beside > 0) motion.look_ahead(0);
     rows_ = static_cast<double>(made);
-    return since(began) / rows_;
+    return (seconds + beside * ahead) / rows_;
   }
   /// Characters of a row in comma-separated values, the time among them.
   double characters() const {
@@ -63,8 +85,16 @@ class Sample {
   }
 
  private:
-  static constexpr double budget = 0.08;  // seconds
+  static constexpr double budget = 0.08, most = 2;  // seconds
 
+  static double enough(double first) { return std::min(most, std::max(budget, 8 * first)); }
+  double share_of_rows_between_steps() const {
+    StepsToRows const steps(scene_.schedule, scene_.simulation.step, scene_.file.section("method"));
+    long const rows = scene_.schedule.rows(), some = std::min(rows, 1000L);
+    long beside = 0;
+    for (long k = 0; k < some; ++k) beside += steps.beyond(rows - 1 - k) > 0;
+    return static_cast<double>(beside) / static_cast<double>(some);
+  }
   static std::size_t written(double x) {
     char text[32];
     return static_cast<std::size_t>(
@@ -74,7 +104,8 @@ class Sample {
 
   Scene& scene_;
   std::vector<double> values_;
-  long left_ = 0;  // steps that may still be made
+  double step_ = 0;  // seconds
+  long left_ = 0;    // steps that may still be made
   double rows_ = 1;
   std::size_t characters_ = 0;
 };
@@ -83,7 +114,7 @@ class Sample {
 
 Estimate estimate(Scene& scene) {
   Estimate out;
-  double const rows = static_cast<double>(scene.schedule.rows()),
+  double const reading = since(program_began), rows = static_cast<double>(scene.schedule.rows()),
                columns = 1 + static_cast<double>(scene.simulation.quantities.row_size());
   // Numbers in whole chunks, and what the file tells of itself.
   double const chunk = static_cast<double>(
@@ -98,8 +129,8 @@ Estimate estimate(Scene& scene) {
                            ? 0
                            : StepsToRows(scene.schedule, scene.simulation.step,
                                          scene.file.section("method"))(scene.schedule.rows() - 1);
-    double const step = steps > 0 ? sample.step(steps) : 0, row = sample.row();
-    out.seconds = step * static_cast<double>(steps) + rows * std::max(0.0, row - step);
+    out.seconds = reading + (steps > 0 ? sample.steps(steps) : 0) + out.snapshots * seconds_per_byte;
+    out.seconds += rows * sample.row();
     out.csv = sample.characters() * rows;
   } catch (Error const&) {  // the run will tell why
   }

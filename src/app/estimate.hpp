@@ -16,7 +16,7 @@ struct Estimate {
   double snapshots = 0;  ///< bytes of all snapshots
 };
 
-/// Makes steps and rows of a scene for a fifth of a second at most. The scene is not to be run afterwards.
+/// Makes steps and rows of a scene, for some seconds at most. The scene is not to be run afterwards.
 Estimate estimate(scene::Scene& scene);
 
 }  // namespace actio::app

@@ -74,9 +74,9 @@ BOOST_AUTO_TEST_CASE(the_discrete_stress_does_the_work_of_the_energy_and_turns_n
         Matrix<double, d, d> const F0 = drawn(0.25);
         Matrix<double, d, d> const F1 = F0 + (drawn(size) - Matrix<double, d, d>::Identity());
         if (!(small_determinant(F0) > 0.1) || !(small_determinant(F1) > 0.1)) continue;
-        auto const P = discrete_stress<d>([&](auto const& F) { return law->energy(F); },
-                                          [&](auto const& C) { return law->green_stress(C); }, F0,
-                                          Matrix<double, d, d>(F1 - F0));
+        auto const P = discrete_stress<d>([&](auto const& H) { return law->energy_beyond(H); },
+                                          [&](auto const& E) { return law->green_stress_beyond(E); },
+                                          without_identity<d>(F0), Matrix<double, d, d>(F1 - F0));
         double work = 0;
         for (int i = 0; i < d * d; ++i) work += P.data()[i] * (F1.data()[i] - F0.data()[i]);
         double const W0 = law->energy(F0), W1 = law->energy(F1);

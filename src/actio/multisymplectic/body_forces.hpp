@@ -22,16 +22,22 @@ class BodyForces {
 
   /// @throws  what \ref BodyQuadrature and \ref LoadsOnBody refuse
   BodyForces(BodyMesh const& mesh, Law law, Density const& density, BodyLoads<d> const& loads)
-      : body(mesh, *law, density), loads(mesh, loads), law_(std::move(law)) {}
+      : body(mesh, *law, density), loads(mesh, loads), law_(std::move(law)) {
+    reference_.reserve(d * mesh.nodes.size());
+    for (auto const& X : mesh.nodes) reference_.insert(reference_.end(), X.begin(), X.begin() + d);
+  }
 
   BodyQuadrature<d> body;  ///< cells and masses
   LoadsOnBody<d> loads;    ///< from outside
 
   /// The forces on all nodes at places x and time t: minus the derivative of the energy, and pressures.
+  /// @param rest  what is to be added to x, which is rounded; may be empty
   /// @return the least Jacobian; where it is not positive the forces are not complete
-  LeastJacobian forces(std::vector<double> const& x, double t, std::vector<double>& f) const {
+  LeastJacobian forces(std::vector<double> const& x, double t, std::vector<double>& f,
+                       std::vector<double> const& rest = {}) const {
     f.assign(x.size(), 0);
-    LeastJacobian const least = body.with_kind([&](auto kind) { return forces_inside(kind, x, f); });
+    Displacements const moved = displaced(x, rest);
+    LeastJacobian const least = body.with_kind([&](auto kind) { return forces_inside(kind, moved, f); });
     if (least.jacobian > 0) loads.add_forces(body, x, t, f);
     return least;
   }
@@ -46,8 +52,9 @@ class BodyForces {
   LeastJacobian discrete_forces(std::vector<double> const& x, std::vector<double> const& rest,
                                 std::vector<double> const& way, double t, std::vector<double>& f) const {
     f.assign(x.size(), 0);
+    Displacements const moved = displaced(x, rest);
     LeastJacobian const least =
-        body.with_kind([&](auto kind) { return discrete_forces_inside(kind, x, rest, way, f); });
+        body.with_kind([&](auto kind) { return discrete_forces_inside(kind, moved, way, f); });
     if (!(least.jacobian > 0)) return least;
     std::vector<double> end = x;
     for (std::size_t k = 0; k < end.size(); ++k) end[k] += way[k];
@@ -72,11 +79,11 @@ class BodyForces {
     }
     loads.add_stiffness(body, x, u, out);
   }
-  /// What the body has stored at places x.
-  double stored(std::vector<double> const& x) const {
+  /// What the body has stored at places x, to which rest is to be added where it is not empty.
+  double stored(std::vector<double> const& x, std::vector<double> const& rest = {}) const {
     double sum = 0;
-    each_point(x, [&](int, int, CellPoint<d> const& point, Gradient const& F) {
-      sum += point.weight * law_->energy(F);
+    each_displacement(x, rest, [&](int, int, CellPoint<d> const& point, Gradient const& H) {
+      sum += point.weight * law_->energy_beyond(H);
     });
     return sum;
   }
@@ -111,48 +118,90 @@ class BodyForces {
         visit(cell, p, body.at(cell, p), body.gradient(at, p, body.at(cell, p)));
     }
   }
+  /// The same with \f$H = F-1\f$, at places x to which rest is to be added where it is not empty: without
+  /// loss, however small H is.
+  template <class Visit>
+  void each_displacement(std::vector<double> const& x, std::vector<double> const& rest,
+                         Visit const& visit) const {
+    Displacements const moved = displaced(x, rest);
+    body.with_kind([&](auto kind) {
+      for (int cell = 0; cell < body.cells(); ++cell) {
+        OfCell const here(body, kind, moved, cell);
+        for (int p = 0; p < kind.points; ++p)
+          visit(cell, p, body.at(cell, p), here.gradient(kind, p, body.at(cell, p)));
+      }
+      return 0;
+    });
+  }
   /// The stored energy of the medium.
   StoredEnergy<d> const& law() const { return *law_; }
 
  private:
   Law law_;
+  std::vector<double> reference_;  // X of the nodes
+
+  /// The displacements of all nodes, as sums of two numbers: differences of neighbours are theirs, wherever
+  /// the body is.
+  struct Displacements {
+    std::vector<double> u, rest;
+  };
+  Displacements displaced(std::vector<double> const& x, std::vector<double> const& rest) const {
+    Displacements out{std::vector<double>(x.size()), std::vector<double>(x.size())};
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      double const X = reference_[k], u = x[k] - X, taken = u - x[k];
+      out.u[k] = u;
+      // What rounding took from u (Knuth).
+      out.rest[k] = (x[k] - (u - taken)) - (X + taken) + (rest.empty() ? 0 : rest[k]);
+    }
+    return out;
+  }
+  /// Those of the corners of a cell.
+  struct OfCell {
+    CellCorners<d> u, rest;
+    template <class Kind>
+    OfCell(BodyQuadrature<d> const& body, Kind kind, Displacements const& moved, int cell) {
+      // What goes around a periodic body goes with its reference.
+      body.gather(kind, moved.u, cell, u, false), body.gather(kind, moved.rest, cell, rest, false);
+    }
+    /// H at a point.
+    template <class Kind>
+    Gradient gradient(Kind kind, int p, CellPoint<d> const& point) const {
+      return BodyQuadrature<d>::gradient(kind, u, p, point) + BodyQuadrature<d>::gradient(kind, rest, p, point);
+    }
+  };
 
   template <class Kind>
-  LeastJacobian forces_inside(Kind kind, std::vector<double> const& x, std::vector<double>& f) const {
+  LeastJacobian forces_inside(Kind kind, Displacements const& moved, std::vector<double>& f) const {
     LeastJacobian least;
-    CellCorners<d> at;
     for (int cell = 0; cell < body.cells(); ++cell) {
-      body.gather(kind, x, cell, at);
+      OfCell const here(body, kind, moved, cell);
       CellCorners<d> on;
       for (int p = 0; p < Kind::points; ++p) {
         auto const& point = body.at(cell, p);
-        Gradient const F = body.gradient(kind, at, p, point);
-        if (!note(F, cell, least)) return least;
-        body.add_forces(kind, weighed_stress(F, point), p, point, on);
+        Gradient const H = here.gradient(kind, p, point);
+        if (!note(beyond_identity<d>(H), cell, least)) return least;
+        body.add_forces(kind, weighed_stress(H, point), p, point, on);
       }
       body.scatter(kind, on, cell, f);
     }
     return least;
   }
   template <class Kind>
-  LeastJacobian discrete_forces_inside(Kind kind, std::vector<double> const& x,
-                                       std::vector<double> const& rest, std::vector<double> const& way,
+  LeastJacobian discrete_forces_inside(Kind kind, Displacements const& moved, std::vector<double> const& way,
                                        std::vector<double>& f) const {
     LeastJacobian least;
-    CellCorners<d> from, beyond, along;
+    CellCorners<d> along;
     for (int cell = 0; cell < body.cells(); ++cell) {
-      body.gather(kind, x, cell, from);
-      body.gather(kind, rest, cell, beyond, false), body.gather(kind, way, cell, along, false);
+      OfCell const here(body, kind, moved, cell);
+      body.gather(kind, way, cell, along, false);
       CellCorners<d> on;
       for (int p = 0; p < Kind::points; ++p) {
         auto const& point = body.at(cell, p);
-        Gradient const change = body.gradient(kind, along, p, point);
-        Gradient F0 = (body.edges(kind, from.at, p) + body.edges(kind, beyond.at, p)) * point.inverse_edges;
-        if constexpr (Kind::corrected) F0 += from.common + beyond.common;
-        if (!note(F0 + change, cell, least)) return least;
-        auto const energy = [&](Gradient const& F) { return weighed_energy(F, point); };
-        auto const stress = [&](Gradient const& C) { return weighed_green_stress(C, point); };
-        body.add_forces(kind, discrete_stress<d>(energy, stress, F0, change), p, point, on);
+        Gradient const change = body.gradient(kind, along, p, point), H0 = here.gradient(kind, p, point);
+        if (!note(beyond_identity<d>(H0 + change), cell, least)) return least;
+        auto const energy = [&](Gradient const& H) { return weighed_energy(H, point); };
+        auto const stress = [&](Gradient const& E) { return weighed_green_stress(E, point); };
+        body.add_forces(kind, discrete_stress<d>(energy, stress, H0, change), p, point, on);
       }
       body.scatter(kind, on, cell, f);
     }
@@ -166,20 +215,21 @@ class BodyForces {
     return J > 0;
   }
   double pressure_on(CellPoint<d> const& point) const { return loads.outside_pressure() * point.volume; }
-  double weighed_energy(Gradient const& F, CellPoint<d> const& point) const {
-    double const stored = point.weight * law_->energy(F);
-    return loads.outside_pressure() == 0 ? stored : stored + pressure_on(point) * small_determinant(F);
+  double weighed_energy(Gradient const& H, CellPoint<d> const& point) const {
+    double const stored = point.weight * law_->energy_beyond(H);
+    if (loads.outside_pressure() == 0) return stored;
+    return stored + pressure_on(point) * small_determinant(beyond_identity(H));
   }
-  Gradient weighed_stress(Gradient const& F, CellPoint<d> const& point) const {
-    Gradient P = law_->stress(F) * point.weight;
-    if (loads.outside_pressure() != 0) P += cofactors(F) * pressure_on(point);
+  Gradient weighed_stress(Gradient const& H, CellPoint<d> const& point) const {
+    Gradient P = law_->stress_beyond(H) * point.weight;
+    if (loads.outside_pressure() != 0) P += cofactors(beyond_identity(H)) * pressure_on(point);
     return P;
   }
-  Gradient weighed_green_stress(Gradient const& C, CellPoint<d> const& point) const {
-    Gradient S = law_->green_stress(C) * point.weight;
-    if (loads.outside_pressure() != 0)
-      S += cofactors(C) * (pressure_on(point) / std::sqrt(small_determinant(C)));
-    return S;
+  Gradient weighed_green_stress(Gradient const& E, CellPoint<d> const& point) const {
+    Gradient S = law_->green_stress_beyond(E) * point.weight;
+    if (loads.outside_pressure() == 0) return S;
+    Gradient const C = beyond_identity<d>(E * 2);
+    return S + cofactors(C) * (pressure_on(point) / std::sqrt(small_determinant(C)));
   }
   static Gradient cofactor_rate(Gradient const& F, Gradient const& change) {
     return derivative_along([](auto const& moved) { return cofactors(moved); }, F, change).rate;

@@ -78,7 +78,7 @@ class BodySteps {
     kick(s, f, h / 2);
     for (std::size_t k = 0; k < s.x.size(); ++k) detail::add_with_rest(s.x[k], s.x_rest[k], h * s.v[k]);
     put_moved(s, t);
-    LeastJacobian const least = forces.forces(s.x, t, f);
+    LeastJacobian const least = forces.forces(s.x, t, f, s.x_rest);
     if (!(least.jacobian > 0)) return least;
     if (viscosity) resist(s, f, h);
     kick(s, f, h / 2);
@@ -198,7 +198,7 @@ class BodySteps {
     straight_way(s, h, t1, way);
     std::vector<double> middle = s.x;
     for (std::size_t k = 0; k < way.size(); ++k) middle[k] += 0.5 * way[k];
-    if (!(forces.forces(middle, 0.5 * (t0 + t1), room).jacobian > 0)) return 0;
+    if (!(forces.forces(middle, 0.5 * (t0 + t1), room, s.x_rest).jacobian > 0)) return 0;
     accelerate(room);
     double most = 0;
     for (std::size_t k = 0; k < way.size(); ++k) {

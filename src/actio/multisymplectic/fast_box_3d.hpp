@@ -3,7 +3,7 @@
 #pragma once
 
 #include "actio/multisymplectic/fast_box_2d.hpp"
-#include "actio/multisymplectic/fast_energy_3d.hpp"
+#include "actio/multisymplectic/fast_energies.hpp"
 
 namespace actio {
 

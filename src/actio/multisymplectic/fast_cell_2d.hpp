@@ -155,11 +155,6 @@ struct StVenantKirchhoffCell {
 template <class Volume>
 struct FastFluid {
   Volume volume;  ///< U, a law of fast_volume_laws.hpp or one's own
-  /// W from \f$|F_1|^2\f$, \f$|F_2|^2\f$, \f$F_1.F_2\f$ and J.
-  template <class T>
-  T energy(T const&, T const&, T const&, T const& J) const {
-    return volume.energy(J);
-  }
   /// What steps a cell of these lengths.
   auto on(double h1, double h2) const {
     auto const scaled = detail::scaled(volume, h1 * h2, 0.25);
@@ -174,11 +169,6 @@ template <class Volume>
 struct FastNeoHookean {
   double mu;      ///< shear modulus over the mass density
   Volume volume;  ///< U
-  /// W from \f$|F_1|^2\f$, \f$|F_2|^2\f$, \f$F_1.F_2\f$ and J.
-  template <class T>
-  T energy(T const& a, T const& c, T const&, T const& J) const {
-    return mu / 2 * (a + c - 2) + volume.energy(J);
-  }
   /// What steps a cell of these lengths.
   auto on(double h1, double h2) const {
     auto const scaled = detail::scaled(volume, h1 * h2, 0.25);
@@ -202,12 +192,6 @@ FastNeoHookean<PolytropicByRoots<1, 2 * m + 1>> blatz_ko(double mu) {
 struct FastStVenantKirchhoff {
   double lambda;  ///< Lame's first modulus over the mass density
   double mu;      ///< shear modulus over the mass density
-  /// W from \f$|F_1|^2\f$, \f$|F_2|^2\f$, \f$F_1.F_2\f$ and J.
-  template <class T>
-  T energy(T const& a, T const& c, T const& b, T const&) const {
-    T const e1 = 0.5 * (a - 1.0), e2 = 0.5 * (c - 1.0), e3 = 0.5 * b, trace = e1 + e2;
-    return lambda / 2 * (trace * trace) + mu * (e1 * e1 + e2 * e2 + 2.0 * (e3 * e3));
-  }
   /// What steps a cell of these lengths.
   detail::StVenantKirchhoffCell on(double h1, double h2) const { return {lambda, mu, h1, h2}; }
 };
@@ -232,19 +216,6 @@ std::array<Plane<T>, 4> corner_forces(Cell const& cell, Edges<T> const& e) {
   areas(e, d);
   Edges<T> const s = cell.slopes(e, d);
   return {s.below + s.left, s.right - s.below, s.above - s.left, Plane<T>{} - (s.above + s.right)};
-}
-/// The energy of a cell per mass density: \f$\tfrac{h_1h_2}4\sum W\f$.
-template <class Medium, class T>
-T cell_energy(Medium const& medium, std::array<double, 2> const& h, Edges<T> const& e) {
-  double const h1 = h[0], h2 = h[1];
-  T const a[2] = {dot(e.below, e.below) / (h1 * h1), dot(e.above, e.above) / (h1 * h1)},
-          c[2] = {dot(e.left, e.left) / (h2 * h2), dot(e.right, e.right) / (h2 * h2)};
-  T const b[4] = {dot(e.below, e.left), dot(e.below, e.right), dot(e.above, e.left), dot(e.above, e.right)};
-  T d[4], sum(0);
-  areas(e, d);
-  for (int k = 0; k < 4; ++k)
-    sum = sum + medium.energy(a[k / 2], c[k % 2], T(b[k] / (h1 * h2)), T(d[k] / (h1 * h2)));
-  return h1 * h2 / 4 * sum;
 }
 }  // namespace detail
 

@@ -70,14 +70,18 @@ CellCorners<Box::dimension> corners_of(Box const& box, std::array<int, Box::dime
   return out;
 }
 /// The edges of a cell.
+/// @param displacements  whether x are those: a corner beyond a seam is moved by its period without the length
+///   of that
 template <class Box, class T, template <class> class Vector>
-auto edges_of(Box const& box, CellCorners<Box::dimension> const& c, std::vector<Vector<T>> const& x) {
+auto edges_of(Box const& box, CellCorners<Box::dimension> const& c, std::vector<Vector<T>> const& x,
+              bool displacements = false) {
   Vector<T> p[1 << Box::dimension];
   for (std::size_t k = 0; k < c.node.size(); ++k) {
     p[k] = x[c.node[k]];
     for (int d = 0; d < Box::dimension; ++d) {
       if (!(c.periods[k] >> d & 1)) continue;
       auto shift = box.shift(d);
+      if (displacements) component(shift, d) -= box.cells[d] * box.spacing[d];
       for (int i = 0; i < Box::dimension; ++i) component(p[k], i) = component(p[k], i) + component(shift, i);
     }
   }

@@ -2,6 +2,8 @@
 // fast_medium_2d.hpp and fast_medium_3d.hpp name it for these.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "actio/multisymplectic/fast_forces.hpp"
@@ -91,6 +93,7 @@ class FastMedium {
     if (count < 0)
       throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
                           0);
+    ahead_.reset();
     while (count > 0) {
       if (steps_ - kept_at_ >= between_copies) kept_ = nodes_.state(), kept_at_ = steps_;
       long const some = std::min(count, kept_at_ + between_copies - steps_);
@@ -98,6 +101,20 @@ class FastMedium {
       steps_ += some, count -= some;
       if (!sound || !nodes_.examine()) find_inversion();
     }
+  }
+
+  /// Until the next step places, velocities and energies are those so long after the last step, which one step
+  /// of that length reaches; the steps go on as if it had not been. Zero: those of the last step again.
+  /// @throws CellInverts  where a cell would turn inside out
+  void look_ahead(double time) {
+    ahead_.reset();
+    if (!(time > 0)) return;
+    auto v = velocities_now(), x = nodes_.read(false);
+    add_kick(v, x, time / 2);
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] = x[k] + detail::scaled_by(time, v[k]);
+    refuse_inverted(x);
+    add_kick(v, x, time / 2);
+    ahead_.emplace(std::move(x), std::move(v));
   }
 
   /// The time since the start.
@@ -114,13 +131,15 @@ class FastMedium {
   std::size_t bytes() const { return nodes_.bytes() + kept_.capacity() * sizeof(Register); }
 
   /// Places of the nodes, the first direction fastest; length.
-  std::vector<Point> places() const { return points(nodes_.read(false)); }
+  std::vector<Point> places() const { return ahead_ ? points(ahead_->first) : places_of_last_step(); }
   /// Velocities of the nodes now, momentum over mass; length/time.
-  std::vector<Point> velocities() const { return points(velocities_now()); }
+  std::vector<Point> velocities() const { return points(ahead_ ? ahead_->second : velocities_now()); }
+  /// Places of the nodes at the last step, length.
+  std::vector<Point> places_of_last_step() const { return points(nodes_.read(false)); }
   /// Velocities half a step ago, from the places before to the places now.
   std::vector<Point> velocities_half_a_step_ago() const { return points(nodes_.read(true)); }
   /// The state now, for \ref go_on_from.
-  State state() const { return {places(), velocities_half_a_step_ago(), steps_}; }
+  State state() const { return {places_of_last_step(), velocities_half_a_step_ago(), steps_}; }
   /// Goes on from a state: the run from there is that of the medium that it was taken from, bit for bit.
   /// @throws OutsideDomain  where it has not as many nodes as the box, or a negative number of steps
   /// @throws NotFinite      where a place or a velocity is no number
@@ -141,7 +160,7 @@ class FastMedium {
       x.push_back(detail::as_vector(state.places[k])), v.push_back(detail::as_vector(state.velocities[k]));
     });
     refuse_inverted(x);
-    nodes_.put(x, v);
+    nodes_.put(x, v), ahead_.reset();
     steps_ = kept_at_ = state.steps, kept_ = nodes_.state();
   }
 
@@ -164,14 +183,15 @@ class FastMedium {
   /// Kinetic and stored energy now. The sum oscillates with the square of the time step.
   std::array<double, 2> energies() const {
     // Velocities first: they take more room while they are made.
-    auto const v = velocities_now();
-    auto const x = nodes_.read(false);
+    auto const v = ahead_ ? ahead_->second : velocities_now(),
+               x = ahead_ ? ahead_->first : nodes_.read(false);
     double kinetic = 0, stored = 0;
     detail::for_nodes(
         box_, [&](auto const& node, std::size_t k) { kinetic += node_share(node) * dot(v[k], v[k]); });
+    auto const u = displacements(x);
     detail::for_indices(box_.cells, [&](auto const& cell) {
-      stored += detail::cell_energy(medium_, box_.spacing,
-                                    detail::edges_of(box_, detail::corners_of(box_, cell), x));
+      stored += detail::cell_energy_of_displacement(
+          medium_, box_.spacing, detail::edges_of(box_, detail::corners_of(box_, cell), u, true));
     });
     return {0.5 * kinetic * density_ * box_.measure(), stored * density_};
   }
@@ -218,6 +238,12 @@ class FastMedium {
     auto v = nodes_.read(true);
     add_kick(v, nodes_.read(false), dt_ / 2);
     return v;
+  }
+  /// How far nodes are from where they are in the body: of small strains without loss.
+  std::vector<Vector> displacements(std::vector<Vector> x) const {
+    detail::for_nodes(
+        box_, [&](auto const& node, std::size_t k) { x[k] = x[k] - detail::as_vector(box_.at(node)); });
+    return x;
   }
   template <class Node>
   double node_share(Node const& node) const {
@@ -281,6 +307,7 @@ class FastMedium {
   double dt_, density_;
   Nodes nodes_;
   std::vector<Register> kept_;
+  std::optional<std::pair<std::vector<Vector>, std::vector<Vector>>> ahead_;  // places and velocities
   long steps_ = 0, kept_at_ = 0;
 };
 

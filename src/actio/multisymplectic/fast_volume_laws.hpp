@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "actio/multisymplectic/fast_functions.hpp"
+#include "actio/multisymplectic/small_strains.hpp"
 
 namespace actio {
 
@@ -97,6 +98,15 @@ struct PolytropicByRoots {
       detail::slopes_together(*this, J, out);
     }
   }
+  /// \f$U+m\log J\f$ from \f$\log J\f$, without loss where that is small and m is K; but for the constant
+  /// \f$K/(\gamma-1)\f$.
+  double energy_beyond(double m, double, double log) const {
+    return K / (gamma - 1) * (1 + exponential_beyond_line((1 - gamma) * log)) + (m - K) * log;
+  }
+  /// \f$JU'+m\f$, likewise.
+  double slope_beyond(double m, double, double log) const {
+    return (m - K) - K * std::expm1((1 - gamma) * log);
+  }
   /// In lanes: the root after the first of two rounds.
   [[gnu::always_inline]] detail::Fourfold first_half(detail::Fourfold const& J) const
     requires(root > 1)
@@ -180,6 +190,10 @@ struct LogarithmicLaw {
   [[gnu::always_inline]] T second_half(T const& J, T const& log) const {
     return (lambda * std::numbers::ln2 * log - mu) * detail::reciprocal(J);
   }
+  /// \f$U+m\log J\f$ from \f$J-1\f$ and \f$\log J\f$, without loss where these are small and m is \f$\mu\f$.
+  double energy_beyond(double m, double, double log) const { return (lambda / 2 * log + (m - mu)) * log; }
+  /// \f$JU'+m\f$, likewise.
+  double slope_beyond(double m, double, double log) const { return lambda * log + (m - mu); }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   LogarithmicLaw scaled(double unit, double weight) const {
     return {weight * lambda * unit, weight * unit * (mu + lambda * std::log(unit))};
@@ -213,6 +227,12 @@ struct ReciprocalLaw {
 #pragma GCC unroll 4
     for (int k = 0; k < 4; ++k) out[k] = (T(b) * J[k] - T(c)) - T(a) * y[k];
   }
+  /// \f$U+m\log J\f$ from \f$j = J-1\f$ and \f$\log J\f$, without loss where these are small, m is a, and b is c.
+  double energy_beyond(double m, double j, double log) const {
+    return b / 2 * j * j + (b - c) * (1 + j) + (m - a) * log;
+  }
+  /// \f$JU'+m\f$, likewise.
+  double slope_beyond(double m, double j, double) const { return (1 + j) * (b * j + (b - c)) + (m - a); }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   ReciprocalLaw scaled(double unit, double weight) const {
     return {weight * a * unit, weight * b / unit, weight * c};

@@ -71,10 +71,19 @@ class MediumOnMesh {
     if (count < 0)
       throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
                           0);
+    look_ahead(0);
     for (; count > 0; --count) {
-      make_step(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
+      go_on(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
       ++steps_;
     }
+  }
+
+  /// Until the next step the state is that so long after the last one, which one step of that length reaches;
+  /// the steps go on as if it had not been. Zero: that of the last step again.
+  /// @throws BodyCellInverts, NotFinite, NotConverged  where there is no such step
+  void look_ahead(double time) {
+    if (ahead_) put_back(), ahead_ = false;
+    if (time > 0) go_on(time, this->time() + time), ahead_ = true;
   }
 
   /// One step of another length, and from then on steps of a third one.
@@ -83,10 +92,11 @@ class MediumOnMesh {
   /// @param made   how many of these are counted as made: the product is the time
   /// @throws OutsideDomain, NotFinite  where there is no such step; and what \ref step throws
   void change_step(double first, double step, long made) {
+    look_ahead(0);
     BodyStepping stepping = stepping_;
     stepping.step = step;
     stepping.examine();
-    if (first > 0) make_step(first, static_cast<double>(made) * step);
+    if (first > 0) go_on(first, static_cast<double>(made) * step);
     stepping_ = stepping, steps_ = made;
   }
 
@@ -114,9 +124,9 @@ class MediumOnMesh {
   std::vector<double> const& masses() const { return steps_of_.forces.body.masses; }
   /// Memory for mesh, cells and states, bytes.
   std::size_t bytes() const {
-    // A state, its copy, forces and their copy, and an acceleration.
+    // A state, its copy, forces and their copy, an acceleration, and displacements with the places they are from.
     return mesh_.bytes() + steps_of_.forces.body.bytes() + steps_of_.held.bytes() +
-           11 * state_.x.size() * sizeof(double) +
+           14 * state_.x.size() * sizeof(double) +
            (steps_of_.viscosity ? steps_of_.viscosity->bytes() + 3 * state_.x.size() * sizeof(double) : 0);
   }
 
@@ -126,7 +136,7 @@ class MediumOnMesh {
   std::vector<Place> velocities() const { return points(state_.v); }
   /// Kinetic and stored energy, and that of loads, now.
   BodyEnergies energies() const {
-    BodyEnergies e{0, steps_of_.forces.stored(state_.x), steps_of_.forces.of_loads(state_.x)};
+    BodyEnergies e{0, steps_of_.forces.stored(state_.x, state_.x_rest), steps_of_.forces.of_loads(state_.x)};
     for (std::size_t k = 0; k < state_.v.size(); ++k)
       e.kinetic += 0.5 * masses()[k / d] * state_.v[k] * state_.v[k];
     return e;
@@ -151,8 +161,9 @@ class MediumOnMesh {
   std::vector<Tensor> cauchy_stresses() const {
     std::vector<Tensor> out(mesh_.cells.size(), Tensor::Zero());
     double const share = 1.0 / steps_of_.forces.body.points_per_cell;
-    steps_of_.forces.each_point(state_.x, [&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
-      Tensor const P = steps_of_.forces.law().stress(F);
+    steps_of_.forces.each_displacement(state_.x, state_.x_rest,
+                                       [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
+      Tensor const P = steps_of_.forces.law().stress_beyond(H), F = beyond_identity(H);
       out[cell] += P * F.transpose() * (share * point.weight / point.volume / small_determinant(F));
     });
     return out;
@@ -170,24 +181,30 @@ class MediumOnMesh {
   /// For each cell what it has stored, per reference volume.
   std::vector<double> energy_densities() const {
     std::vector<double> out(mesh_.cells.size(), 0), volume(mesh_.cells.size(), 0);
-    steps_of_.forces.each_point(state_.x, [&](int cell, int, CellPoint<d> const& point, Tensor const& F) {
-      out[cell] += point.weight * steps_of_.forces.law().energy(F), volume[cell] += point.volume;
+    steps_of_.forces.each_displacement(state_.x, state_.x_rest,
+                                       [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
+      out[cell] += point.weight * steps_of_.forces.law().energy_beyond(H), volume[cell] += point.volume;
     });
     for (std::size_t k = 0; k < out.size(); ++k) out[k] /= volume[k];
     return out;
   }
-  /// The longest time step for which small motions about the state now are stable, with the explicit step:
-  /// two over the largest frequency, which comes from below, so that the step comes from above, within a per
-  /// cent; with viscosity at most what that allows. With order 4 no substep is longer than 0.66 of the step,
-  /// and the step may be longer by that.
-  double largest_step() const {
+  /// The longest time step for which small motions about the state now are stable, with the explicit step and
+  /// without viscosity: two over the largest frequency, which comes from below, so that the step comes from
+  /// above, within a per cent. With order 4 no substep is longer than 0.66 of the step, and the step may be
+  /// longer by that.
+  double largest_step_of_waves() const {
     double longest = 0;
     for (double const one : fractions_) longest = std::max(longest, std::abs(one));
-    double const step = 2 / steps_of_.largest_frequency(state_.x) / longest;
-    if (!steps_of_.viscosity) return step;
-    auto const& forces = steps_of_.forces;
-    return std::min(step, steps_of_.viscosity->limit(forces.body, forces.law(), state_.x, state_.v).step);
+    return 2 / steps_of_.largest_frequency(state_.x) / longest;
   }
+  /// The longest that viscosity allows in one part now, HUGE_VAL without it.
+  double largest_step_of_viscosity() const {
+    if (!steps_of_.viscosity) return HUGE_VAL;
+    auto const& forces = steps_of_.forces;
+    return steps_of_.viscosity->limit(forces.body, forces.law(), state_.x, state_.v).step;
+  }
+  /// The lesser of the two.
+  double largest_step() const { return std::min(largest_step_of_waves(), largest_step_of_viscosity()); }
 
   /// The whole state: number of steps, places, velocities and their rests.
   std::vector<double> remember() const {
@@ -204,12 +221,12 @@ class MediumOnMesh {
   template <class Visit>
   void for_remembered(Visit const& visit) const {
     double const steps = static_cast<double>(steps_);
+    BodyState const& last = ahead_ ? kept_ : state_;
     visit(&steps, std::size_t{1});
-    for (auto const* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})
-      visit(part->data(), part->size());
+    for (auto const* part : {&last.x, &last.v, &last.x_rest, &last.v_rest}) visit(part->data(), part->size());
     if (!steps_of_.viscosity) return;
-    visit(state_.viscous.data(), state_.viscous.size());
-    visit(&state_.dissipated, std::size_t{1});
+    visit(last.viscous.data(), last.viscous.size());
+    visit(&last.dissipated, std::size_t{1});
   }
   /// Goes on from a state that was remembered, bit for bit.
   /// @throws OutsideDomain  where it is of another size
@@ -226,7 +243,7 @@ class MediumOnMesh {
       part->assign(from, from + static_cast<long>(n)), from += static_cast<long>(n);
     if (steps_of_.viscosity) state_.viscous.assign(from, from + static_cast<long>(n));
     if (steps_of_.viscosity) state_.dissipated = remembered.back();
-    steps_ = static_cast<long>(remembered[0]);
+    steps_ = static_cast<long>(remembered[0]), ahead_ = false;
     begin();
   }
 
@@ -238,6 +255,7 @@ class MediumOnMesh {
   BodyState state_, kept_;
   std::vector<double> forces_, kept_forces_;
   long steps_ = 0;
+  bool ahead_ = false;  // the state is one between two steps, and what was kept is that of the last step
 
   std::vector<Place> points(std::vector<double> const& in) const {
     std::vector<Place> out(in.size() / d);
@@ -245,14 +263,48 @@ class MediumOnMesh {
     return out;
   }
   void begin() {
-    LeastJacobian const least = steps_of_.forces.forces(state_.x, time(), forces_);
+    LeastJacobian const least = steps_of_.forces.forces(state_.x, time(), forces_, state_.x_rest);
     if (!(least.jacobian > 0))
       throw BodyCellInverts(least.cell, mesh_.cell_name(least.cell), least.jacobian, {});
   }
-  void put_back() { state_ = kept_, forces_ = kept_forces_; }
-  /// A whole step of some length, by substeps; what it leaves is no state where a Jacobian is not positive.
-  LeastJacobian attempt(double h, double end) {
+  /// From the state now, which is kept, to another time.
+  void go_on(double h, double end) {
+    kept_ = state_, kept_forces_ = forces_;
+    LeastJacobian least;
+    try {
+      least = in_parts(h, end);
+    } catch (NotConverged const& error) {
+      refuse_unsolved(error, h);
+    } catch (ViscosityNeedsShorterSteps const& error) {
+      put_back();
+      throw OutsideDomain("medium: viscosity of " + mesh_.cell_name(error.cell),
+                          "a step is not longer than small motions take to be damped", error.measured,
+                          error.bound);
+    } catch (...) {
+      put_back();
+      throw;
+    }
+    if (!(least.jacobian > 0)) refuse(least, h);
+  }
+  /// A step, or where viscosity needs shorter ones so many equal parts of it that each is half as long as that
+  /// allows. It allows less as a shock forms.
+  /// @throws ViscosityNeedsShorterSteps  where a thousand parts are not enough
+  LeastJacobian in_parts(double h, double end) {
     double const start = time();
+    for (double parts = 1;;) try {
+        LeastJacobian least;
+        for (double k = 1; k <= parts && least.jacobian > 0; ++k)
+          least = attempt(h / parts, start + (k - 1) / parts * h, k == parts ? end : start + k / parts * h);
+        return least;
+      } catch (ViscosityNeedsShorterSteps const& error) {
+        if (parts > 1000) throw;
+        put_back();
+        parts = std::max(2 * parts, std::ceil(2 * h / error.bound));
+      }
+  }
+  void put_back() { state_ = kept_, forces_ = kept_forces_; }
+  /// A step of some length from one time to another, by substeps; what it leaves is no state where a Jacobian is not positive.
+  LeastJacobian attempt(double h, double start, double end) {
     double reached = 0;
     LeastJacobian least;
     for (std::size_t k = 0; k < fractions_.size(); ++k) {
@@ -266,37 +318,17 @@ class MediumOnMesh {
     }
     return least;
   }
-  /// One step, or none.
-  void make_step(double h, double end) {
-    kept_ = state_, kept_forces_ = forces_;
-    LeastJacobian least;
-    try {
-      least = attempt(h, end);
-    } catch (NotConverged const& error) {
-      refuse_unsolved(error);
-    } catch (ViscosityNeedsShorterSteps const& error) {
-      put_back();
-      throw OutsideDomain("medium: viscosity of " + mesh_.cell_name(error.cell),
-                          "a step is not longer than small motions take to be damped", error.measured,
-                          error.bound);
-    } catch (...) {
-      put_back();
-      throw;
-    }
-    if (!(least.jacobian > 0)) refuse(least);
-  }
   /// Half of the step, a quarter, and so on: the first that would do from the state before the step, or 0.
   /// The state is that one afterwards.
-  double shorter_step() {
+  double shorter_step(double less) {
     // A step that is not solved takes as long as hundreds that are.
     int const halvings = stepping_.conserve == Conserve::form ? 30 : 10;
-    double less = stepping_.step;
     bool sound = false;
     for (int halving = 0; halving < halvings && !sound; ++halving) {
       less /= 2;
       put_back();
       try {
-        sound = attempt(less, time() + less).jacobian > 0;
+        sound = attempt(less, time(), time() + less).jacobian > 0;
       } catch (Error const&) {
       }
     }
@@ -304,18 +336,18 @@ class MediumOnMesh {
     return sound ? less : 0;
   }
   /// Puts the state before the step back, and throws.
-  [[noreturn]] void refuse(LeastJacobian const& least) {
-    double const shorter = shorter_step(), before = jacobians()[least.cell];
+  [[noreturn]] void refuse(LeastJacobian const& least, double step) {
+    double const shorter = shorter_step(step), before = jacobians()[least.cell];
     throw BodyCellInverts(least.cell, mesh_.cell_name(least.cell), least.jacobian,
-                          {steps_ + 1, stepping_.step, before, shorter, largest_step()});
+                          {steps_ + 1, step, before, shorter, largest_step()});
   }
   /// \copydoc refuse
-  [[noreturn]] void refuse_unsolved(NotConverged const& error) {
-    double const shorter = shorter_step();
+  [[noreturn]] void refuse_unsolved(NotConverged const& error, double step) {
+    double const shorter = shorter_step(step);
     LeastJacobian const least = steps_of_.forces.least_jacobian(state_.x);
     throw BodyStepUnsolved(error.residuals.size(), error.residuals.back(), error.tolerance, least.cell,
                            mesh_.cell_name(least.cell),
-                           {steps_ + 1, stepping_.step, least.jacobian, shorter, largest_step()});
+                           {steps_ + 1, step, least.jacobian, shorter, largest_step()});
   }
 };
 

@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "actio/multisymplectic/fast_cell_2d.hpp"
+#include "actio/multisymplectic/small_strains.hpp"
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/linear.hpp"
 
@@ -111,28 +112,67 @@ Matrix<T, d, d> stress_of(FastStVenantKirchhoff const& medium, Matrix<T, d, d> c
   return F * S;
 }
 
+// W and 2 dW/dC as functions of Green's strain E, of the media that know them without subtracting one.
+
+/// W of a fluid whose law knows the change of the volume.
+template <class Volume, int d>
+  requires requires(Volume const& law) { law.energy_beyond(0.0); }
+double strain_energy(FastFluid<Volume> const& medium, Matrix<double, d, d> const& E) {
+  return medium.volume.energy_beyond(StrainMeasures<d>(E).logarithm);
+}
+/// \f$2\,\partial W/\partial C = U'J\,C^{-1}\f$.
+template <class Volume, int d>
+  requires requires(Volume const& law) { law.energy_beyond(0.0); }
+Matrix<double, d, d> strain_stress(FastFluid<Volume> const& medium, Matrix<double, d, d> const& E) {
+  double const log = StrainMeasures<d>(E).logarithm;
+  return cofactors(beyond_identity<d>(E * 2)) * (medium.volume.slope_beyond(log) * std::exp(-log));
+}
+/// W of a neo-Hookean solid: \f$\mu(\Tr E-\log J)+(U+\mu\log J)\f$.
+template <class Volume, int d>
+  requires requires(Volume const& law) { law.energy_beyond(0.0, 0.0, 0.0); }
+double strain_energy(FastNeoHookean<Volume> const& medium, Matrix<double, d, d> const& E) {
+  StrainMeasures<d> const of(E);
+  return medium.mu * of.distortion + medium.volume.energy_beyond(medium.mu, of.volume, of.logarithm);
+}
+/// \f$2\,\partial W/\partial C = (2\mu E+JU'+\mu)\,C^{-1}\f$.
+template <class Volume, int d>
+  requires requires(Volume const& law) { law.energy_beyond(0.0, 0.0, 0.0); }
+Matrix<double, d, d> strain_stress(FastNeoHookean<Volume> const& medium, Matrix<double, d, d> const& E) {
+  StrainMeasures<d> const of(E);
+  double const J = 1 + of.volume, beyond = medium.volume.slope_beyond(medium.mu, of.volume, of.logarithm);
+  Matrix<double, d, d> left = E * (2 * medium.mu);
+  for (int i = 0; i < d; ++i) left(i, i) += beyond;
+  return left * cofactors(beyond_identity<d>(E * 2)) * (1 / (J * J));
+}
+/// W of St Venant and Kirchhoff's solid.
+template <int d>
+double strain_energy(FastStVenantKirchhoff const& medium, Matrix<double, d, d> const& E) {
+  double const trace = E.trace();
+  double square = 0;
+  for (int k = 0; k < d * d; ++k) square += E.data()[k] * E.data()[k];
+  return medium.lambda / 2 * trace * trace + medium.mu * square;
+}
+/// \f$2\,\partial W/\partial C = \lambda\Tr E+2\mu E\f$.
+template <int d>
+Matrix<double, d, d> strain_stress(FastStVenantKirchhoff const& medium, Matrix<double, d, d> const& E) {
+  Matrix<double, d, d> S = E * (2 * medium.mu);
+  for (int i = 0; i < d; ++i) S(i, i) += medium.lambda * E.trace();
+  return S;
+}
+
 /// \f$2\,\partial W/\partial C = U'J\,C^{-1}\f$ of a fluid, given \f$C = F^TF\f$.
 template <class Volume, int d>
 Matrix<double, d, d> green_stress_of(FastFluid<Volume> const& medium, Matrix<double, d, d> const& C) {
   double const J = std::sqrt(small_determinant(C));
   return cofactors(C) * (medium.volume.slope(J) / J);
 }
+
 /// \f$2\,\partial W/\partial C = \mu+U'J\,C^{-1}\f$ of a neo-Hookean solid.
 template <class Volume, int d>
 Matrix<double, d, d> green_stress_of(FastNeoHookean<Volume> const& medium, Matrix<double, d, d> const& C) {
   double const J = std::sqrt(small_determinant(C));
   Matrix<double, d, d> S = cofactors(C) * (medium.volume.slope(J) / J);
   for (int i = 0; i < d; ++i) S(i, i) += medium.mu;
-  return S;
-}
-/// \f$2\,\partial W/\partial C = \lambda\Tr E+2\mu E\f$ of St Venant and Kirchhoff's solid,
-/// \f$E = \tfrac12(C-1)\f$.
-template <int d>
-Matrix<double, d, d> green_stress_of(FastStVenantKirchhoff const& medium, Matrix<double, d, d> const& C) {
-  Matrix<double, d, d> S = C * medium.mu;
-  double trace = -d;
-  for (int i = 0; i < d; ++i) trace += C(i, i);
-  for (int i = 0; i < d; ++i) S(i, i) += medium.lambda / 2 * trace - medium.mu;
   return S;
 }
 
@@ -206,6 +246,18 @@ template <class Medium, int d>
 Matrix<double, d, d> green_stress_of(Weighed<Medium> const& weighed, Matrix<double, d, d> const& C) {
   return green_stress_of(weighed.medium, C);
 }
+/// W of the medium, where it knows that of a strain.
+template <class Medium, int d>
+auto strain_energy(Weighed<Medium> const& weighed, Matrix<double, d, d> const& E)
+    -> decltype(strain_energy(weighed.medium, E)) {
+  return strain_energy(weighed.medium, E);
+}
+/// \f$2\,\partial W/\partial C\f$ of the medium, likewise.
+template <class Medium, int d>
+auto strain_stress(Weighed<Medium> const& weighed, Matrix<double, d, d> const& E)
+    -> decltype(strain_stress(weighed.medium, E)) {
+  return strain_stress(weighed.medium, E);
+}
 /// A gas with pressure \f$K(\rho/J)^\gamma\f$: \f$\rho^\gamma\tfrac K{\gamma-1}J^{1-\gamma}\f$ per reference
 /// volume, of one entropy wherever its density varies.
 inline Weighed<FastFluid<PolytropicGas>> isentropic_gas(double K, double gamma) {
@@ -232,7 +284,46 @@ struct QuadraticLaw {
   T slope(T const& J) const {
     return (J - 1.0) * kappa - mu / J;
   }
+  /// \f$U+m\log J\f$ from \f$J-1\f$ and \f$\log J\f$, without loss where these are small and m is \f$\mu\f$.
+  double energy_beyond(double m, double j, double log) const { return kappa / 2 * j * j + (m - mu) * log; }
+  /// \f$JU'+m\f$, likewise.
+  double slope_beyond(double m, double j, double) const { return (1 + j) * kappa * j + (m - mu); }
 };
+
+/// A medium that knows its energy as a function of strains.
+template <class Medium, int d>
+concept InStrains = requires(Medium const& medium, Matrix<double, d, d> const& E) {
+  strain_energy(medium, E);
+  strain_stress(medium, E);
+};
+/// Whether a matrix is so small that what one more has is best known from it.
+template <int d>
+bool is_small(Matrix<double, d, d> const& A) {
+  for (int k = 0; k < d * d; ++k)
+    if (!(std::abs(A.data()[k]) < 0.125)) return false;
+  return true;
+}
+/// W from \f$H = F-1\f$.
+template <class Medium, int d>
+double energy_from(Medium const& medium, Matrix<double, d, d> const& H) {
+  if constexpr (InStrains<Medium, d>)
+    if (is_small(H)) return strain_energy(medium, green_strain(H));
+  return energy_of(medium, beyond_identity(H));
+}
+/// \f$\partial W/\partial F\f$ from H.
+template <class Medium, int d>
+Matrix<double, d, d> stress_from(Medium const& medium, Matrix<double, d, d> const& H) {
+  if constexpr (InStrains<Medium, d>)
+    if (is_small(H)) return beyond_identity(H) * strain_stress(medium, green_strain(H));
+  return stress_of(medium, beyond_identity(H));
+}
+/// \f$2\,\partial W/\partial C\f$ from Green's strain.
+template <class Medium, int d>
+Matrix<double, d, d> green_stress_from(Medium const& medium, Matrix<double, d, d> const& E) {
+  if constexpr (InStrains<Medium, d>)
+    if (is_small(E)) return strain_stress(medium, E);
+  return green_stress_of(medium, beyond_identity<d>(E * 2));
+}
 
 /// A stored energy in d dimensions, whatever its medium.
 template <int d>
@@ -242,12 +333,19 @@ struct StoredEnergy {
   virtual ~StoredEnergy() = default;
   /// What W is multiplied by to be energy per reference volume, given the mass density.
   virtual double weight(double density) const = 0;
-  /// W(F), where det F is positive.
-  virtual double energy(Gradient const& F) const = 0;
+  /// W from \f$H = F-1\f$, where det F is positive. Of the solids of the library, and of Tait's liquid, it is
+  /// known to some units in the last place, however small H is.
+  virtual double energy_beyond(Gradient const& H) const = 0;
+  /// \f$\partial W/\partial F\f$ from H, likewise.
+  virtual Gradient stress_beyond(Gradient const& H) const = 0;
+  /// \f$2\,\partial W/\partial C\f$ from Green's strain, likewise.
+  virtual Gradient green_stress_beyond(Gradient const& E) const = 0;
+  /// W(F).
+  double energy(Gradient const& F) const { return energy_beyond(without_identity<d>(F)); }
   /// \f$\partial W/\partial F\f$.
-  virtual Gradient stress(Gradient const& F) const = 0;
+  Gradient stress(Gradient const& F) const { return stress_beyond(without_identity<d>(F)); }
   /// \f$2\,\partial W/\partial C\f$, given \f$C = F^TF\f$, whose determinant is positive.
-  virtual Gradient green_stress(Gradient const& C) const = 0;
+  Gradient green_stress(Gradient const& C) const { return green_stress_beyond(without_identity<d>(C) * 0.5); }
   /// The rate of \f$\partial W/\partial F\f$ along a change of F.
   virtual Gradient stress_rate(Gradient const& F, Gradient const& change) const = 0;
 };
@@ -264,9 +362,9 @@ struct StoredEnergyOf final : StoredEnergy<d> {
     else
       return density;
   }
-  double energy(Gradient const& F) const override { return energy_of(medium, F); }
-  Gradient stress(Gradient const& F) const override { return stress_of(medium, F); }
-  Gradient green_stress(Gradient const& C) const override { return green_stress_of(medium, C); }
+  double energy_beyond(Gradient const& H) const override { return energy_from(medium, H); }
+  Gradient stress_beyond(Gradient const& H) const override { return stress_from(medium, H); }
+  Gradient green_stress_beyond(Gradient const& E) const override { return green_stress_from(medium, E); }
   Gradient stress_rate(Gradient const& F, Gradient const& change) const override {
     return derivative_along([&](auto const& moved) { return stress_of(medium, moved); }, F, change).rate;
   }

@@ -63,7 +63,8 @@ std::vector<Parameter> keys_of_method(System const& system) {
        "The order of the method: " + orders_of(system, true) + ".", "",
        order_in_toml(system.methods.front().orders.front()), orders},
       {"method.step", "a number > 0",
-       "the longest that divides the times of the rows and turns the body by at most 0.05 radians",
+       "the longest that divides the times of the rows and turns the body by at most 0.05 radians; where "
+       "that makes more than four times as many steps as needed, one that divides run.every, or run.until",
        "The time that a step takes. Rows are at multiples of it, or anywhere with run.between_steps; an "
        "exact method does not use it.",
        "time", "0.001"},
@@ -81,7 +82,7 @@ std::vector<Parameter> keys_of_run() {
        "or run.every; with neither, rows at 0 and at run.until", "The times of the rows.", "time",
        "[0, 0.5, 2]"},
       {"run.between_steps", "true or false",
-       "false; true where the times of the rows have no divisor in common and no step is given",
+       "false; true where no step is given and the default step does not divide the times of the rows",
        "Whether rows may lie between two steps: one shorter step of the same scheme goes to each of these, "
        "for that row alone. It changes nothing where the method is exact.",
        "", "true"},

@@ -37,17 +37,31 @@ std::vector<std::string> names(std::vector<Quantity> const& quantities) {
   return out;
 }
 
+std::string why_between_steps(Schedule const& schedule, double step) {
+  double const meets = schedule.step_up_to(step);
+  return fmt::format(
+      "run.between_steps: {}, so that a shorter step of the same scheme goes to each row between "
+      "two steps of {:.6g}",
+      meets > 0 ? fmt::format("a step that all times of {} are multiples of is {:.6g}",
+                              schedule.has_others() ? "rows and snapshots" : "rows", meets)
+                : "the times of the rows have no divisor in common",
+      step);
+}
+
 /// What the system makes of the scene. What it does not place itself is wrong with the whole of it.
 Simulation prepared(System const& system, Request const& request, Schedule& schedule) {
   try {
     bool const step_given = request.file.section("method").has("step");
     Simulation simulation = system.prepare(request);
-    if (!simulation.exact && !step_given && !schedule.between_steps() && schedule.common_divisor() == 0) {
+    bool const beside = !simulation.exact && !step_given && !schedule.met_by(simulation.step);
+    bool const refused = request.file.section("run").has("between_steps") && !schedule.between_steps();
+    if (beside && refused && schedule.common_divisor() > 0) {
+      request.file.section("method").set("step", schedule.step_up_to(simulation.step));
+      simulation = system.prepare(request);
+    } else if (beside && !schedule.between_steps()) {
       schedule.allow_between_steps();
       request.file.section("run").set("between_steps", true);
-      simulation.remarks.push_back(
-          "run.between_steps: the times of the rows have no divisor in common, so that a shorter step of the "
-          "same scheme goes to each row between two steps");
+      simulation.remarks.push_back(why_between_steps(schedule, simulation.step));
     }
     // refuses a step that does not meet the rows
     if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));

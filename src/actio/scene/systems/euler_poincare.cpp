@@ -107,8 +107,8 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
 double step_of(Request const& request, ReducedScheme const& scheme, ReducedScene const& scene) {
   SceneTable method = request.file.section("method");
   bool const given = method.has("step");
-  double const divisor = request.schedule.common_divisor(),
-               time = divisor > 0 ? divisor : request.schedule.until();
+  double const divisor = request.schedule.common_divisor(), until = request.schedule.until(),
+               time = divisor > 1e-3 * until ? divisor : until;
   double fastest = given ? 1 : fastest_rate(scene, time);
   if (!(fastest * time > 1e-12)) fastest = 5 / time;
   double step = read_step(method, request.schedule, fastest);

@@ -57,12 +57,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   void advance(long count) override {
     while (count > 0) {
       long const some = std::min(count, watch_.next());
-      try {
-        medium_.step(some);
-      } catch (CellInverts const& error) {
-        end_inside_out(
-            error, medium_.time(), requires { typename FluidLaw<Medium>::type; });
-      }
+      sound([&] { medium_.step(some); });
       count -= some;
       watch_.made(some, *this, medium_.time(),
                   [this] { return longest_step_of(law_, cells_.box(), medium_.places()); });
@@ -101,13 +96,26 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   }
 
  private:
+  void show_after(double time) override {
+    sound([&] { medium_.look_ahead(time); });
+  }
+  /// What turns a cell inside out is told with the time.
+  template <class Steps>
+  void sound(Steps const& steps) {
+    try {
+      steps();
+    } catch (CellInverts const& error) {
+      end_inside_out(
+          error, medium_.time(), requires { typename FluidLaw<Medium>::type; });
+    }
+  }
   /// One list after the other, so that both are not there at once besides the stream.
   void save(CheckpointStream& stream) const {
     long steps = medium_.steps();
     stream.expect(2 * cells_.nodes() * sizeof(Place) + bytes_of_others);
     stream(steps);
     for (bool const velocity : {false, true}) {
-      auto list = velocity ? medium_.velocities_half_a_step_ago() : medium_.places();
+      auto list = velocity ? medium_.velocities_half_a_step_ago() : medium_.places_of_last_step();
       std::span<Place> all(list);
       stream(all);
     }

@@ -25,6 +25,7 @@ struct PointOfCell {
   double density;                ///< mass per reference volume
   double weight;                 ///< of W, per reference volume
   Matrix<double, d, d> F;        ///< the deformation gradient
+  Matrix<double, d, d> H;        ///< that of the displacement, F - 1
   Matrix<double, d, d> inverse;  ///< of the reference edges
   double jacobian;               ///< det F
   CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
@@ -36,18 +37,20 @@ template <int d, class Visit>
 void for_points(MediumView<d> const& medium, std::vector<typename MediumCells<d>::Place> const& x,
                 bool density, Visit const& visit) {
   MediumCells<d> const& cells = medium.motion->cells();
-  std::array<double, d> at[8], from[8];
+  std::array<double, d> at[8], from[8], moved[8];
   for (std::size_t c = 0; c < cells.cells(); ++c) {
     auto const cell = cells.cell(c);
-    cells.gather(cell, x, at), cells.gather_reference(cell, from);
+    cells.gather(cell, x, at), cells.gather_reference(cell, from), cells.gather_displacement(cell, x, moved);
     auto const correction = cells.correction(from);
-    Matrix<double, d, d> const more = cells.common(correction, at);
+    Matrix<double, d, d> const more = cells.common(correction, at),
+                               more_moved = cells.common(correction, moved);
     for (int p = 0; p < cells.points(); ++p) {
-      PointOfCell<d> point{c, p, 0, 1, 1, {}, {}, 0, &correction};
+      PointOfCell<d> point{c, p, 0, 1, 1, {}, {}, {}, 0, &correction};
       auto const edges = cells.edges(from, p);
       point.volume = small_determinant(edges) * cells.share() * correction.ratio;
       point.inverse = inverse_matrix(edges);
       point.F = cells.edges(at, p) * point.inverse + more;
+      point.H = cells.edges(moved, p) * point.inverse + more_moved;
       point.jacobian = small_determinant(point.F);
       if (density) {
         std::array<double, d> X = from[p];
@@ -79,7 +82,8 @@ void write_fields(MediumView<d> const& medium, PointOfCell<d> const& point,
   Matrix<double, d, d> stress = Matrix<double, d, d>::Zero();
   bool stressed = false;
   for (auto const& name : asked) stressed = stressed || name == "stress" || name == "pressure";
-  if (stressed) stress = medium.law->stress(point.F) * point.F.transpose() * (point.weight / point.jacobian);
+  if (stressed)
+    stress = medium.law->stress_beyond(point.H) * point.F.transpose() * (point.weight / point.jacobian);
   for (auto const& name : asked) {
     if (name == "jacobian") *out++ = point.jacobian;
     if (name == "pressure") {
@@ -88,7 +92,7 @@ void write_fields(MediumView<d> const& medium, PointOfCell<d> const& point,
       *out++ = -trace / d;
     }
     if (name == "density") *out++ = point.density / point.jacobian;
-    if (name == "energy_density") *out++ = point.weight * medium.law->energy(point.F);
+    if (name == "energy_density") *out++ = point.weight * medium.law->energy_beyond(point.H);
     if (name == "stress")
       for (int a = 0; a < d; ++a)
         for (int b = a; b < d; ++b) *out++ = stress(a, b);
@@ -162,7 +166,7 @@ double noether_residual(MediumView<d> const& medium, std::vector<typename Medium
     if (point.cell != of) close(), of = point.cell;
     std::array<double, d> at[8];
     cells.gather(cell, x, at);
-    Matrix<double, d, d> const P = medium.law->stress(point.F) * (point.weight * point.volume * step);
+    Matrix<double, d, d> const P = medium.law->stress_beyond(point.H) * (point.weight * point.volume * step);
     for (int k = 0; k < d; ++k) {
       auto const [low, up] = cells.ends(point.point, k);
       double pull[3] = {}, push[3] = {}, speed = 0;

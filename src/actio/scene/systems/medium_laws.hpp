@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "actio/multisymplectic/fast_cell_2d.hpp"
+#include "actio/multisymplectic/small_strains.hpp"
 
 namespace actio::scene {
 
@@ -37,6 +38,14 @@ struct GasLaw {
       for (int k = 0; k < 4; ++k) out[k] = slope(J[k]);
     }
   }
+  /// U from \f$\log J\f$, without loss where that is small and U is zero at J = 1.
+  double energy_beyond(double log) const {
+    if (B == 0) return K / (gamma - 1) * std::exp((1 - gamma) * log);
+    return K / (gamma - 1) * exponential_beyond_line((1 - gamma) * log) + B * exponential_beyond_line(log) +
+           (B - K) * log;
+  }
+  /// \f$U'\f$, likewise.
+  double slope_beyond(double log) const { return (B - K) - K * std::expm1(-gamma * log); }
   /// The law whose slope at a J is `weight` times \f$U'(J/unit)\f$.
   GasLaw scaled(double unit, double weight) const {
     return {weight * K * std::pow(unit, gamma), gamma, weight * B};

@@ -78,6 +78,24 @@ struct MooneyRivlinOfGradient {
     return law(C);
   }
 };
+/// Its energy as a function of Green's strain, and the stress of that.
+template <int d>
+double strain_energy(MooneyRivlinOfGradient const& medium, Matrix<double, d, d> const& E) {
+  auto const& [c1, c2, volume] = medium.law;
+  StrainMeasures<d> const of(E);
+  return 2 * (c1 + (d - 1) * c2) * of.distortion + 4 * c2 * of.second +
+         volume.lambda / 2 * of.logarithm * of.logarithm;
+}
+/// \f$(4(c_1+(d-1)c_2)E+\lambda\log J)\,C^{-1}+4c_2(\Tr E-E)\f$.
+template <int d>
+Matrix<double, d, d> strain_stress(MooneyRivlinOfGradient const& medium, Matrix<double, d, d> const& E) {
+  auto const& [c1, c2, volume] = medium.law;
+  StrainMeasures<d> const of(E);
+  double const J = 1 + of.volume;
+  Matrix<double, d, d> left = E * (4 * (c1 + (d - 1) * c2)), rest = E * (-4 * c2);
+  for (int i = 0; i < d; ++i) left(i, i) += volume.lambda * of.logarithm, rest(i, i) += 4 * c2 * E.trace();
+  return left * cofactors(beyond_identity<d>(E * 2)) * (1 / (J * J)) + rest;
+}
 
 std::vector<std::string> names_of(bool fluid) {
   std::vector<std::string> out;

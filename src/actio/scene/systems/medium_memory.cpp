@@ -104,7 +104,7 @@ double bytes_on_plain_road(Counted const& body, MediumMesh const& mesh, Request 
                       (body.corners == 8 && mesh.shape != "box" ? sizeof(CornerCorrection<double, 3>) : 0);
   double const kept = 24 * body.nodes + cell * body.cells + 8 * body.nodes +
                       (24 + held * (32 + 8 * (body.d + body.d * body.d))) * surface +
-                      (10 + (viscous ? 2 : 0)) * body.vector +
+                      (13 + (viscous ? 2 : 0)) * body.vector +
                       (walls ? (body.vector + 8 * (1 + body.d) * body.nodes) : 0);
   // A step that is solved by conjugate gradients, a checkpoint, a snapshot.
   // The lists of frames are written before there are copies and quantities.

@@ -36,7 +36,7 @@ class MeshMotion final : public MotionOnMesh<d> {
       : medium_(std::move(road.mesh), stored_energy_of<d>(road.material), start_of<d>(road.start),
                 {1, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
         cells_(medium_.mesh()),
-        fluid_(road.material.record->fluid),
+        fluid_(road.material.record->fluid && d > 1),
         conserves_form_(road.conserve == Conserve::form),
         watch_(1, 32, fluid_, conserves_form_),
         walls_(road.loads, medium_.mesh(), medium_.places()) {}
@@ -49,16 +49,10 @@ class MeshMotion final : public MotionOnMesh<d> {
   void advance(long count) override {
     while (count > 0) {
       long const some = std::min(count, walls_.any() ? 1 : watch_.next());
-      try {
-        medium_.step(some);
-      } catch (BodyCellInverts const& error) {
-        end_inside_out(error, medium_.time(), fluid_);
-      } catch (BodyStepUnsolved const& error) {
-        end_inside_out(error, medium_.time(), fluid_);
-      }
+      sound([&] { medium_.step(some); });
       count -= some;
       if (walls_.any()) walls_.look(medium_.places(), medium_.time_step(), medium_.time());
-      watch_.made(some, *this, medium_.time(), [this] { return medium_.largest_step(); });
+      watch_.made(some, *this, medium_.time(), [this] { return medium_.largest_step_of_waves(); });
     }
   }
   void change_step(double first, double step, long made) override {
@@ -78,9 +72,24 @@ class MeshMotion final : public MotionOnMesh<d> {
   double mass(std::size_t node) const override { return medium_.masses()[node]; }
   BodyEnergies energies() const override { return medium_.energies(); }
   double dissipated() const override { return medium_.dissipated(); }
-  double longest_step() const override { return medium_.largest_step(); }
+  double longest_step() const override { return medium_.largest_step_of_waves(); }
+  double longest_in_one_part() const override { return medium_.largest_step_of_viscosity(); }
 
  private:
+  void show_after(double time) override {
+    sound([&] { medium_.look_ahead(time); });
+  }
+  /// What turns a cell inside out, or is not solved, is told with the time.
+  template <class Steps>
+  void sound(Steps const& steps) {
+    try {
+      steps();
+    } catch (BodyCellInverts const& error) {
+      end_inside_out(error, medium_.time(), fluid_);
+    } catch (BodyStepUnsolved const& error) {
+      end_inside_out(error, medium_.time(), fluid_);
+    }
+  }
   /// As a list, but a part of it at a time.
   void save(CheckpointStream& stream) const {
     std::size_t size = medium_.numbers_of_state();
@@ -96,7 +105,8 @@ class MeshMotion final : public MotionOnMesh<d> {
 
   MediumOnMesh<d> medium_;
   MeshCells<d> cells_;
-  bool fluid_, conserves_form_;
+  bool fluid_;  // nothing resists shear
+  bool conserves_form_;
   StepWatch<d> watch_;
   WallWatch<d> walls_;
 };

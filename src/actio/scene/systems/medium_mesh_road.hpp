@@ -13,6 +13,8 @@ class MotionOnMesh : public MediumMotion<d> {
  public:
   /// The longest step for which small motions about the state now are stable, from above within a per cent.
   virtual double longest_step() const = 0;
+  /// The longest that viscosity allows now, without which longer ones are made in parts; HUGE_VAL: any.
+  virtual double longest_in_one_part() const = 0;
   /// From the start with steps of this length.
   /// @param longest  what \ref longest_step is at the start
   virtual void begin(double step, double longest) = 0;

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/step_hint.hpp"
 
 namespace actio::scene {
 namespace {
@@ -24,57 +27,29 @@ ArtificialViscosity read_viscosity(SceneTable const& method, bool plain) {
   return out;
 }
 
-/// Rows and snapshots of a medium are at its steps.
-void require_rows_at_steps(Request const& request, double step) {
-  Schedule const& schedule = request.schedule;
-  if (schedule.met_by(step)) return;
-  double const below = schedule.step_up_to(step), above = schedule.step_from(step);
-  std::string near = below > 0 ? fmt::format("; a step of {} meets them", below)
-                               : std::string("; these times have no step in common");
-  if (above > 0 && above != below) near += fmt::format("{} {}", below > 0 ? ", or" : "; a step of", above);
-  if (schedule.between_steps())
-    request.file.section("run").fail(
-        "between_steps", "between_steps: the rows and snapshots of a medium are at its steps" + near);
-  request.file.section("method").fail("step",
-                                      fmt::format("step: the rows and snapshots of a medium are at multiples "
-                                                  "of the step, and these are not at those of {}{}",
-                                                  step, near));
-}
-
-/// Where rows and snapshots have no divisor in common: the last row beside multiples of run.every is told
-/// with times that would do.
-[[noreturn]] void fail_without_divisor(Request const& request) {
-  SceneTable const run = request.file.section("run");
-  std::string const why = "have no divisor in common, and rows and snapshots of a medium are at its steps";
-  double const until = request.schedule.until();
-  if (!run.has("every"))
-    run.fail(run.has("at") ? "at" : "until",
-             "the times of rows and snapshots " + why + "; run.every has them at multiples of one time");
-  double const every = run.number("every"), parts = std::floor(until / every);
-  run.fail("until", fmt::format("until = {} and every = {} {}; until = {:.12g} or {:.12g} would do", until,
-                                every, why, parts * every, (parts + 1) * every));
-}
-
 }  // namespace
 
 double medium_step(Request const& request, double longest, double frequency,
-                   std::vector<std::string>& remarks) {
+                   std::vector<std::string>& remarks, double in_one, bool is_explicit) {
   SceneTable method = request.file.section("method");
-  if (!method.has("step") && request.schedule.common_divisor() == 0) fail_without_divisor(request);
-  constexpr double stable = 0.8, much = 0.25;  // radians that a wave turns in a step
-  double const step =
-      read_step(method, request.schedule, std::max(2 / longest, stable / much * frequency), stable);
-  // The largest frequency is known from below, within a per cent.
-  if (step > 0.99 * longest)
-    fail_for_long_step(method, request.schedule, StepTooLong("medium", step, 0.99 * longest),
-                       fmt::format("steps of length {} are not stable", step));
-  require_rows_at_steps(request, step);
+  constexpr double stable_turn = 0.8, much = 0.25;  // radians that a wave turns in a step
+  double const fastest = std::max(2 / std::min(longest, in_one), stable_turn / much * frequency),
+               step = read_step(method, request.schedule, fastest, stable_turn);
   if (step * frequency > much * (1 + 1e-9))
     remarks.push_back(
         fmt::format("step: loads change as a wave that turns by {:.2g} rad in a step of {}; steps of "
                     "{:.2g} follow them",
                     step * frequency, step, much / frequency));
-  return step;
+  // The largest frequency is known from below, within a per cent.
+  bool const stable = step <= 0.99 * longest;
+  if (stable && !(is_explicit && step > safe_part * longest)) return step;
+  // The bound moves with the body: what is told has room for that.
+  double const would = (is_explicit ? 0.94 * safe_part : 0.99 * (1 - 1e-9)) * longest;
+  throw NumericsError(fmt::format(
+      "{}: step: steps of length {} are not {}; a step of {} would do{}", method.place("step").text(), step,
+      stable ? fmt::format("safe: small motions are stable up to {:.6g}, of which nine tenths are", longest)
+             : "stable",
+      would, step_that_meets(request.schedule, would)));
 }
 
 std::vector<Method> medium_methods() {
@@ -101,12 +76,10 @@ MediumMethod read_medium_method(SceneFile const& file) {
 std::vector<Parameter> medium_method_parameters() {
   return {
       {"method.step", "a number > 0", "four tenths of the longest stable step, or less",
-       "The time that a step takes, a whole number of times in the time between two rows, or two "
-       "snapshots. By default it is at most four tenths of the longest for which small motions about "
-       "the start are stable.",
+       "The time that a step takes. By default it is at most four tenths of the longest for which small "
+       "motions about the start are stable and viscosity is damping; nine tenths of the former are the most. "
+       "Where viscosity allows less on the way, as in a shock, a step is made in equal parts.",
        "time", "0.01"},
-      {"run.between_steps", "true or false", "false",
-       "Rows and snapshots of a medium are at its steps: true is refused where they are not.", "", "false"},
       {"method.conserve",
        "a text",
        "\"form\"",

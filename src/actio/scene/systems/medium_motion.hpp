@@ -41,6 +41,14 @@ class MediumCells {
       beyond(cell, b, at[b]);
     }
   }
+  /// How far the corners of a cell are from there, without loss where that is little.
+  void gather_displacement(Cell const& cell, std::vector<Place> const& x, Place (&moved)[8]) const {
+    for (int b = 0; b < corner_count(shape()); ++b) {
+      auto const node = static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)]);
+      Place const X = reference(node);
+      for (int k = 0; k < d; ++k) moved[b][k] = x[node][k] - X[k];
+    }
+  }
   /// How many deformation gradients a cell has: at each corner of a box-like one, otherwise one.
   int points() const { return is_simplex(shape()) || d == 1 ? 1 : corner_count(shape()); }
   /// The corners at both ends of edge k of a point of a cell.
@@ -117,12 +125,18 @@ class MediumMotion : public Motion {
  public:
   using Place = std::array<double, d>;                ///< a point, or a vector
   virtual long steps() const = 0;                     ///< that were made
+  double ahead() const { return ahead_; }             ///< of the last step, time
+  void look_ahead(double time) final { show_after(time), ahead_ = time; }
   virtual MediumCells<d> const& cells() const = 0;    ///< of the body
   virtual std::vector<Place> places() const = 0;      ///< of the nodes, length
   virtual std::vector<Place> velocities() const = 0;  ///< of the nodes, length/time
   virtual double mass(std::size_t node) const = 0;    ///< of a node
   virtual BodyEnergies energies() const = 0;          ///< now
   virtual double dissipated() const { return 0; }     ///< by viscosity, energy
+
+ private:
+  virtual void show_after(double time) = 0;  // since the last step; 0: the last step itself
+  double ahead_ = 0;
 };
 
 /// A step that would turn a cell inside out, or is not found, ends the run: it is told with the time, and of

@@ -76,7 +76,8 @@ class Observed {
 
  private:
   void forget_older() {
-    if (seen_ != motion().steps()) x_ = {}, v_ = {}, seen_ = motion().steps();
+    std::pair const now{motion().steps(), motion().ahead()};
+    if (seen_ != now) x_ = {}, v_ = {}, seen_ = now;
   }
   /// Forces are rounded to 1e-16 of the stiffness, and these roundings are added up over many steps.
   static constexpr double rounding = 1e-12;
@@ -84,7 +85,7 @@ class Observed {
   MediumView<d> medium_;
   std::optional<double> sound_;
   std::vector<Place> x_, v_;
-  long seen_ = -1;  // the steps after which they were read
+  std::pair<long, double> seen_{-1, 0};  // the steps, and the time since, after which they were read
 };
 
 template <int d>

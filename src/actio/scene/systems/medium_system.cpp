@@ -191,7 +191,7 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
   simulation.step = medium_step(
       request, longest,
       frequency_of(road.loads.in_time, road.mesh.nodes, request.schedule.until(), simulation.remarks),
-      simulation.remarks);
+      simulation.remarks, motion->longest_in_one_part(), method.conserve == Conserve::form);
   motion->begin(simulation.step, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, std::move(motion),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "actio/scene/systems/medium_method.hpp"
 #include "actio/scene/systems/medium_motion.hpp"
 
 namespace actio::scene {
@@ -27,7 +28,7 @@ class StepWatch {
   /// Steps of this length begin at the start.
   /// @param longest  the longest stable step there, which has been found already
   void begin(double step, MediumMotion<d> const& motion, double longest) {
-    step_ = step, first_ = longest;
+    step_ = step;
     if (on_) found(deformation(motion), longest);
   }
 
@@ -37,7 +38,7 @@ class StepWatch {
   /// @param limit  a callable without arguments: the longest stable step now
   /// @throws Error  where the step is longer, with both, the time and the cell that is deformed most
   template <class Limit>
-  void made(long count, MediumMotion<d> const& motion, double time, Limit const& limit) {
+  void made(long count, MediumMotion<d>& motion, double time, Limit const& limit) {
     if (!on_ || (since_ += count) < due_) return;
     since_ = 0, unsought_ += due_;
     Deformation const now = deformation(motion);
@@ -53,22 +54,18 @@ class StepWatch {
       return;
     double const longest = limit();
     found(now, longest);
-    // Near the bound waves of the size of a cell grow by what is not linear in them, unless they are as small
-    // as a start has them that is stepped there from the beginning.
-    if (first_ == 0) first_ = longest;
-    if (step_ <= (step_ > 0.9 * first_ ? 1 : 0.9) * longest) return;
+    if (step_ <= safe_part * longest) return;
+    double const shorter = step_that_goes_on(motion, longest / 2);
     throw Error("medium: the step " + show(step_) + " is no longer stable at t = " + show(time) +
                 ": the longest stable step has fallen to " + show(longest) +
                 ", of which nine tenths are safe, and most deformed is " + motion.cells().name(now.cell) +
-                " with the Jacobian " + show(now.jacobian) + "; a step of " + show(longest / 2) +
-                " would go on from there; the state is that at t = " + show(time) +
+                " with the Jacobian " + show(now.jacobian) +
+                (shorter > 0 ? "; a step of " + show(shorter) + " would go on from there" : "") +
+                "; the state is that at t = " + show(time) +
                 (fluid_ ? ": a fluid resists no shear, and cells that are sheared for long tangle" : ""));
   }
   /// The state is another one.
-  void begin_anew() {
-    double const first = first_;
-    *this = StepWatch(step_, most_, fluid_, on_), first_ = first;
-  }
+  void begin_anew() { *this = StepWatch(step_, most_, fluid_, on_); }
 
  private:
   struct Deformation {
@@ -78,6 +75,15 @@ class StepWatch {
     std::size_t cell = 0;  // with the largest squeeze
     double jacobian = 1;   // of it
   };
+  /// This step or, where it cannot be made, half of it and so on; 0: none can.
+  static double step_that_goes_on(MediumMotion<d>& motion, double step) {
+    for (int k = 0; k < 20; ++k, step /= 2) try {
+        motion.look_ahead(step), motion.look_ahead(0);
+        return step;
+      } catch (Error const&) {
+      }
+    return 0;
+  }
   /// The longest stable step is that of this deformation.
   void found(Deformation const& now, double longest) {
     squeeze_ = std::max(squeeze_, now.squeeze), stretch_ = std::max(stretch_, now.stretch), unsought_ = 0;
@@ -128,7 +134,6 @@ class StepWatch {
   double squeeze_ = 0, stretch_ = 0;  // the largest for which the longest stable step was found
   double slack_ = 0, margin_ = 0;     // by how much they may grow, and the logarithm of what the step may
   double last_[2] = {0, 0};           // squeeze and stretch of the last look
-  double first_ = 0;                  // the longest stable step at the start
 };
 
 }  // namespace actio::scene

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "actio/scene/systems/step_hint.hpp"
+
 namespace actio::scene {
 namespace {
 
@@ -27,6 +29,36 @@ std::string alternatives(std::vector<std::string> orders) {
 
 /// Whole steps in a time: the least number of which none is longer.
 double parts(double time, double longest) { return std::max(1.0, std::ceil(time / longest)); }
+
+/// How many rows and snapshots such steps do not meet; of snapshots as many as there may be.
+double times_beside(Schedule const& schedule, double step) {
+  auto const missed = [step](double t) {
+    return std::abs(t / step - std::round(t / step)) > 1e-9 * std::max(1.0, t / step);
+  };
+  double count = 0;
+  // The first rows and the last one stand for all.
+  long const rows = schedule.rows(), some = std::min(rows - 1, 4096L);
+  for (long row = 0; row < some; ++row) count += missed(schedule.time(row));
+  if (some > 0) count *= static_cast<double>(rows - 1) / static_cast<double>(some);
+  count += missed(schedule.time(rows - 1));
+  if (schedule.has_others())
+    for (double const t : schedule.landmarks())
+      if (t > 0 && missed(t)) count += schedule.until() / t;
+  return count;
+}
+
+/// The longest step that divides all times and is at most so long. Where that makes more than four times as
+/// many steps as one would that divides the time between two rows, or the whole time, and goes to the other
+/// rows by shorter steps, the latter.
+double default_step(Schedule const& schedule, double longest) {
+  double const until = schedule.until(), divisor = schedule.common_divisor(),
+               meets = divisor > 0 ? divisor / parts(divisor, longest) : 0;
+  double const between = schedule.rows() > 2 ? schedule.time(2) - schedule.time(1) : until;
+  bool const regular =
+      schedule.rows() > 2 && schedule.time(0) == 0 && std::abs(between - schedule.time(1)) <= 1e-9 * between;
+  double const whole = regular ? between : until, free = whole / parts(whole, longest);
+  return until > 4 * meets * (until / free + times_beside(schedule, free)) ? free : meets;
+}
 
 }  // namespace
 
@@ -56,9 +88,7 @@ MethodChoice read_method(SceneTable method, std::vector<Method> const& known) {
 
 double read_step(SceneTable method, Schedule const& schedule, double fastest, double turn) {
   if (!method.has("step")) {
-    double const divisor = schedule.common_divisor(), time = divisor > 0 ? divisor : schedule.until(),
-                 longest = fastest > 0 ? turn / fastest : time;
-    double const step = time / parts(time, longest);
+    double const longest = fastest > 0 ? turn / fastest : HUGE_VAL, step = default_step(schedule, longest);
     method.set("step", step > 0 && std::isfinite(step) ? step : longest);
   }
   return method.positive("step");
@@ -69,11 +99,14 @@ void fail_for_long_step(SceneTable const& method, Schedule const& schedule, Step
   what = what.empty()
              ? error.what()
              : fmt::format("{}; the longest that would do is {}", what, error.largest_step * (1 - 1e-9));
-  // Rounded down, so that what is told can be pasted.
-  double const divisor = schedule.common_divisor(),
-               step = divisor / parts(divisor, error.largest_step * (1 - 1e-9));
-  if (divisor > 0 && step > 0) what += fmt::format("; the largest that meets the rows is {}", step);
+  what += step_that_meets(schedule, error.largest_step * (1 - 1e-9));
   throw NumericsError(method.place("step").text() + ": step: " + what);
+}
+
+std::string step_that_meets(Schedule const& schedule, double longest) {
+  double const meets = schedule.step_up_to(longest);
+  return meets > longest / 4 ? fmt::format("; the largest that meets the rows is {}", meets)
+                             : "; run.between_steps = true has rows between steps";
 }
 
 }  // namespace actio::scene
