@@ -20,6 +20,7 @@ BOOST_AUTO_TEST_CASE(what_says_nothing_of_the_body_changes_nothing) {
     BOOST_TEST((read.sides == mesh.sides));
   };
   for (char const* version : {"2", "2.0", "2.1"}) same(replaced(text, "2.2", version));
+  same(replaced(text, "\"bottom\"", "\"bottom\" some_kind"));
   same("$Comments\n$MeshFormat\n$EndComments\n" + text);
   same(replaced(text, "$Nodes", "$Periodic\n1\n0 1 2\n1\n20 50\n$EndPeriodic\n$Nodes"));
   same(replaced(text, "50 0 1 0", "+50 1e-330 +1.0 -1e-400"));
@@ -27,6 +28,9 @@ BOOST_AUTO_TEST_CASE(what_says_nothing_of_the_body_changes_nothing) {
       replaced(replaced(replaced(text, "$Nodes\n", "$ParametricNodes\n"), "$EndNodes", "$EndParametricNodes"),
                "10 5 5 0 \n20 0 0 0 \n30 1 0 0 \n40 1 1 0 \n50 0 1 0 \n",
                "10 5 5 0 0 1\n20 0 0 0 1 2 0.5\n30 1 0 0 2 1 0.5 7\n40 1 1 0 3 1\n50 0 1 0 0 9\n"));
+  auto lifted = triangles();
+  for (auto& node : lifted.nodes) node[2] = 3.1;
+  same(Writer(false, false).write(lifted));
   // In version 2.0 names had no dimension; of a name with one nothing else is known there.
   same(replaced(replaced(replaced(text, "2.2", "2"), "1 3 \"bottom\"", "3 \"bottom\""), "2 9 \"the",
                 "9 \"the"));

@@ -61,7 +61,8 @@ BOOST_AUTO_TEST_CASE(a_file_is_read_as_its_text_is) {
 BOOST_AUTO_TEST_CASE(what_does_not_fit_in_a_text_is_refused_at_its_line) {
   refused(with("$MeshFormat", "$Meshformat"), "$MeshFormat is needed, and '$Meshformat' is found", "$Mesh");
   refused(with("4.1 0 8", "4.1 2 8"), "text is 0 and bytes are 1, not 2", "4.1 2 8");
-  refused(with("4.1 0 8", "4.1 0 4"), "numbers have 8 bytes", "4.1 0 4");
+  refused(with("4.1 0 8", "4.1 1 4"), "numbers of 8 bytes are read, not of 4", "4.1 1 4");
+  BOOST_TEST(gmsh_mesh_of(with("4.1 0 8", "4.1 0 4"), "").cells.size() == 2);
   refused(with("4.1 0 8", "4.2 0 8"), "version 4.2 of the format is not read", "4.2 0 8");
   refused(with("$Nodes", "Nodes"), "a section begins with $", "Nodes");
   refused(with("\"bottom\"", "\"bottom\n\""), "a name is not closed by a quotation mark", "1 7 \"bottom");
@@ -89,10 +90,10 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_in_a_text_is_refused_at_its_line) {
   refused(with("3 1 5 9", "3 1 5 11"), "a triangle has node 11, which the file does not have", "3 1 5 11");
   BOOST_TEST(gmsh_mesh_of(with("1 1 3\n", "1 1 5\n"), "").inside.size() == 2);
   BOOST_TEST(gmsh_mesh_of(with("1 1 3\n", "1 3 9\n"), "").no_sides.size() == 2);
-  refused(with("1 0 0\n1 1 0\n", "1 0 0\n1 1 1\n"), "node 5 at (1, 1, 1) is not in the plane of X and Y",
-          "5\n9\n0 0 0");
+  refused(with("1 0 0\n1 1 0\n", "1 0 0\n1 1 1\n"),
+          "node 5 at (1, 1, 1) is not in the plane along X and Y through (0, 0, 0)", "5\n9\n0 0 0");
   auto const line = with("2 2 2 2\n2 1 3 5\n3 1 5 9\n", "1 3 1 1\n2 3 5\n", with("2 3 1 3", "2 2 1 3"));
-  refused(line, "node 5 at (1, 1, 0) is not in the line of X", "5\n9\n0 0 0");
+  refused(line, "node 5 at (1, 1, 0) is not in the line along X through (0, 0, 0)", "5\n9\n0 0 0");
   refused(with("2 3 1 3\n1 3 1 1\n1 1 3\n2 2 2 2\n2 1 3 5\n3 1 5 9\n", "0 0 0 0\n"), "the file has no cells",
           "");
   refused(with("2 3 1 3", "x 3 1 3"), "should be a number, and is 'x'", "x 3 1 3");

@@ -60,7 +60,8 @@ class GmshSections : public GmshBlocks {
       file_.fail("version " + show(version_) + " of the format is not read; save as 4.1 or 2.2");
     int const kind = file_.in_digits<int>("0 for text or 1 for bytes");
     if (kind != 0 && kind != 1) file_.fail("text is 0 and bytes are 1, not " + std::to_string(kind));
-    if (file_.in_digits<int>("the size of numbers") != 8) file_.fail("numbers have 8 bytes");
+    int const size = file_.in_digits<int>("the size of numbers");
+    if (kind == 1 && size != 8) file_.fail("numbers of 8 bytes are read, not of " + std::to_string(size));
     if (kind == 1) {
       file_.line();
       file_.binary = true;
@@ -83,6 +84,8 @@ class GmshSections : public GmshBlocks {
       }
       int const tag = file_.in_digits<int>("the tag of a group");
       contents_.names[{first, tag}] = file_.quoted();
+      // What a program notes of a group besides its name.
+      file_.line();
     }
   }
 

@@ -133,21 +133,25 @@ class GmshBody {
     for (auto const& cell : mesh_.cells)
       for (int b = 0; b < count; ++b) number_[cell[b]] = 0;
     double size = 0;
-    for (std::size_t k = 0; k < number_.size(); ++k)
-      if (number_[k] == 0)
-        for (double x : in_.nodes[k].place) size = std::max(size, std::abs(x));
+    std::array<double, 3> first{};
+    for (std::size_t k = number_.size(); k-- > 0;)
+      if (number_[k] == 0) {
+        first = in_.nodes[k].place;
+        for (double x : first) size = std::max(size, std::abs(x));
+      }
     for (std::size_t k = 0; k < number_.size(); ++k) {
       if (number_[k] < 0) continue;
       number_[k] = int(mesh_.nodes.size());
       auto place = in_.nodes[k].place;
       for (int i = mesh_.dimension; i < 3; ++i) {
-        // What the geometry's own arithmetic leaves of zero.
-        if (std::abs(place[i]) > 64 * epsilon<double>() * size)
+        // A plane across Z may lie anywhere, up to what the geometry's own arithmetic leaves.
+        if (std::abs(place[i] - first[i]) > 64 * epsilon<double>() * size)
           sections_.file().fail_at(in_.nodes[k].byte,
                                    "node " + std::to_string(in_.nodes[k].tag) + " at " + place_name(place) +
-                                       " is not in the " +
-                                       (mesh_.dimension == 1 ? "line of X" : "plane of X and Y") +
-                                       ", and the cells are " + cells_[0]->shape->name + "s");
+                                       " is not in the " + (mesh_.dimension == 1 ? "line" : "plane") +
+                                       " along " + (mesh_.dimension == 1 ? "X" : "X and Y") + " through " +
+                                       place_name(first) + ", and the cells are " + cells_[0]->shape->name +
+                                       "s");
         place[i] = 0;
       }
       mesh_.nodes.push_back(place), mesh_.node_tags.push_back(in_.nodes[k].tag);

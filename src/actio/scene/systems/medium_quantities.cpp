@@ -225,7 +225,9 @@ std::vector<Quantity> sums_of_body(bool fluid) {
       {"circulation",
        Kind::scalar,
        std::string(
-           "The circulation of the velocity along each of system.loops; where these are left out along "
+           "The circulation of the velocity along each of system.loops, a side being run through with the "
+           "body "
+           "at the left (the edge of a hole clockwise); where these are left out along "
            "the outermost closed row of nodes of a body in the plane, counterclockwise, or the row that "
            "goes once around a periodic box. ") +
            (fluid ? "In the continuum the motion of a barotropic fluid conserves it; on a mesh it does so to "
