@@ -144,8 +144,10 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
 
 STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant system is f -> R*_f l'(f)") {
   claim.holds(
-      "As (4.7) and (4.8), with $p_k = \\partial\\mathbb L/\\partial g_k$: the groupoid's Legendre map at the "
-      "source of an arrow. With $\\ell$ an action the physical momentum at the start of the step is minus its "
+      "As (4.7) and (4.8), with $p_k = \\partial\\mathbb L/\\partial g_k$: the groupoid's Legendre map at "
+      "the "
+      "source of an arrow. With $\\ell$ an action the physical momentum at the start of the step is minus "
+      "its "
       "value. That of a left-invariant system, $L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -322,9 +324,12 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
 
 STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
   claim.convention(
-      "With (3.5) put right, as in Theorem 4.3.2: along the printed $+R_f^*\\ell'$ it is the form of $\\omega = "
-      "d\\theta^+$, along the physical momentum $-R_f^*\\ell'$ that of the library's $d\\theta^-$. The leaves "
-      "are the components of the preimages of coadjoint orbits; the form is not degenerate, and goes with the "
+      "With (3.5) put right, as in Theorem 4.3.2: along the printed $+R_f^*\\ell'$ it is the form of "
+      "$\\omega = "
+      "d\\theta^+$, along the physical momentum $-R_f^*\\ell'$ that of the library's $d\\theta^-$. The "
+      "leaves "
+      "are the components of the preimages of coadjoint orbits; the form is not degenerate, and goes with "
+      "the "
       "bracket by reduction.");
   claim.same_slip_as("eq_3_5");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
@@ -361,15 +366,16 @@ STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
 }
 
 STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
-  claim.corrected(R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v)"
-                  R"(\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
-                  R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v)"
-                  R"(\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb )"
-                  R"(L^{-1}T\sigma\,TF\ell\,v\bigr))",
-                  "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as "
-                  "printed, both sides on the right are zero. Here $F\\ell = -R_f^*\\ell'$ and $F\\mathbb L "
-                  "= (g_k, -D_1\\mathbb L)$, with the library's $\\omega_{\\mathbb L}$; the printed ones go with "
-                  "(3.5) put right as $d\\theta^+$.");
+  claim.corrected(
+      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v)"
+      R"(\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
+      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v)"
+      R"(\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb )"
+      R"(L^{-1}T\sigma\,TF\ell\,v\bigr))",
+      "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as "
+      "printed, both sides on the right are zero. Here $F\\ell = -R_f^*\\ell'$ and $F\\mathbb L "
+      "= (g_k, -D_1\\mathbb L)$, with the library's $\\omega_{\\mathbb L}$; the printed ones go with "
+      "(3.5) put right as $d\\theta^+$.");
   claim.same_slip_as("eq_4_9");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
@@ -436,7 +442,8 @@ STATEMENT(claim_4_3_reduced_form_lifts,
 
 STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-back along the Legendre map") {
   claim.convention(
-      "With (3.5) put right. For $\\omega_{\\mathbb L} = d\\theta^+_{\\mathbb L}$, its printed coordinates, the "
+      "With (3.5) put right. For $\\omega_{\\mathbb L} = d\\theta^+_{\\mathbb L}$, its printed coordinates, "
+      "the "
       "theorem holds along the printed $R_f^*\\ell'$; for the library's $d\\theta^-_{\\mathbb L}$, along the "
       "physical momentum $-R_f^*\\ell'$. One form with the other map gives minus the bracket.");
   claim.same_slip_as("eq_3_5");
@@ -650,12 +657,16 @@ STATEMENT(
     claim_4_3_invariant_leaves,
     "the reduced motion stays on the symplectic leaves of the group, which correspond to coadjoint orbits") {
   claim.convention(
-      "Locally, as the structure is. A motion stays in the preimage of one coadjoint orbit under $F\\ell$, whose "
-      "components are the leaves, and the tangent map of a step takes the tangent spaces of leaves to those of "
-      "leaves. Where a preimage has several components, which of them a step leads to is decided by which of its "
+      "Locally, as the structure is. A motion stays in the preimage of one coadjoint orbit under $F\\ell$, "
+      "whose "
+      "components are the leaves, and the tangent map of a step takes the tangent spaces of leaves to those "
+      "of "
+      "leaves. Where a preimage has several components, which of them a step leads to is decided by which of "
+      "its "
       "solutions is taken.");
   claim.leaves(
-      "That a step stays on the component on which it begins, for the solution near the last motion: shown are "
+      "That a step stays on the component on which it begins, for the solution near the last motion: shown "
+      "are "
       "the preimage of the orbit and the tangent spaces.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
@@ -805,8 +816,10 @@ Corner<S> draw_left_corner(Draw& draw, SpannedGroup const& group) {
 
 STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant systems") {
   claim.convention(
-      "The page prints no formula for them. They are analogous with (3.5), the sign of the physical momentum and "
-      "the lift of (4.9) put right; here the lift keeps the spatial momentum. The bracket is the minus one, and the order of the "
+      "The page prints no formula for them. They are analogous with (3.5), the sign of the physical momentum "
+      "and "
+      "the lift of (4.9) put right; here the lift keeps the spatial momentum. The bracket is the minus one, "
+      "and the order of the "
       "factors in (3.14) and (3.17) changes as in (3.15) and (3.18).");
   claim.same_slip_as("eq_4_9");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {

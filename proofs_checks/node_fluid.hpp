@@ -70,8 +70,7 @@ Matrix<S> rates_of_areas(NodeFluid<S> const& fluid, Matrix<S> const& place) {
 template <class S>
 Matrix<S> inverse_masses(NodeFluid<S> const& fluid) {
   Vector<S> inverse(2 * fluid.nodes());
-  for (int p = 0; p < fluid.nodes(); ++p)
-    inverse[p] = inverse[fluid.nodes() + p] = S(1) / fluid.mass[p];
+  for (int p = 0; p < fluid.nodes(); ++p) inverse[p] = inverse[fluid.nodes() + p] = S(1) / fluid.mass[p];
   return inverse.asDiagonal();
 }
 /// Rows x and y as one column, and back.
