@@ -574,9 +574,9 @@ Qed.
 
 (** The defect of equivariance of a family,
 \f$\eta_\varepsilon^*L\,\det(\partial\eta_\varepsilon/\partial x) - L\f$, is to first order \f$\varepsilon\f$
-times the rate \f$r = X(L) + L\,D_\mu\xi^\mu\f$: a density that is equivariant along the family has \f$r = 0\f$.
-That \f$r = 0\f$ makes a density equivariant under finite automorphisms needs flows, and is not proved
-here. *)
+times the rate \f$r = X(L) + L\,D_\mu\xi^\mu\f$: a density that is equivariant along the family has
+\f$r = 0\f$. That \f$r = 0\f$ makes a density equivariant under finite automorphisms needs flows, and is not
+proved here. *)
 Theorem claim_9_1_equivariance_to_first_order L X :
   carried X L * carried_jacobian X = (L, equivariance_rate x D L X).
 Proof.
