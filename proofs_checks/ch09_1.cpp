@@ -163,7 +163,8 @@ STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
 
 STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinates") {
   claim.convention(
-      "For the lift (9.1) as it stands, and any map of the body, whether it preserves volume or not. With (9.1) "
+      "For the lift (9.1) as it stands, and any map of the body, whether it preserves volume or not. With "
+      "(9.1) "
       "put right it holds in coordinates in which $\\det G$ is constant, for maps that preserve volume.");
   claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
@@ -187,7 +188,8 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
 STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
   claim.convention(
       "For the lift (9.1) as it stands; divergence-free means $\\partial_k(\\sqrt{\\det G}\\,\\xi^k)=0$, the "
-      "rate at which the flow changes the volume. The formula holds for any field on the body. With (9.1) put "
+      "rate at which the flow changes the volume. The formula holds for any field on the body. With (9.1) "
+      "put "
       "right, a multiplier that is a density, $-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along "
       "$\\beta_\\mu$, which vanishes for fields of the group where $\\det G$ is constant.");
   claim.same_slip_as("eq_9_1");
