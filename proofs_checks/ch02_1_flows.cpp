@@ -503,9 +503,12 @@ STATEMENT(claim_2_1_noether_momentum, "momentum conserved because of a symmetry"
     auto const law = [&](std::string const& what, auto const& L, auto const& generator) {
       auto const lifted = lifted_generator(v, generator);
       S const J = noether_momentum(L, v, generator);
-      // The symmetry leaves L as it is; J is its lift contracted with theta_L; J generates it; J stays.
+      // The symmetry leaves L as it is; J is its lift contracted with theta_L, here the slope of L at the
+      // place of v along the fibre; J generates it; J stays.
       claim.zero(what + ": the Lagrangian is invariant", model, L(moved(v, lifted)).part[0], size_of(J));
-      claim.equal(what + ": J = lift contracted with theta_L", model, lagrange_one_form(L, v, lifted), J);
+      Velocity<SpannedGroup, S> const none{group, Vector<S>::Zero(group.dimension())};
+      auto const along_fibre = moved(v, StateChange<SpannedGroup, S>{none, lifted.configuration});
+      claim.equal(what + ": J = lift contracted with theta_L", model, L(along_fibre).part[0], J);
       claim.equal(what + ": lift contracted with omega_L is dJ", model, lagrange_two_form(L, v, lifted, w),
                   noether_momentum(L, moved(v, w), generator).part[0]);
       claim.zero(what + ": J is constant", model, rate_of_momentum(L, generator), size_of(J),

@@ -760,11 +760,13 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
 }
 
 STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") {
-  claim.convention(
-      "$J$ is the momentum map of multiplication from the right, $T_e^*L_g\\,p$, taken at $p(t)$ rather than "
-      "at $g(t)$: for a right-invariant Hamiltonian the body momentum is constant and $\\mu(t)$ is the "
-      "spatial one. $\\mu_0$ is the initial value of $\\mu$ only if $g(0) = e$. $\\Ad^*_{g^{-1}}$ is the "
-      "dual of $\\Ad_{g^{-1}}$.");
+  claim.corrected(
+      R"(\mu(t) = \mathrm{Ad}^*_{g^{-1}(t)}\mu_0,\quad \mu_0 = J(g(t)))",
+      R"(\mu(t) = \mathrm{Ad}^*_{g^{-1}(t)}\mu_0,\quad \mu_0 = J(p(t)))",
+      "The momentum is no function of the configuration. $J = T_e^*L_g\\,p$ is the momentum map of "
+      "multiplication from the right: for a right-invariant Hamiltonian the body momentum is constant "
+      "and $\\mu(t)$ is the spatial one; $\\mu_0$ is its initial value only if $g(0) = e$. "
+      "$\\Ad^*_{g^{-1}}$ is the dual of $\\Ad_{g^{-1}}$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     Costate<SpannedGroup, S> const p{draw.template element<S>(group), draw.template momentum<S>(group)};
@@ -792,6 +794,9 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
     claim.equal("the formula solves mu' = - ad*_xi mu", model, mu_rate,
                 -ad_star(tangent(curve, t).velocity, mu));
 
+    // As printed, a function of the configuration: another momentum at the same one has another value.
+    Costate<SpannedGroup, S> const beside{p.configuration, draw.template momentum<S>(group)};
+    claim.differs("J a function of g, as printed", model, body_momentum(beside), J);
     // Controls: no inverse; the spatial momentum taken for the constant one; the initial value of mu although
     // g(0) is not e; a left-invariant Hamiltonian.
     claim.differs("Ad*_g", model, Ad_star(p.configuration, J), p.momentum);

@@ -389,14 +389,15 @@ STATEMENT(claim_3_1_exterior_derivative_sum, "the exterior derivatives of the tw
 }
 
 STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
-  claim.corrected(R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
-                  R"(\,dg_k^i\wedge dg_{k+1}^j)",
-                  R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
-                  R"(\,dg_{k+1}^j\wedge dg_k^i)",
-                  "The printed right side is $-d\\theta^- = d\\theta^+$ everywhere: the slip is in the "
-                  "definition, for with $\\omega = d\\theta^+$ the coordinates, the chain for symplecticity "
-                  "and the pull-back of $-d\\theta_0$ all hold as printed. The library has $\\omega = "
-                  "d\\theta^-$, which is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of chapter 2.");
+  claim.corrected(
+      R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
+      R"(\,dg_k^i\wedge dg_{k+1}^j)",
+      R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
+      R"(\,dg_{k+1}^j\wedge dg_k^i)",
+      "The printed right side is $-d\\theta^- = d\\theta^+$ everywhere: the slip is in the "
+      "definition, for with $\\omega = d\\theta^+$ the coordinates, the chain for symplecticity, "
+      "the pull-back of $-d\\theta_0$ and Theorem 4.3.2 all hold as printed. The library has "
+      "$\\omega = d\\theta^-$, which is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -431,9 +432,10 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
 STATEMENT(claim_3_1_pullback_canonical,
           "the two-form is the pull-back of the canonical one by the discrete Legendre transformation") {
   claim.convention(
-      "With the printed Legendre transformation $(g_k, D_1\\mathbb L)$ and $\\omega = d\\theta^-$ the "
-      "canonical form is $+d\\theta_0$. With chapter 2's sign, $-d\\theta_0$, it takes the physical "
-      "momentum, $(g_k, -D_1\\mathbb L)$.");
+      "With (3.5) put right: for $\\omega = d\\theta^+$, its printed coordinates, it is the pull-back of "
+      "chapter 2's $-d\\theta_0$ by the printed $(g_k, D_1\\mathbb L)$. For the library's $\\omega = "
+      "d\\theta^-$ it takes the physical momentum, $(g_k, -D_1\\mathbb L)$.");
+  claim.same_slip_as("eq_3_5");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -569,13 +571,9 @@ STATEMENT(claim_3_1_flow_symplectic, "the discrete flow preserves the discrete t
 
 STATEMENT(claim_3_1_symplecticity_chain,
           "symplecticity from the vanishing second differential of the action") {
-  claim.corrected(R"(\mathbb F^*\omega_{\mathbb L}=\mathbb F^*(d\theta^+_{\mathbb L})=-d\theta^-_{\mathbb )"
-                  R"(L}=\omega_{\mathbb L})",
-                  R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb )"
-                  R"(L}=\omega_{\mathbb L})",
-                  "With the page's own $\\omega = d\\theta^- = -d\\theta^+$ the first and the last sign are "
-                  "wrong and cancel; the middle equality, from $ddS = 0$, is right. The chain holds as "
-                  "printed if $\\omega$ is defined as $d\\theta^+$.");
+  claim.convention(
+      "With (3.5) put right, as $\\omega = d\\theta^+$. For the $\\omega = d\\theta^-$ of the definition the "
+      "first and the last sign are wrong and cancel; the middle equality, from $ddS = 0$, has no $\\omega$.");
   claim.same_slip_as("eq_3_5");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);
@@ -604,7 +602,11 @@ STATEMENT(claim_3_1_symplecticity_chain,
     claim.equal("F^* omega = -F^*(d theta+)", model, pulled_omega, Vector<S>(-pulled_d_plus), condition);
     claim.equal("d theta- = omega", model, d_minus, omega);
     claim.equal("the two ends of the chain", model, pulled_omega, omega, condition);
-    claim.differs("F^* omega = F^*(d theta+), as printed", model, pulled_omega, pulled_d_plus);
+    // The chain as printed, for minus the library's form.
+    auto const other = Vector<S>(-omega), pulled_other = Vector<S>(-pulled_omega);
+    claim.equal("omega = d theta+: F^* omega = F^*(d theta+)", model, pulled_other, pulled_d_plus, condition);
+    claim.equal("omega = d theta+: -d theta- = omega", model, Vector<S>(-d_minus), other);
+    claim.differs("F^* omega = F^*(d theta+) for omega = d theta-", model, pulled_omega, pulled_d_plus);
     claim.differs("-d theta- = omega, as printed", model, Vector<S>(-d_minus), omega);
   });
 }

@@ -135,6 +135,11 @@ STATEMENT(rem_3_1_2,
       "neighbourhood of 1, $|\\xi|\\le 1$ and $h = 1/64$. The form itself is defined everywhere. "
       "$\\mathrm{tr}(g_0g_1^{-1})$ on $\\SO(3)$ is nondegenerate in a whole neighbourhood of the diagonal "
       "and degenerate at quarter turns; the squared distance on the Heisenberg group is degenerate nowhere.");
+  claim.leaves(
+      "Every regular Lagrangian: in balls one is drawn for each group, at one step and one retraction. For "
+      "the "
+      "others the page has the expansion in the step, whose coefficients are compared on the diagonal "
+      "alone.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // On the diagonal h D2 D1 L is minus the fibre Hessian, plus h times a remainder that is affine in h: the
     // potential's second derivative comes with h.
@@ -284,6 +289,10 @@ STATEMENT(claim_3_1_discrete_flow_exists, "a regular discrete Lagrangian has one
       "neighbourhood of 1 and $g_0 = \\mathrm{retract}(-h\\xi)g_1$, $|\\xi|\\le 1/8$, $h = 1/64$, there is "
       "exactly one $g_2=\\mathrm{retract}(hx)g_1$ with $x$ in a box of radius $1/2$; for a right-invariant "
       "Lagrangian $g_1$ is any. Farther away there may be a second one, as for $\\mathrm{tr}(g_0g_1^{-1})$.");
+  claim.leaves(
+      "Every regular Lagrangian: in balls one is drawn for each group, at one step and one retraction. For "
+      "the "
+      "others the theorem on implicit functions gives a neighbourhood, of a size that is not told.");
   for (auto const& group : few_groups()) {
     claim.encloses("exactly one next configuration, at every pair near the diagonal", group.name(), [&] {
       return one_next_configuration(draw_kind(draw, group, Kind::general), group, ratio<Number>(1, 64),

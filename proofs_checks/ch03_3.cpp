@@ -692,6 +692,8 @@ STATEMENT(claim_3_3_fibre_element_commutes,
     auto const m = chart_midpoint_right(GroupElement<S>(draw_small<S>(draw, group) * g2), g1, g2, h);
     claim.refutes("[zeta, eta], base point beside the way", model, bracket(m.zeta, m.eta),
                   size_of(m.zeta) * size_of(m.eta));
+    claim.differs("iex(-ad) zeta = zeta, base point beside the way", model,
+                  Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), m.zeta.coordinates);
   });
 }
 

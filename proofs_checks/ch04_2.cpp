@@ -220,11 +220,12 @@ STATEMENT(claim_4_2_classical_hamilton_jacobi,
 }
 
 STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invariant case") {
-  claim.corrected(R"(\Pi_{k-1} = L_{f_{kk-1}}^*\,d\ell(f_{kk-1}))",
-                  R"(\Pi_{k-1} = -L_{f_{kk-1}}^*\,d\ell(f_{kk-1}))",
-                  "A minus is missing: $\\Pi$ is the body momentum, and with $\\ell$ an action the printed "
-                  "map gives minus the one with which the step from $g_{k-1}$ begins. (4.2) has the minus, "
-                  "and there it is checked along exact flows.");
+  claim.convention(
+      "As the Legendre map of a function on the group, which defines $\\Pi_{k-1}$ here. With $\\ell$ an "
+      "action "
+      "it is minus the body momentum, for which (3.18) has the same letter, with which the step from "
+      "$g_{k-1}$ "
+      "begins; (4.2) has the minus.");
   claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -243,9 +244,9 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
     // Condition: a configuration is inverted.
     claim.equal("-L*_f l'(f) is the body momentum at the start", model, Vector<S>(-column(value)),
                 start_momentum, 10);
-    // Controls: the printed sign; R* in place of L*; the relative motion that points forwards; the momentum
-    // at the other end.
-    claim.differs("L*_f l'(f), as printed", model, column(value), start_momentum);
+    // Controls: taken for the body momentum; R* in place of L*; the relative motion that points forwards; the
+    // momentum at the other end.
+    claim.differs("L*_f l'(f) taken for the body momentum", model, column(value), start_momentum);
     claim.differs("R* in place of L*", model, column(-right_differential(l, f)), start_momentum);
     claim.differs("f_{k-1,k} in place of f_{k,k-1}", model, column(-left_differential(l, inverse(f))),
                   start_momentum);
@@ -254,11 +255,13 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
 }
 
 STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
-  claim.corrected(R"(\Pi_k = L_f^*\,d\ell(f),\quad \Pi_{k+1} = R_f^*\,d\ell(f))",
-                  R"(\Pi_k = -L_f^*\,d\ell(f),\quad \Pi_{k+1} = -R_f^*\,d\ell(f))",
-                  "$\\Pi$ is the body momentum, and both lines lack the minus of (4.2): as printed they "
-                  "carry an even $\\ell$ backwards in time, any other in neither direction. $f$ is "
-                  "$f_{k+1,k}$, and $\\ell$ an action.");
+  claim.convention(
+      "With the $\\Pi$ that the page has just defined, $F\\ell(f)$, $f = f_{k+1,k}$: along a motion the "
+      "second "
+      "line is the first of the next step. For the body momenta of (3.18), $\\ell$ an action, both lines "
+      "have "
+      "the minus of (4.2); without it an even $\\ell$ runs backwards in time, any other in neither "
+      "direction.");
   claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -280,8 +283,9 @@ STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
                  step.second - momentum_system_left(l, f[k + 1]).first, scale, 10);
       exchanged.col(k) = column(momentum_system_left(l, f[k + 1]).second), next.col(k) = column(step.first);
     }
-    // Controls: the printed signs; the translations exchanged; off a motion.
-    claim.differs("the second line as printed", model, momenta_as_printed, momenta_of_step);
+    // Controls: the lines taken for body momenta; the translations exchanged; off a motion.
+    claim.differs("the second line without its minus taken for the body momentum", model, momenta_as_printed,
+                  momenta_of_step);
     claim.differs("L and R exchanged", model, exchanged, next);
     auto const off = several([&] {
       return column(momentum_system_left(l, f[0]).second -
@@ -532,6 +536,32 @@ STATEMENT(eq_4_1, "the Lie-Poisson Hamilton-Jacobi equation") {
                   magnitude(other.time_rate()));
     claim.refutes("the action: -R* dS as the momentum at the start", model,
                   Taylor<S>(action.varied_s - action.from_left(action.start())), size_of_terms(action));
+  });
+  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+    // Right-invariant: inverses of left-invariant motions are right-invariant ones, with the opposite
+    // momentum. So S(g^-1, t) with h(-mu) has the residual of S(g, t) with h, whether S is a solution or not.
+    auto const p = draw_group_polynomial<S>(draw, group);
+    Matrix<S> const a = draw_matrix<S>(draw, group.dimension(), group.dimension());
+    Vector<S> const b = draw_vector<S>(draw, group.dimension());
+    auto const energy = [&](S const& sign) {
+      return [&, sign](auto const& mu) {
+        return S(mu.components.dot(a * mu.components) + sign * b.dot(mu.components));
+      };
+    };
+    auto const s = [&](auto const& g, auto const& time) {
+      using T = std::decay_t<decltype(time)>;
+      return T(T(p(g)) * (time * time + time));
+    };
+    auto const mirrored = [&](auto const& g, auto const& time) { return s(inverse(g), time); };
+    auto const g = draw.template element<S>(group);
+    S const t = ratio<S>(3, 4), left = hamilton_jacobi_left(s, energy(S(1)), g, t);
+    // Condition: g is inverted, and its inverse differentiated.
+    claim.equal("right-invariant, through the inverse", model,
+                hamilton_jacobi_right(mirrored, energy(S(-1)), inverse(g), t), left, 30);
+    claim.differs("right-invariant, with the translation of the left-invariant equation", model,
+                  hamilton_jacobi_left(mirrored, energy(S(-1)), inverse(g), t), left);
+    claim.differs("right-invariant, with the momentum not reversed", model,
+                  hamilton_jacobi_right(mirrored, energy(S(1)), inverse(g), t), left);
   });
   if (!exact_arithmetic<S>()) {
     // As functions of g and t. Where l is invariant under Ad, S = t l(-log(g)/t).
@@ -799,6 +829,18 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification,
       claim.equal("the relative motion of the flow", model, ours.f.value, motion.f.value, 10);
       claim.equal("the momentum of the flow", model, ours.pi, motion.pi, 10);
       claim.equal("its action", model, ours.action, motion.action, 10);
+      // A time that is too long for one series: twelve motions, the later factors of f first. Condition: what
+      // each of them leaves is carried on by the rest.
+      GroupElement<S> composed = identity<S>(group), exchanged = composed;
+      auto pi = pi0;
+      for (int k = 0; k < 12; ++k) {
+        auto const part = witness.motion(pi, t);
+        composed = part.f * composed, exchanged = exchanged * part.f, pi = part.pi;
+      }
+      auto const whole = free_motion_left(l, pi0, S(t * S(12)));
+      claim.equal("the relative motion of a long time", model, whole.f.value, composed.value, 1000);
+      claim.equal("the momentum after a long time", model, whole.pi, pi, 1000);
+      claim.differs("its parts in the other order", model, whole.f.value, exchanged.value);
       // The action between configurations as a generating function, once, in fifty digits. Condition:
       // shooting over a third of a unit of time, and differentiated.
       auto const scale = S(size_of(pi0) + size_of(motion.pi) + Base<S>(1));
@@ -850,6 +892,65 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification,
       claim.refutes_order("any l, as printed: the flow backwards in time", group.name(), steps,
                           errors(any, -1, -1), 2);
     }
+}
+
+namespace {
+
+/// How far the map that a generating function makes of momenta, along (4.2) and (4.3), is from a Poisson map,
+/// at a relative motion g: its tangent, by the changes of both momenta as g moves.
+template <class S, class F, class Final>
+std::pair<Matrix<S>, Matrix<S>> poisson_sides(F const& s, GroupElement<S> const& g, Final const& final_of) {
+  int const d = g.group.dimension();
+  Matrix<S> at_start(d, d), at_end(d, d);
+  for (int a = 0; a < d; ++a) {
+    auto const moved = varied(g, from_right(g, basis_velocity<S>(g.group, a)));
+    auto const start = initial_momentum_left(s, moved);
+    at_start.col(a) = rates(start.components), at_end.col(a) = rates(final_of(moved, start).components);
+  }
+  auto const start = initial_momentum_left(s, g);
+  Matrix<S> const tangent = at_end * inverse_matrix(at_start);
+  return {Matrix<S>(tangent * lie_poisson_tensor_plus(start) * tangent.transpose()),
+          lie_poisson_tensor_plus(final_of(g, start))};
+}
+
+}  // namespace
+
+STATEMENT(claim_4_2_generated_map_poisson, "the map generated by a function on the group is Poisson") {
+  claim.convention(
+      "Where (4.2) determines $g$, that is where $-L_g^*dS_L$ is a local diffeomorphism. It is Poisson for "
+      "every "
+      "function on the group at each time, whether it solves (4.1) or not.");
+  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
+    auto const s = draw_group_polynomial<S>(draw, group);
+    auto const g = draw.template element<S>(group);
+    auto const sides = poisson_sides<S>(
+        s, g, [](auto const& at, auto const& start) { return final_momentum_left(at, start); });
+    // Condition: the changes at the start are inverted, and the tangent enters twice.
+    Matrix<S> const slopes = left_second_differential(s, g);
+    double const condition = std::pow(to_double(row_norm(slopes) * row_norm(inverse_matrix(slopes))), 2);
+    claim.equal("the bracket at the end, and the bracket at the start carried there", model, sides.first,
+                sides.second, 10 * condition);
+    auto const without =
+        poisson_sides<S>(s, g, [](auto const& at, auto const& start) { return Ad_star(at, start); });
+    claim.differs("carried by Ad*_g", model, without.first, without.second);
+  });
+}
+
+STATEMENT(claim_4_2_approximate_solution, "an integrator from an approximate solution of (4.1)") {
+  claim.convention(
+      "The series of a quadratic Hamiltonian with a linear term, cut off at $t^r$ for even $r$: the residual "
+      "of "
+      "(4.1) and the integrator have the order $r + 2$. It is a Poisson map for every cut.");
+  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
+    // What is left of a solution is a function on the group, at a time that is held.
+    auto const s = draw_reduced_lagrangian<S>(draw, group);
+    auto const g = draw.template element<S>(group);
+    auto const pi0 = initial_momentum_left(s, g);
+    // Condition: a configuration is inverted.
+    claim.equal("(4.2) and (4.3): the momentum of (4.1) at the end", model, final_momentum_left(g, pi0),
+                -right_differential(s, g), 10);
+    claim.differs("carried by Ad*_g", model, Ad_star(g, pi0), -right_differential(s, g));
+  });
   // In fifty digits: in double the smallest errors would be next to rounding.
   if (claim.fits_orders_in_digits())
     for (auto const& group : motion_groups()) {

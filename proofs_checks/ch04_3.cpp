@@ -143,13 +143,12 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
 }
 
 STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant system is f -> R*_f l'(f)") {
-  claim.corrected(
-      R"(\mu = F\ell(f) = R_f^*\circ\ell'(f))", R"(\mu = F\ell(f) = -R_f^*\circ\ell'(f))",
-      "A minus is missing: $\\mu$ is the spatial momentum of a right-invariant system, and with $\\ell$ an "
-      "action the printed map gives minus the one with which the step begins. As a map alone, "
-      "$R_f^*\\ell'(f)$ is the groupoid's Legendre map at the source of an arrow; that of a left-invariant "
-      "system, $L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
-  claim.same_slip_as("claim_3_2_legendre_limit");
+  claim.holds(
+      "As (4.7) and (4.8), with $p_k = \\partial\\mathbb L/\\partial g_k$: the groupoid's Legendre map at "
+      "the "
+      "source of an arrow. With $\\ell$ an action the physical momentum at the start of the step is minus "
+      "its "
+      "value. That of a left-invariant system, $L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -157,12 +156,14 @@ STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant s
     using Alone = GroupAsGroupoid<SpannedGroup>;
     auto const right = covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); });
     auto const left = covector<S>(group, [&](auto const& e) { return slope(l, f, from_right(f, e)); });
-    // The spatial momentum at the start of the step: minus the slope of the discrete Lagrangian in its first
-    // argument. Condition: a configuration is inverted.
-    auto const spatial = covector<S>(
-        group, [&](auto const& e) { return S(-first_slope(lifted(l), g[0], g[1], from_left(e, g[0]))); });
-    claim.equal("-R*_f l'(f) is the spatial momentum at the start", model, -right, spatial, 10);
-    claim.differs("+R*_f l'(f), as printed", model, right, spatial);
+    // p_k, the slope of the discrete Lagrangian in its first argument, translated by g_k. Condition: a
+    // configuration is inverted.
+    auto const translated = covector<S>(
+        group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_left(e, g[0])); });
+    claim.equal("R*_f l'(f) is p_k, translated", model, right, translated, 10);
+    claim.equal("-R*_f l'(f) is the physical momentum at the start of the step", model,
+                momentum_before_right(l, f), -translated, 10);
+    claim.differs("R*_f l'(f) taken for the physical momentum", model, right, momentum_before_right(l, f));
     auto const at_source = [&](auto const& gamma) {
       return momentum(group, Vector<S>(legendre_at_source(gamma, l, f).components));
     };
@@ -281,7 +282,8 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
       R"(\text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
       "A fibre of $T^*G$ is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve "
       "the momentum of the symmetry, the body momentum; then $g$ moves with $\\mu$. The row above holds with "
-      "$F\\mathbb L = (g_k, -D_1\\mathbb L)$, as in Theorem 4.3.2.");
+      "$\\omega_{\\mathbb L}$ of (3.5) put right, as in Theorem 4.3.2: $d\\theta^+$ with the printed "
+      "$F\\mathbb L$, or the library's $d\\theta^-$ with $(g_k, -D_1\\mathbb L)$.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -294,9 +296,11 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
                S(canonical_form(c.mu, A, B) - discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)),
                S(size * Base<S>(group.dimension())), 30);
     auto const as_printed = [](Lift<S> const& w) { return Lift<S>{w.configuration, -w.momentum}; };
-    claim.refutes("by +D_1 L, as printed", model,
-                  S(canonical_form(-c.mu, as_printed(A), as_printed(B)) -
-                    discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)),
+    S const by_printed_map = canonical_form(-c.mu, as_printed(A), as_printed(B)),
+            form = discrete_two_form(lifted(c.l), c.g0, c.g1, a, b);
+    claim.zero("by the printed +D_1 L to d theta+, the printed coordinates of (3.5)", model,
+               S(by_printed_map + form), S(size * Base<S>(group.dimension())), 30);
+    claim.refutes("by the printed +D_1 L to d theta-", model, S(by_printed_map - form),
                   S(size * Base<S>(group.dimension())));
     // Up the right side: vectors of the orbit, lifted with constant body momentum, and lifted within the
     // fibre.
@@ -320,9 +324,14 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
 
 STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
   claim.convention(
-      "With $F\\ell = -R_f^*\\ell'$, the physical momentum; along $+R_f^*\\ell'$ the form is minus this one. "
-      "A leaf is where the Legendre map meets a coadjoint orbit; the form is not degenerate, and goes with "
-      "the bracket by reduction.");
+      "With (3.5) put right, as in Theorem 4.3.2: along the printed $+R_f^*\\ell'$ it is the form of "
+      "$\\omega = "
+      "d\\theta^+$, along the physical momentum $-R_f^*\\ell'$ that of the library's $d\\theta^-$. The "
+      "leaves "
+      "are the components of the preimages of coadjoint orbits; the form is not degenerate, and goes with "
+      "the "
+      "bracket by reduction.");
+  claim.same_slip_as("eq_3_5");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Condition: the vectors come from an inverse of l'', and their generators from another elimination.
@@ -357,14 +366,17 @@ STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
 }
 
 STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
-  claim.corrected(R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v)"
-                  R"(\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
-                  R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v)"
-                  R"(\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb )"
-                  R"(L^{-1}T\sigma\,TF\ell\,v\bigr))",
-                  "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as "
-                  "printed, both sides on the right are zero. Here $F\\ell = -R_f^*\\ell'$ and $F\\mathbb L "
-                  "= (g_k, -D_1\\mathbb L)$, as in Theorem 4.3.2.");
+  claim.corrected(
+      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v)"
+      R"(\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
+      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v)"
+      R"(\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb )"
+      R"(L^{-1}T\sigma\,TF\ell\,v\bigr))",
+      "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as "
+      "printed, both sides on the right are zero. Here $F\\ell = -R_f^*\\ell'$ and $F\\mathbb L "
+      "= (g_k, -D_1\\mathbb L)$, with the library's $\\omega_{\\mathbb L}$; the printed ones go with "
+      "(3.5) put right as $d\\theta^+$.");
+  claim.same_slip_as("eq_4_9");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
@@ -429,13 +441,12 @@ STATEMENT(claim_4_3_reduced_form_lifts,
 }
 
 STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-back along the Legendre map") {
-  claim.corrected(
-      R"(\{a,b\}_G = F\ell^*\{\cdot,\cdot\}_+,\quad F\ell = R_f^*\circ\ell')",
-      R"(\{a,b\}_G = F\ell^*\{\cdot,\cdot\}_+,\quad F\ell = -R_f^*\circ\ell')",
-      "Along the printed map the pull-back is minus the bracket by reduction: the minus of the physical "
-      "momentum is missing, $-D_1\\mathbb L$ above, which pulls the canonical form with $\\{q, p\\} = 1$ "
-      "back to $\\omega_{\\mathbb L} = d\\theta^-_{\\mathbb L}$, as (4.9) shows, and $-R_f^*\\ell'$ below.");
-  claim.same_slip_as("claim_3_2_legendre_limit");
+  claim.convention(
+      "With (3.5) put right. For $\\omega_{\\mathbb L} = d\\theta^+_{\\mathbb L}$, its printed coordinates, "
+      "the "
+      "theorem holds along the printed $R_f^*\\ell'$; for the library's $d\\theta^-_{\\mathbb L}$, along the "
+      "physical momentum $-R_f^*\\ell'$. One form with the other map gives minus the bracket.");
+  claim.same_slip_as("eq_3_5");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     Matrix<S> const reduced = reduced_bivector_right(c.l, c.f),
@@ -445,9 +456,10 @@ STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-b
                     magnitude(reduced);
     claim.zero("right-invariant: the plus bracket", model, Matrix<S>(reduced - pulled), scale, c.condition);
     Matrix<S> const printed = legendre_bivector_right(c.l, c.f);
-    claim.zero("along +R*l': minus the reduced bracket", model, Matrix<S>(reduced + printed), scale,
-               c.condition);
-    claim.differs("along +R*l', as printed", model, printed, reduced);
+    // The bracket of d theta+ is minus that of d theta-.
+    claim.zero("along the printed +R*l': the bracket by reduction of d theta+", model,
+               Matrix<S>(printed - Matrix<S>(-reduced)), scale, c.condition);
+    claim.differs("along the printed +R*l', by reduction of d theta-", model, printed, reduced);
     // Left-invariant: the minus bracket of the body momentum -L* l'.
     Matrix<S> const left = left_second_differential(c.l, c.f), back_left = inverse_matrix(left),
                     reduced_left = reduced_bivector_left(c.l, c.f);
@@ -644,9 +656,18 @@ STATEMENT(claim_4_3_reconstruction_image,
 STATEMENT(
     claim_4_3_invariant_leaves,
     "the reduced motion stays on the symplectic leaves of the group, which correspond to coadjoint orbits") {
-  claim.holds(
-      "Locally, as the structure is: the Legendre map takes the tangent spaces of the leaves onto those of "
-      "the orbits, and a step takes leaf to leaf.");
+  claim.convention(
+      "Locally, as the structure is. A motion stays in the preimage of one coadjoint orbit under $F\\ell$, "
+      "whose "
+      "components are the leaves, and the tangent map of a step takes the tangent spaces of leaves to those "
+      "of "
+      "leaves. Where a preimage has several components, which of them a step leads to is decided by which of "
+      "its "
+      "solutions is taken.");
+  claim.leaves(
+      "That a step stays on the component on which it begins, for the solution near the last motion: shown "
+      "are "
+      "the preimage of the orbit and the tangent spaces.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     auto const other = draw_reduced_lagrangian<S>(draw, group);
@@ -794,18 +815,13 @@ Corner<S> draw_left_corner(Draw& draw, SpannedGroup const& group) {
 }  // namespace
 
 STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant systems") {
-  claim.corrected(
-      R"(\omega_f(u,v) = \omega_{\mathrm{can}}(T\pi^{-1}TF\ell\,u, T\pi^{-1}TF\ell\,v),\quad F\ell = L_f^*)"
-      R"(\circ\ell',\quad )"
-      R"(\pi^{-1} = L_{g^{-1}}^*)",
-      R"(\omega_f(u,v) = \omega_{\mathrm{can}}(T\sigma\,TF\ell\,u, T\sigma\,TF\ell\,v),\quad F\ell = -L_f^*)"
-      R"(\circ\ell',\quad )"
-      R"(\sigma(\Pi') = (g', \Pi')\ \text{with}\ \mathrm{Ad}^*_{g'^{-1}}\Pi' = \mathrm{Ad}^*_{g^{-1}}\Pi)",
-      "The page prints no formula for them: the one shown as printed is (4.11) with its sides exchanged. "
-      "Analogous they are, the two slips included: the minus of the momentum, and a lift within the fibre in "
-      "place of the one that keeps the spatial momentum. The bracket is the minus one, and the order of the "
+  claim.convention(
+      "The page prints no formula for them. They are analogous with (3.5), the sign of the physical momentum "
+      "and "
+      "the lift of (4.9) put right; here the lift keeps the spatial momentum. The bracket is the minus one, "
+      "and the order of the "
       "factors in (3.14) and (3.17) changes as in (3.15) and (3.18).");
-  claim.same_slip_as("claim_3_2_legendre_limit");
+  claim.same_slip_as("eq_4_9");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_left_corner<S>(draw, group);
     auto const two_form = [&](Change<S> const& a, Change<S> const& b) {
@@ -830,10 +846,10 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
                moved_g1 = varied(c.g1, from_left(U.second, c.g1));
     claim.zero("the lift keeps the spatial momentum", model, rate(D1(lifted_left(c.l), moved_g0, moved_g1)),
                S(magnitude(Ad_matrix(inverse(c.g0))) * size_of(c.mu)) + scale, c.condition);
-    // As printed: within the fibre, g0 held.
+    // The lift of (4.9) as printed: within the fibre, g0 held.
     auto const still = velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())));
     if (model != "Aff(1)" || !exact_arithmetic<S>())
-      claim.refutes("as printed, within the fibre", model,
+      claim.refutes("with the lift of (4.9) as printed, within the fibre", model,
                     S(two_form(left_lift(c, still, c.u), left_lift(c, still, c.v)) - orbit), scale_of(c));
     // Theorem 4.3.2: the bracket, by reduction and by pull-back of the minus bracket along -L* l'.
     Matrix<S> const reduced_bracket = reduced_bivector_left(c.l, c.f), b = left_second_differential(c.l, c.f),
@@ -844,7 +860,7 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
     S const size = magnitude(back) * size_of(c.mu) * magnitude(back) * S(Base<S>(group.dimension()));
     claim.zero("Theorem 4.3.2, left: the minus bracket", model,
                Matrix<S>(reduced_bracket - pulled_back(c.mu)), size, c.condition);
-    claim.differs("along +L* l', as printed", model, pulled_back(-c.mu), reduced_bracket);
+    claim.differs("along +L* l', by reduction of d theta-", model, pulled_back(-c.mu), reduced_bracket);
     // Bracket and form belong together: omega_f(P da, u) = da(u), where P da moves Pi by -B P da.
     Vector<S> const da = left_differential(draw_reduced_lagrangian<S>(draw, group), c.f).components;
     S const through = c.eta.coordinates.dot(b * (reduced_bracket * da));
@@ -903,7 +919,7 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
       auto const steps = few_steps.step_lengths();
       claim.order("Corollary 4.3.1, left: against the Hamiltonian flow", group.name(), steps, errors(-1, 1),
                   2);
-      claim.refutes_order("with +D_1 L, as printed", group.name(), steps, errors(1, 1), 2);
+      claim.refutes_order("with +D_1 L", group.name(), steps, errors(1, 1), 2);
       claim.refutes_order("with +D_1 L, backwards in time", group.name(), steps, errors(1, -1), 2);
     }
 }

@@ -294,6 +294,10 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
       "over $\\sqrt{\\det G}$ in the coordinates of the body, reach all polynomials of degree $d$ with zero "
       "mean ($d = 3$ in the plane, 2 in space), and what does no work on those of them that keep the volume "
       "is the gradient of one such polynomial.");
+  claim.leaves(
+      "Other domains than the ball, functions that are no polynomials of these degrees, and spaces of them "
+      "that "
+      "are complete, where the theorem on multipliers asks that the derivative is onto.");
   volume_changes<S, 2, 3>(claim, draw);
   volume_changes<S, 3, 2>(claim, draw);
   over_dimensions(PlaneAndSpace{},

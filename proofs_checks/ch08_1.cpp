@@ -157,38 +157,72 @@ STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multipli
 }
 
 STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
-  claim.corrected("\\mathfrak C\\ \\text{corresponds to the incompressibility constraint}",
-                  "\\mathfrak C = \\{\\pi^\\mu = 0\\}",
-                  "The primary constraint is $\\pi^\\mu = 0$: every jet is sent there, whatever its volume. "
-                  "$J = 1$ comes later, as the field equation of $\\lambda$.");
-  {
-    over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-      constexpr int n = D::n;
-      auto const density = incompressible(draw_medium<S, n>(draw));
-      auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
-      auto const z = legendre(density, static_cast<Jet<S, n, n + 1> const&>(j));
-      claim.zero("momenta of the multiplier in the image", model, z.p.row(n).eval(), size_of(z.p));
-      claim.refutes("J = 1 in the image", model,
-                    density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0], S(1));
-      claim.equal("the field equation of the multiplier", model, euler_lagrange(density, j)[n],
-                  density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0]);
-    });
-    // The form on the primary constraint manifold vanishes along the direction of lambda; off it, it does
-    // not.
-    over_points(TwoAndThree{}, [&]<class Dims>(Dims, std::string const& model) {
-      constexpr int n = Dims::n, M = n + 1, D = DualJet<S, n, M>::dimension;
-      Matrix<S, D, 1> at = draw.vector<S, Matrix<S, D, 1>>(D);
-      auto V = draw_tangents<S, D, n + 2>(draw);
-      V.col(0).setZero();
-      V(n + 1 + n, 0) = S(1);
-      claim.refutes("d/dlambda in the form before it is restricted", model,
-                    S(canonical_two_form<n, M>()(at, V)), S(1));
-      for (int mu = 0; mu <= n; ++mu)
-        at[momentum_index(n, M, n, mu)] = S(0), V.row(momentum_index(n, M, n, mu)).setZero();
-      claim.zero("d/dlambda is in the kernel of the restricted form", model,
-                 S(canonical_two_form<n, M>()(at, V)), S(1));
-    });
-  }
+  claim.convention(
+      "In the sense of section 8.2, which sets it to $\\mathfrak C = \\{\\pi^\\mu = 0\\}$: it belongs to the "
+      "multiplier of the constraint. Every jet is sent there, whatever its volume; $J = 1$ is no relation of "
+      "$\\mathfrak C$, but comes later, as the field equation of $\\lambda$.");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const density = incompressible(draw_medium<S, n>(draw));
+    auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
+    auto const z = legendre(density, static_cast<Jet<S, n, n + 1> const&>(j));
+    claim.zero("momenta of the multiplier in the image", model, z.p.row(n).eval(), size_of(z.p));
+    claim.refutes("J = 1 in the image", model,
+                  density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0], S(1));
+    claim.equal("the field equation of the multiplier", model, euler_lagrange(density, j)[n],
+                density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0]);
+  });
+}
+
+STATEMENT(claim_8_1_degenerate_form, "the form on the primary constraint manifold is degenerate") {
+  claim.holds("$\\partial/\\partial\\lambda$ is in its kernel. Before it is restricted it is not.");
+  over_points(TwoAndThree{}, [&]<class Dims>(Dims, std::string const& model) {
+    constexpr int n = Dims::n, M = n + 1, D = DualJet<S, n, M>::dimension;
+    Matrix<S, D, 1> at = draw.vector<S, Matrix<S, D, 1>>(D);
+    auto V = draw_tangents<S, D, n + 2>(draw);
+    V.col(0).setZero();
+    V(n + 1 + n, 0) = S(1);
+    claim.refutes("d/dlambda in the form before it is restricted", model,
+                  S(canonical_two_form<n, M>()(at, V)), S(1));
+    for (int mu = 0; mu <= n; ++mu)
+      at[momentum_index(n, M, n, mu)] = S(0), V.row(momentum_index(n, M, n, mu)).setZero();
+    claim.zero("d/dlambda is in the kernel of the restricted form", model,
+               S(canonical_two_form<n, M>()(at, V)), S(1));
+  });
+}
+
+STATEMENT(claim_8_1_volume_preserving_placement,
+          "the velocity has no divergence where the placement preserves volume") {
+  claim.holds(
+      "At each instant and in any metrics: along a motion the volume $J$ has the rate "
+      "$J\\,\\mathrm{div}\\,u$, so "
+      "that it is constant where the divergence vanishes, and the other way round. $J = 1$ needs a placement "
+      "that preserves volume at one instant.");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const body = draw_metric_of_volume<S, n>(draw), space = draw_metric_of_volume<S, n>(draw);
+    auto const any = draw_any_metric<S, n>(draw);
+    auto const phi = draw_shears<S, n>(draw, body.chart, space.chart);
+    VelocityInSpace const u{phi};
+    auto const j = second_jet(phi, draw_event<S, n>(draw));
+    Event<S, n> const at = event_in_space(j);
+    auto const volume_of = [&](auto const& G, auto const& g) {
+      VolumeConstraint const held{G, g};
+      return std::pair{held.volume_ratio(static_cast<Jet<S, n, n> const&>(j)),
+                       held.volume_ratio(along(j, 0)).part[0]};
+    };
+    auto const [J, rate] = volume_of(any, any);
+    claim.equal("any motion: the rate of the volume is the divergence times the volume", model, rate,
+                S(J * divergence(any, u, at)), 10);
+    claim.differs("the divergence in coordinates", model, rate, S(J * first_jet(u, at).gradient().trace()));
+    auto const [one, none] = volume_of(body, space);
+    claim.equal("the placement preserves volume", model, one, S(1), 10);
+    claim.zero("its rate", model, none, S(1), 10);
+    claim.zero("the divergence of the velocity", model, divergence(space, u, at),
+               size_of(velocity_gradient(space, u, at).slope), 10);
+    claim.refutes("the divergence in another metric of space", model, divergence(any, u, at),
+                  size_of(velocity_gradient(any, u, at).slope));
+  });
 }
 
 STATEMENT(eq_8_1, "the constraint on the volume") {

@@ -383,7 +383,8 @@ STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
   claim.holds();
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const residual = [&](Medium<S, n> const& medium, SecondJet<S, n, n + 1> const& extended) {
+    auto const residual = [&](Medium<S, n> const& medium, SecondJet<S, n, n + 1> const& extended,
+                              int sign = 1, bool mass_inside = true) {
       auto const j = deformation(extended);
       S const rho = medium.rho(j.particle());
       // Neither the volume nor the metric of space is differentiated here.
@@ -392,10 +393,10 @@ STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
       for (int k = 0; k < n; ++k) {
         auto const moved = along(j, k + 1);
         auto const slope = partial_F(medium, moved);
-        Dual<S> const mass = medium.rho(moved.particle());
+        Dual<S> const mass = mass_inside ? Dual<S>(medium.rho(moved.particle())) : Dual<S>(rho);
         for (int a = 0; a < n; ++a) stress[a] += (mass * slope(a, k)).part[0];
       }
-      return (inertia - stress + pressure_term(medium.G, medium.g, extended)).eval();
+      return (inertia - stress + pressure_term(medium.G, medium.g, extended) * S(sign)).eval();
     };
     auto const curved = draw_medium<S, n>(draw);
     Medium<S, n> const flat{constant_metric(curved.G), constant_metric(curved.g), curved.rho, curved.W};
@@ -403,6 +404,10 @@ STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
     auto const j = draw_extended_jet<S, n>(draw, phi, flat.G);
     claim.equal("(8.8) and the Euler-Lagrange derivative", model, residual(flat, j),
                 per_volume(incompressible(flat), j));
+    claim.differs("the pressure with the other sign", model, residual(flat, j, -1),
+                  per_volume(incompressible(flat), j));
+    claim.differs("the mass density outside of the derivative", model, residual(flat, j, 1, false),
+                  per_volume(incompressible(flat), j));
     claim.differs("metrics that vary", model, residual(curved, j), per_volume(incompressible(curved), j));
   });
 }

@@ -112,6 +112,46 @@ STATEMENT(eq_8_10, "the constraint where body and space have one metric") {
   });
 }
 
+STATEMENT(claim_8_3_spatial_density,
+          "the spatial density of an incompressible homogeneous fluid is constant") {
+  claim.holds(
+      "In space and in time; $\\rho_{\\mathrm{sp}} = \\rho/J$ has the rate "
+      "$-\\rho_{\\mathrm{sp}}\\,\\mathrm{div}\\,u$ "
+      "along any motion.");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const body = draw_metric_of_volume<S, n>(draw), space = draw_metric_of_volume<S, n>(draw);
+    auto const any = draw_any_metric<S, n>(draw);
+    auto const phi = draw_shears<S, n>(draw, body.chart, space.chart);
+    S const rho = S(1) + draw.template number<S>() / S(4);
+    Event<S, n> const at = event_in_space(first_jet(phi, draw_event<S, n>(draw)));
+    // As a function of time and place: at the particle that is there.
+    auto const density = [&](auto const& G, auto const& g) {
+      return [&, held = VolumeConstraint{G, g}]<class V>(V const& y) {
+        return ScalarOf<V>(ScalarOf<V>(rho) / held.volume_ratio(first_jet(phi, phi.particle(y))));
+      };
+    };
+    auto const slopes = [&](auto const& f) {
+      Matrix<S, n + 1, 1> slope;
+      for (int mu = 0; mu <= n; ++mu) {
+        auto moved = at.template cast<Dual<S>>().eval();
+        moved[mu].part[0] = S(1);
+        slope[mu] = f(moved).part[0];
+      }
+      return slope;
+    };
+    claim.zero("rates in time and space", model, slopes(density(body, space)), rho, 30);
+    claim.refutes("with another volume of the body", model, slopes(density(any, space)), rho);
+    auto const rho_sp = density(any, any)(at);
+    auto const slope = slopes(density(any, any));
+    VelocityInSpace const u{phi};
+    S const carried = slope[0] + u(at).dot(slope.template tail<n>());
+    claim.equal("any motion: the continuity of mass", model, carried, S(-rho_sp * divergence(any, u, at)),
+                30);
+    claim.differs("without the part that is carried", model, slope[0], S(-rho_sp * divergence(any, u, at)));
+  });
+}
+
 STATEMENT(eq_8_11, "the equation with the pressure in space") {
   claim.holds(
       "It uses $J = 1$, not that determinants are 1: off the constraint the gradient has the factor $J$ of "
@@ -355,9 +395,10 @@ STATEMENT(claim_8_3_euler_equations, "the fluid in the spatial description") {
 
 STATEMENT(claim_8_3_two_descriptions_agree,
           "one fluid, seen from the body and as a curve of diffeomorphisms") {
-  claim.convention(
-      "Body and space are one Riemannian manifold, mass is 1, and the motion begins at the identity: then $J "
-      "= 1$ says that it stays in $\\mathcal D_\\mu$.");
+  claim.holds(
+      "Under the identification that the section makes: body and space are one Riemannian manifold, mass is "
+      "1, "
+      "and the motion begins at the identity, so that $J = 1$ says that it stays in $\\mathcal D_\\mu$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);
@@ -396,11 +437,11 @@ STATEMENT(claim_8_3_two_descriptions_agree,
 }
 
 STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the body to that of the pressure") {
-  claim.corrected(
-      "\\mathrm{div}\\text{ of both sides of (8.11)}",
-      "(F^{-1})^k{}_a\\,\\nabla_k\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^a = -(\\Delta p)\\circ\\phi",
-      "(8.11) is an equation between vectors of space at points of the body: compose with $\\phi_t^{-1}$ "
-      "first. Differentiated in $x$ without $F^{-1}$ it gives another number.");
+  claim.convention(
+      "With the divergence in space. (8.11) is an equation between vectors of space at points of the body: "
+      "composed with $\\phi_t^{-1}$, or with $(F^{-1})^k{}_a\\,\\nabla_k$ on the body, both sides give "
+      "(8.14) at "
+      "the place of the particle. Differentiated in $x$ without $F^{-1}$ they give other numbers.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);

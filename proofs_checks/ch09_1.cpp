@@ -106,6 +106,8 @@ STATEMENT(eq_9_2, "prolongation of bundle automorphisms to jets") {
     // The inverse map and the elimination divide by determinants near one.
     claim.equal("the jet of the moved section", model, j.v, moved.v, 10);
     claim.equal("and its place", model, j.y, moved.y);
+    claim.equal("over the image of the point", model, j.x, any.base(x));
+    claim.differs("over the point itself", model, x, any.base(x));
     auto const d = tangent<n, N>(eta, x, phi(x).eval());
     claim.differs("the tangent map of the base in place of its inverse", model,
                   ((d.along + d.fibre * first_jet(phi, x).v) * d.base).eval(), moved.v);
@@ -160,13 +162,19 @@ STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
 }
 
 STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinates") {
-  claim.holds(
-      "For the lift (9.1) as it stands, and any map of the body, whether it preserves volume or not.");
+  claim.convention(
+      "For the lift (9.1) as it stands, and any map of the body, whether it preserves volume or not. With "
+      "(9.1) "
+      "put right it holds in coordinates in which $\\det G$ is constant, for maps that preserve volume.");
+  claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const j = draw_jet<S, n, N>(draw);
     auto const eta = draw_map_at<S, n>(j.particle(), draw);
     auto const lifted = prolongation(relabelling<N>(eta), j);
+    claim.equal("the particle goes over by the map", model, Matrix<S, n, 1>(lifted.particle()), eta.to);
+    claim.equal("time stays", model, lifted.x[0], j.x[0]);
+    claim.differs("the particle left where it was", model, Matrix<S, n, 1>(j.particle()), eta.to);
     Matrix<S, N, n> const formula = j.gradient() * inverse_matrix(eta.slope);
     claim.equal("gradients: v and beta times the inverse", model, lifted.gradient(), formula, 10);
     claim.equal("rates in time stay", model, lifted.velocity(), j.velocity());
@@ -178,10 +186,13 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
 }
 
 STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
-  claim.holds(
+  claim.convention(
       "For the lift (9.1) as it stands; divergence-free means $\\partial_k(\\sqrt{\\det G}\\,\\xi^k)=0$, the "
-      "rate at which the flow changes the volume. The formula holds for any field on the body. With a "
-      "multiplier that is a density $-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along $\\beta_\\mu$.");
+      "rate at which the flow changes the volume. The formula holds for any field on the body. With (9.1) "
+      "put "
+      "right, a multiplier that is a density, $-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along "
+      "$\\beta_\\mu$, which vanishes for fields of the group where $\\det G$ is constant.");
+  claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const xi = draw_body_field<S, n>(draw);

@@ -9,6 +9,7 @@
 #include "actio/vorticity/vorticity_step.hpp"
 
 #include "models.hpp"
+#include "node_fluid.hpp"
 #include "statement.hpp"
 
 using namespace actio;
@@ -341,8 +342,11 @@ STATEMENT(claim_10_0_reduced_hydrodynamics, "reduced hydrodynamic schemes and kn
       "property are given up. With a displacement that moves along the orbit all of them are conserved, and "
       "the Poisson property is given up.");
   claim.leaves(
-      "That the matrices tend to the fluid as $N\\to\\infty$ is cited on the page, and that a step has a "
-      "solution is shown where one is found.");
+      "Fluids in space, where the helicity is a first integral, and on other surfaces than the sphere; one "
+      "step "
+      "that keeps all integrals and is a Poisson map. That the matrices tend to the fluid as $N\\to\\infty$ "
+      "is "
+      "cited on the page, and that a step has a solution is shown where one is found.");
   // The sizes bound the sums of products, so that plain evaluation is what remains.
   double const sums = 1;
   for (int const n : {4, 5}) {
@@ -486,13 +490,62 @@ STATEMENT(claim_10_0_reduced_hydrodynamics, "reduced hydrodynamic schemes and kn
   }
 }
 
+namespace {
+
+/// What the nodes of a mesh have of relabellings, and what their circulation does.
+template <class S>
+void relabellings_of_nodes(Claim<S>& claim, Draw& draw) {
+  std::string const mesh = "six triangles about a node", cell = "a triangle alone";
+  auto const fluid = [&](int nodes, std::vector<std::array<int, 3>> const& cells) {
+    NodeFluid<S> made{Vector<S>(nodes), cells};
+    for (int p = 0; p < nodes; ++p) made.mass[p] = S(1) + draw.template number<S>() / S(4);
+    return made;
+  };
+  auto const hexagon = fluid(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}});
+  auto const alone = fluid(3, {{0, 1, 2}});
+  // Linear equations in 49 unknowns.
+  if (claim.first()) {
+    claim.fact("relabellings that keep energy and areas: none", mesh, hexagon.symmetries() == 0);
+    claim.fact("relabellings that keep energy and areas: one", cell, alone.symmetries() == 1);
+  }
+  auto const motion = [&](NodeFluid<S> const& of, Matrix<S> const& about) {
+    Matrix<S> const place = about + draw_matrix<S>(draw, 2, of.nodes()) / S(8);
+    return NodeMotion<S>{place, keeping_areas(of, place, draw_matrix<S>(draw, 2, of.nodes()))};
+  };
+  Matrix<S> corners(2, 7);
+  corners << S(0), S(2), S(1), S(-1), S(-2), S(-1), S(1), S(0), S(0), S(2), S(2), S(0), S(-2), S(-2);
+  auto const around = motion(hexagon, corners), turning = motion(alone, Matrix<S>(corners.leftCols(3)));
+  std::vector<int> const ring = {1, 2, 3, 4, 5, 6}, edge = {0, 1, 2};
+  auto const size = [](NodeMotion<S> const& m) {
+    return S(size_of(m.velocity) * size_of(m.velocity) * Base<S>(m.velocity.cols()));
+  };
+  // Pressures are solved for: Condition of equations that are nearly orthogonal.
+  claim.zero("areas stay", mesh, Vector<S>(rates_of_areas(hexagon, around.place) * stacked(around.velocity)),
+             S(size_of(around.place) * size_of(around.velocity)), 10);
+  claim.zero("circulation along the nodes", cell, rate_of_circulation(alone, turning, edge), size(turning),
+             10);
+  claim.refutes("circulation along the nodes", mesh, rate_of_circulation(hexagon, around, ring),
+                size(around));
+}
+
+}  // namespace
+
 STATEMENT(claim_10_0_vorticity_preservation, "discrete vorticity preservation for incompressible fluids") {
-  claim.convention(
-      "With $\\SU(N)$ in the place of the area-preserving maps of the sphere. The momentum map of the "
-      "relabellings is then the vorticity carried back to the labels, $g_k^{-1}W_kg_k$ for $g_{k+1} = "
-      "\\mathrm{cay}(A_k)\\,g_k$, and it is the same at every step. It is the momentum of the discrete "
-      "Noether theorem: $W_0$ and $W_1$ are the two discrete Legendre images of a Lagrangian on the group.");
-  claim.leaves("A mesh of labels, of which the thesis speaks here, has no such group; the page says why.");
+  claim.corrected(
+      R"(\text{the discrete Noether theorem over nodes}\;\Longrightarrow\;\text{discrete vorticity )"
+      R"(preserved})",
+      R"(g_k^{-1}W_kg_k = W_0\quad\text{for } g_{k+1} = \mathrm{cay}(A_k)\,g_k \text{ in a group of )"
+      R"(relabellings})",
+      "Nodes and cells have no relabellings left: for six triangles about a node no linear map of the labels "
+      "but 0 keeps the kinetic energy and the areas, so there is no momentum to be preserved, and the "
+      "circulation around the six nodes changes at a rate. A cell alone has one such map, and its "
+      "circulation "
+      "is constant. With $\\SU(N)$ in the place of the area-preserving maps of the sphere the momentum map "
+      "of the "
+      "relabellings is the vorticity carried back to the labels, the same at every step: $W_0$ and $W_1$ are "
+      "the two discrete Legendre images of a Lagrangian on the group.");
+  claim.leaves("Other discretizations of a fluid by nodes than triangles whose areas are held.");
+  relabellings_of_nodes(claim, draw);
   for (int const n : {3, 4}) {
     if (numbers_grow() && n > 3) continue;
     RationalSphere<S> const sphere(n);

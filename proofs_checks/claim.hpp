@@ -133,7 +133,7 @@ class AnyClaim {
   void scope(std::string_view note);
   /// The slip may be the scan's: text recognition drops stars, inverses and signs.
   void maybe_scan();
-  /// The slip of this statement occurs first in another one, whose verdict it shares.
+  /// The slip occurs first elsewhere: the verdict is the same, or a convention judged with that put right.
   void same_slip_as(std::string_view id);
   /// What of the statement is not shown here, and why: the ledger calls the check partial and prints this.
   void leaves(std::string_view sentence);

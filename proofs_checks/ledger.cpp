@@ -1,11 +1,11 @@
 // The ledger: merges what the checks reported into one record a statement, and says whether the suite keeps
-// its promise.
+// its promise. A slip is counted where it occurs first.
 //
 //   ledger merge  REPORT            REPORT/checks/*.json -> REPORT/statements.json; prints the counts
 //   ledger verify REPORT [--scalars double,rational]
 //       fails (status 1) on an owed statement without record, a record without control (but `scope`), scalars
 //       that disagree on the verdict, a check that failed, evidence outside its bound, a control under its
-//       floor, an id that is not in the registry
+//       floor, a slip that has another verdict where it occurs first, an id that is not in the registry
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -108,7 +108,7 @@ int merge(fs::path const& report) {
   ordered_json all = ordered_json::array();
   std::map<std::string, int> counts;
   int partial = 0;
-  int owed = 0, kept = 0;
+  int owed = 0, kept = 0, slips = 0, perhaps_the_scan = 0;
   for (auto const& statement : registry) {
     ordered_json one;
     if (auto const found = records.find(statement.id); found != records.end())
@@ -120,6 +120,8 @@ int merge(fs::path const& report) {
     std::string const verdict = one["verdict"];
     partial += one.value("left", "") != "";
     ++counts[verdict.empty() ? "failed" : verdict];
+    bool const slip = verdict == "corrected" && one.value("first", "") == "";
+    slips += slip, perhaps_the_scan += slip && one.value("scan", false);
     owed += statement.owed, kept += statement.owed && verdict != "pending" && !verdict.empty();
     all.push_back(one);
   }
@@ -127,7 +129,8 @@ int merge(fs::path const& report) {
   std::cout << registry.size() << " statements: ";
   for (auto const* verdict : {"holds", "convention", "corrected", "scope", "failed", "pending"})
     if (counts[verdict]) std::cout << counts[verdict] << ' ' << verdict << "  ";
-  std::cout << "(" << kept << " of " << owed << " owed, " << partial << " say what they leave)\n";
+  std::cout << "(" << kept << " of " << owed << " owed, " << partial << " say what they leave)\n"
+            << slips << " distinct slips, " << perhaps_the_scan << " of them perhaps the scan's\n";
   return 0;
 }
 
@@ -159,14 +162,18 @@ int verify(fs::path const& report, std::set<std::string> const& scalars) {
       complain(statement.id, "the verdict needs a note");
     if (verdict == "corrected" && (one["printed"] == "" || one["corrected"] == ""))
       complain(statement.id, "corrected, without printed and corrected form");
-    // A slip has one verdict wherever it returns.
+    // A slip has one verdict wherever it returns; a statement that only rests on what was put right elsewhere
+    // is judged with that.
     if (std::string const first = one.value("first", ""); first != "") {
       auto const origin = records.find(first);
       if (origin == records.end())
         complain(statement.id, "its slip occurs first in '" + first + "', which has no record");
-      else if (std::string const there = origin->second.front()["verdict"]; there != verdict)
+      else if (std::string const there = origin->second.front()["verdict"];
+               there != verdict && !(there == "corrected" && verdict == "convention"))
         complain(statement.id,
                  "its slip is '" + there + "' in " + first + ", and here it is '" + verdict + "'");
+      else if (origin->second.front().value("first", "") != "")
+        complain(statement.id, "its slip occurs in " + first + ", and there it is not the first");
     }
     for (auto const& failure : one["failures"]) complain(statement.id, failure.get<std::string>());
     for (auto const& e : one["evidence"])

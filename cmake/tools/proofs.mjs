@@ -4,13 +4,13 @@
 // which lists the axioms that they and all they rest on use, and asks of each theorem what it assumes. Writes
 // BUILD/report/kernel.tsv. What the definitions give on samples, which values.v prints, goes to
 // BUILD/report/kernel_values.tsv and is compared with proofs_checks/kernel/values.tsv, which the library is
-// tested against. Status 1 where a source does not compile, an axiom is used, a proof is admitted, or a value
-// is not the recorded one.
+// tested against. Status 1 where a source does not compile, an axiom is used, a proof is admitted, a value is
+// not the recorded one, or the table of seals does not fit the theorems.
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 
-import { digest, folder, proofFiles, theorems, withoutComments, writeList } from '../../docs/tools/kernel.mjs';
+import { digest, folder, proofFiles, readSeals, sealComplaints, theorems, withoutComments, writeList } from '../../docs/tools/kernel.mjs';
 import { readRegistry } from '../../docs/tools/lib.mjs';
 
 const [root, buildArgument, jobs] = process.argv.slice(2);
@@ -75,6 +75,8 @@ if (texts.length) {
 const ids = new Set(readRegistry(path.join(root, 'proofs_checks/registry.tsv')).map(s => s.id)), list = theorems(root, ids);
 const twice = list.find((t, i) => list.findIndex(o => o.name === t.name) !== i);
 if (twice) fail(`${twice.name} is the name of two theorems`);
+const complaints = sealComplaints(readSeals(root), list);
+if (complaints.length) fail(`${folder}/seals.tsv does not fit the theorems:\n  ${complaints.join('\n  ')}`);
 const modules = files.map(f => f.replace(/\.v$/, ''));
 const asked = path.join(work, 'assumptions');
 fs.mkdirSync(asked, { recursive: true });

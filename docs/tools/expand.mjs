@@ -7,7 +7,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
-import { chapterLedger, errata, evidence, ledger, ledgerCounts, ledgerStrength, verdictOf, verdictNote } from './ledger.mjs';
+import { chapterLedger, errata, evidence, ledger, ledgerCounts, ledgerStrength, slipCounts, verdictOf, verdictNote } from './ledger.mjs';
 import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable, systemPage, viewerFrame, viewerOf } from './scenes.mjs';
 import { knowStatements } from './small_print.mjs';
 import { localHeaders, textbookBlocks } from './textbook.mjs';
@@ -371,6 +371,7 @@ for (const p of pages) {
     kernelcounts() { block(book.kernel ? kernelCounts(book) : ''); },
     kernelfiles() { for (const file of proofFiles(opt.root)) emit(`- \\subpage kernel_${file.replace(/\.v$/, '')}`); emit(''); },
     ledgercounts() { block(ledgerCounts(book)); },
+    slipcounts() { block(slipCounts(book)); },
     ledgerstrength() { block(ledgerStrength(book)); },
     verified(chapter) {
       const list = registry.filter(s => Number(s.chapter) === Number(chapter));

@@ -2,7 +2,8 @@
 // of a statement that has a proof there, and the table of all of them.
 //
 // A proof counts where `./run proofs` has found it closed: its list, kernel.tsv, names the sources by their
-// digest, and a seal is shown only while the sources are those that were checked.
+// digest, and a seal is shown only while the sources are those that were checked. Whether the proofs of a
+// statement prove all of it was decided by hand: seals.tsv beside the sources says so, and what is missing.
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -72,6 +73,35 @@ export function theorems(root, ids) {
   return all;
 }
 
+// ---- What was decided
+
+/// The table of seals: by id whether its theorems prove the statement as a whole or in part, which they are, and what is missing.
+export function readSeals(root) {
+  const file = path.join(root, folder, 'seals.tsv');
+  if (!fs.existsSync(file)) return new Map();
+  const rows = fs.readFileSync(file, 'utf8').split('\n').slice(1).filter(Boolean).map(l => l.split('\t'));
+  return new Map(rows.map(([id, how, names, missing]) => [id, { how, theorems: (names ?? '').split(' '), missing: missing === '-' ? '' : missing ?? '' }]));
+}
+
+/// What does not fit between the table and the theorems: each statement with a proof has its row, each row names just the theorems
+/// that there are, and says what is missing where it does not hold the whole.
+export function sealComplaints(seals, list) {
+  const complaints = [], proofs = new Map();
+  for (const t of list) if (t.what === 'proved') proofs.set(t.id, [...(proofs.get(t.id) ?? []), t.name]);
+  for (const [id, names] of proofs) {
+    const row = seals.get(id);
+    if (!row) complaints.push(`${id} has a proof, ${names.join(' ')}, and no row`);
+    else if (names.filter(n => !row.theorems.includes(n)).length) complaints.push(`${id}: ${names.filter(n => !row.theorems.includes(n)).join(' ')} is not among the theorems of its row; does the seal still hold?`);
+  }
+  for (const [id, row] of seals) {
+    const gone = row.theorems.filter(n => !proofs.get(id)?.includes(n));
+    if (gone.length) complaints.push(`${id}: no theorem ${gone.join(' ')}`);
+    if (!['whole', 'part'].includes(row.how)) complaints.push(`${id}: a seal is 'whole' or 'part', not '${row.how}'`);
+    if ((row.how === 'part') !== Boolean(row.missing)) complaints.push(`${id}: a seal in part, and no other, says what is missing`);
+  }
+  return complaints;
+}
+
 // ---- What was checked
 
 const columns = ['name', 'id', 'file', 'line', 'what', 'assumptions', 'statement'];
@@ -100,21 +130,20 @@ export function readKernel(root, build) {
     if (list?.facts.sources !== now) continue;
     const byId = new Map();
     for (const r of list.rows) if (r.id) byId.set(r.id, [...(byId.get(r.id) ?? []), r]);
-    return { facts: list.facts, rows: list.rows, byId, released };
+    return { facts: list.facts, rows: list.rows, byId, released, seals: readSeals(root) };
   }
-  return { facts: {}, rows: [], byId: new Map(), released: false };
+  return { facts: {}, rows: [], byId: new Map(), released: false, seals: new Map() };
 }
 
 // ---- Seals
 
 const anchor = row => `proof_${row.name}`;
-const whole = (rows, id) => rows.some(r => r.name === id);
 
 /// What a kernel has shown of a statement: '', 'part' or 'whole'; and whether the printed form is refuted.
 export function proved(book, id) {
-  const rows = (book.kernel?.byId.get(id) ?? []).filter(r => r.what === 'proved');
-  return !rows.length ? '' : whole(rows, id) ? 'whole' : 'part';
+  return (book.kernel?.byId.get(id) ?? []).some(r => r.what === 'proved') ? book.kernel.seals.get(id)?.how ?? 'part' : '';
 }
+const missing = (book, id) => book.kernel.seals.get(id)?.missing ?? '';
 export const refuted = (book, id) => (book.kernel?.byId.get(id) ?? []).some(r => r.what === 'refuted');
 
 /// The seal of a statement, which leads to its proof.
@@ -123,7 +152,7 @@ export function seal(book, id) {
   if (!rows.length) return '';
   const how = proved(book, id), wrong = rows.find(r => r.what === 'refuted'), proof = rows.find(r => r.name === id) ?? rows.find(r => r.what === 'proved');
   const links = [], needs = book.statements?.get(id)?.verdict === 'convention';
-  if (proof) links.push(`<a class="seal" href="@ref:${anchor(proof)}" title="${how === 'whole' ? 'a kernel has checked a proof' : 'a kernel has checked a proof of a part'}; no axiom is used">${how === 'whole' ? 'proved' : 'proved in part'}</a>`);
+  if (proof) links.push(`<a class="seal" href="@ref:${anchor(proof)}" title="${how === 'whole' ? 'a kernel has checked a proof; no axiom is used' : `a kernel has checked a proof of a part; no axiom is used. Not proved: ${escapeHtml(missing(book, id))}`}">${how === 'whole' ? 'proved' : 'proved in part'}</a>`);
   if (wrong) links.push(`<a class="seal seal-refuted" href="@ref:${anchor(wrong)}" title="a kernel has checked a counterexample to the form that the thesis prints${needs ? ', without the convention that the note names' : ''}">${needs ? 'refuted without the convention' : 'print refuted'}</a>`);
   return links.join('');
 }
@@ -181,7 +210,7 @@ export function kernelTable(book) {
   const list = book.registry.filter(s => book.kernel.byId.has(s.id));
   const rows = list.map(s => {
     const of = book.kernel.byId.get(s.id), cell = what => of.filter(r => r.what === what).map(rowLink).join('<br/>');
-    return `<tr>${labelled([`<td class="id"><a href="@ref:${s.id}">${shortLabel(s.id)}</a></td>`, `<td>${escapeHtml(s.subject)}</td>`, `<td>${cell('proved')}</td>`, `<td>${cell('refuted')}</td>`], ['', '', 'proved', 'print refuted'])}</tr>`;
+    return `<tr>${labelled([`<td class="id"><a href="@ref:${s.id}">${shortLabel(s.id)}</a></td>`, `<td>${escapeHtml(s.subject)}${missing(book, s.id) ? `<div class="ledger-note">Not proved: ${escapeHtml(missing(book, s.id))}.</div>` : ''}</td>`, `<td>${proved(book, s.id) === 'whole' ? '<b>whole</b><br/>' : ''}${cell('proved')}</td>`, `<td>${cell('refuted')}</td>`], ['', '', 'proved', 'print refuted'])}</tr>`;
   });
   return `<table class="programs stacked kernel-table"><thead><tr><th>statement</th><th>subject</th><th>proved</th><th>print refuted</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
 }

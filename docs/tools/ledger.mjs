@@ -178,11 +178,29 @@ const byChapter = registry => {
   return chapters;
 };
 
+/// The slips of the thesis: the corrected statements, those of them in which a slip occurs first, and those of these where the
+/// scan may be at fault; and the statements that are judged with a slip of another one put right.
+function slips(book) {
+  const corrected = book.registry.filter(s => verdictOf(book, s.id) === 'corrected').map(s => book.statements.get(s.id));
+  const distinct = corrected.filter(r => !r.first);
+  const rest = book.registry.filter(s => verdictOf(book, s.id) === 'convention' && verdictOf(book, book.statements.get(s.id).first) === 'corrected');
+  return { corrected: corrected.length, distinct: distinct.length, scan: distinct.filter(fromTheScan).length, rest: rest.length };
+}
+const fromTheScan = r => r.scan === true || r.scan === 'true';
+
+/// The same in a sentence, so that the number of corrected statements never stands alone.
+export function slipCounts(book) {
+  if (!book.statements) return '';
+  const n = slips(book), returns = n.corrected - n.distinct;
+  if (!n.corrected) return '';
+  return `<p class="slip-counts">The <b>${n.corrected}</b> corrected statements hold <b>${n.distinct}</b> distinct slips: in ${returns} of them a slip returns that occurs first in another. Of the distinct slips <b>${n.scan}</b> may be the scan's. ${n.rest} more statements rest on one of the slips without printing it, and are judged with it put right, as conventions.</p>`;
+}
+
 export function ledgerCounts(book) {
   const chapters = byChapter(book.registry);
   const used = verdicts.filter(v => book.registry.some(s => verdictOf(book, s.id) === v));
   const row = (name, list, tag) => `<tr><${tag}>${name}</${tag}>${used.map(v => `<${tag} class="num">${list.filter(s => verdictOf(book, s.id) === v).length || '·'}</${tag}>`).join('')}<${tag} class="num">${list.length}</${tag}></tr>`;
-  return boxed(`<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`);
+  return boxed(`<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`) + slipCounts(book);
 }
 
 /// How many statements have which strongest kind of evidence, by chapter, and how many leave something.
@@ -261,14 +279,18 @@ export function errata(book) {
     const forms = [r.printed ? `<div class="erratum-form"><span>printed</span>${display(r.printed)}</div>` : '',
       r.corrected ? `<div class="erratum-form erratum-right"><span>${verdict === 'corrected' ? 'right' : 'read as'}</span>${display(r.corrected)}</div>` : ''].join('');
     const control = (r.control ?? [])[0];
-    const scan = r.scan === true || r.scan === 'true' ? '<span class="scan" title="the text came through recognition; a sign, star or inverse may have been lost there">perhaps the scan</span>' : '';
-    const returns = book.registry.filter(x => book.statements.get(x.id)?.first === s.id);
-    const slip = r.first ? `<p class="erratum-slip">The slip occurs first in ${statementLink(r.first, nameOf(r.first))}.</p>` : returns.length ? `<p class="erratum-slip">The slip returns in ${returns.map(x => statementLink(x.id, nameOf(x.id))).join(', ')}.</p>` : '';
+    const scan = fromTheScan(r) ? '<span class="scan" title="the text came through recognition; a sign, star or inverse may have been lost there">perhaps the scan</span>' : '';
+    const elsewhere = book.registry.filter(x => book.statements.get(x.id)?.first === s.id);
+    const links = list => list.map(x => statementLink(x.id, nameOf(x.id))).join(', ');
+    const returns = elsewhere.filter(x => verdictOf(book, x.id) === verdict), rest = elsewhere.filter(x => verdictOf(book, x.id) !== verdict);
+    const slip = [r.first ? `${verdictOf(book, r.first) === verdict ? 'The slip occurs first in' : 'Judged with the slip put right that occurs in'} ${statementLink(r.first, nameOf(r.first))}.` : '',
+      returns.length ? `The slip returns in ${links(returns)}.` : '',
+      rest.length ? `Judged with it put right: ${links(rest)}.` : ''].filter(Boolean).map(text => `<p class="erratum-slip">${text}</p>`).join('');
     const figures = [control ? `${verdict === 'corrected' ? 'broken form' : 'control'}: ${prose(control.what)}, off by ${number(control.measured)}` : '',
       w ? `${verdict === 'corrected' ? 'corrected form' : 'statement'}: ${Number(w.entry.measured) === 0 ? 'exactly 0' : inEpsilons(w.entry.measured, w.entry.epsilon)}` : '',
       ratio !== null ? `ratio ${ratioText(ratio)}` : ''].filter(Boolean).map(f => `<span>${f}</span>`).join('');
     return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${subject(book, s)}</span><span class="statement-tools">${scan}${seal(book, s.id)}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p>${slip}<div class="evidence-foot">${figures}</div></article>`;
   });
   const corrected = part('corrected'), convention = part('convention');
-  return `<h2 id="errata_corrected">Corrected: ${corrected.length}</h2>${corrected.join('') || '<p>None so far.</p>'}<h2 id="errata_convention">Conventions and hypotheses: ${convention.length}</h2>${convention.join('') || '<p>None so far.</p>'}`;
+  return `${slipCounts(book)}<h2 id="errata_corrected">Corrected: ${corrected.length} statements, ${slips(book).distinct} slips</h2>${corrected.join('') || '<p>None so far.</p>'}<h2 id="errata_convention">Conventions and hypotheses: ${convention.length}</h2>${convention.join('') || '<p>None so far.</p>'}`;
 }

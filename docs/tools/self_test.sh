@@ -124,6 +124,7 @@ X
   # Proofs, and the list of what a kernel has checked of them.
   mkdir -p proofs_checks/kernel
   printf -- '-Q . actio\ncomputed.v\n' >proofs_checks/kernel/_CoqProject
+  printf 'id\tseal\ttheorems\tmissing\neq_3_9\twhole\teq_3_9\t-\n' >proofs_checks/kernel/seals.tsv
   cat >proofs_checks/kernel/computed.v <<'X'
 (** * Tables
 
@@ -211,6 +212,8 @@ contains ch03.html 'data-animation="flip"'
 contains ch03.html '<a class="seal" href="kernel_computed.html#proof_eq_3_9"[^>]*>proved</a>'
 contains ch03.html '<a class="seal seal-refuted" href="kernel_computed.html#proof_thm_3_2_3_printed_fails"[^>]*>print refuted</a>'
 contains kernel_computed.html '<a class="target" id="proof_eq_3_9"></a><b><a href="ch03.html#eq_3_9">eq_3_9</a></b>'
+contains errata.html 'hold <b>1</b> distinct slips: in 0 of them .* Of the distinct slips <b>1</b> may be the scan'
+contains index.html 'hold <b>1</b> distinct slips'
 contains kernel.html '<b>1</b> statements of the thesis are proved, 1 of them as a whole.*of <b>1</b> statements the printed form is refuted'
 
 # What every page must have is looked for in the book as it stands.

@@ -176,6 +176,37 @@ rewrite !lowered -mulrDr /first_kind (metric_entry b a) (metric_entry c a) (metr
 apply: half_of; ring_identity.
 Qed.
 
+(** *** The trace of the Christoffel symbols
+
+\f$\gamma^k_{jk} = \frac1r\frac{\partial r}{\partial y^j}\f$ for a root \f$r\f$ of \f$\det g\f$. Two of the
+three terms of a symbol cancel in the sum, and the third is Jacobi's formula for the derivative of a
+determinant. *)
+Theorem trace_of_christoffel (root : R) j : root ^+ 2 = \det g -> root \is a GRing.unit ->
+  \sum_k christoffel k j k = root^-1 * d_y j root.
+Proof.
+move=> is_root unit_root.
+have symmetric_inverse k d : invmx g k d = invmx g d k.
+  have same : (invmx g)^T = invmx g by rewrite trmx_inv symmetric_metric.
+  by rewrite -[in RHS]same [RHS]mxE.
+have -> : \sum_k christoffel k j k = 2%:R^-1 * \sum_k \sum_d invmx g k d * d_y j (g k d).
+  rewrite -mulr_sumr; congr (_ * _).
+  have -> : \sum_k \sum_d invmx g k d * first_kind d j k
+      = \sum_k \sum_d invmx g k d * d_y k (g j d) + \sum_k \sum_d invmx g k d * d_y j (g k d)
+        - \sum_k \sum_d invmx g k d * d_y d (g j k).
+    rewrite -big_split -sumrB; apply: eq_bigr => k _ /=; rewrite -big_split -sumrB; apply: eq_bigr => d _ /=.
+    by rewrite /first_kind; ring_identity.
+  have -> : \sum_k \sum_d invmx g k d * d_y d (g j k) = \sum_k \sum_d invmx g k d * d_y k (g j d).
+    by rewrite exchange_big; apply: eq_bigr => d _; apply: eq_bigr => k _; rewrite symmetric_inverse.
+  by rewrite addrAC subrr add0r.
+have := derivative_of_root (d_y j) is_root unit_root.
+have -> : \tr (invmx g *m derivative_of (d_y j) g) = \sum_k \sum_d invmx g k d * d_y j (g k d).
+  rewrite /mxtrace; apply: eq_bigr => k _; rewrite mxE; apply: eq_bigr => d _.
+  by rewrite (mxE map_mx_key) metric_entry.
+set s := \sum_k _ => twice.
+have -> : s = 2%:R * (root^-1 * d_y j root) by rewrite mulrCA twice mulKr.
+by rewrite mulKr.
+Qed.
+
 (** The covariant derivative of the velocity along the motion of a particle,
 \f$\bigl(\frac{D_g\dot\phi}{Dt}\bigr)^b = \frac{\partial\dot\phi^b}{\partial t} +
 \gamma^b_{ac}\,\dot\phi^a\dot\phi^c\f$. C++: `actio::material_acceleration`, `continuum/continuum.hpp`. *)
@@ -383,12 +414,21 @@ Definition along_body (k : 'I_n) : 'I_n.+1 := lift ord0 k.
 Definition velocity_of a : R := v a ord0.
 Definition gradient_of a k : R := v a (along_body k).
 
-(** \f$\sqrt{\det G}\f$. *)
-Variable vol : R.
+(** The metric of the body and the root \f$\sqrt{\det G}\f$. *)
+Variables (G : 'M[R]_n) (vol : R).
+Hypothesis unit2 : (2%:R : R) \is a GRing.unit.
+Hypothesis symmetric_G : G^T = G.
+Hypothesis root_of_G : vol ^+ 2 = \det G.
 Hypothesis unit_volume : vol \is a GRing.unit.
 
-(** \f$\Gamma^k_{jk} = \frac1{\sqrt{\det G}}\frac{\partial\sqrt{\det G}}{\partial x^j}\f$. *)
-Definition body_symbol j : R := vol^-1 * D (along_body j) vol.
+(** The trace \f$\Gamma^k_{jk}\f$ of the Christoffel symbols of \f$G\f$. *)
+Definition body_symbol j : R := \sum_k christoffel G (fun i => D (along_body i)) k j k.
+
+(** It is \f$\frac1{\sqrt{\det G}}\frac{\partial\sqrt{\det G}}{\partial x^j}\f$. *)
+Lemma body_symbol_of_root j : body_symbol j = vol^-1 * D (along_body j) vol.
+Proof.
+by rewrite /body_symbol (trace_of_christoffel _ unit2 symmetric_G j root_of_G unit_volume).
+Qed.
 
 (** \f$\mathcal P_a{}^i{}_{|i} = \frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal
 P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$. C++: `actio::two_point_divergence`,
@@ -419,7 +459,7 @@ have -> : vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
     (w a)).
   rewrite mulr_sumr; apply: eq_bigr => i _; rewrite leibniz mulrDr [X in _ + X]mulrA mulVr ?unit_volume //.
   rewrite mul1r raddf_sum mulrA mulr_sumr -big_split; apply: eq_bigr => a _ /=.
-  rewrite leibniz /body_symbol; ring_identity.
+  rewrite leibniz body_symbol_of_root; ring_identity.
 rewrite exchange_big.
 pose turned a := \sum_b \sum_c \sum_j P b j * gamma b a c * gradient_of c j.
 have -> : \sum_a two_point_divergence gamma P a * w a
@@ -607,28 +647,31 @@ End Motion.
 are left over. The rule of Leibniz fails if both are summed, and whatever values they are given, in the plane
 with the metric \f$(dy^1)^2 + (dy^2 + y^1dy^1)^2\f$ and its Christoffel symbols, for the shear \f$y = (x^1 +
 x^2, x^2)\f$. *)
-Definition divergence_with (R : comUnitRingType) n N (D : 'I_n.+1 -> derivation R) (vol : R) (P : 'I_N ->
+Definition divergence_with (R : comUnitRingType) n N (D : 'I_n.+1 -> derivation R) (G : 'M[R]_n) (P : 'I_N ->
   'I_n -> R)
     (last_term : 'I_N -> R) a :=
-  \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol D vol j - last_term a.
+  \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol D G j - last_term a.
 
 (** What is asked of the last term: the rule of Leibniz, for the Christoffel symbols of a metric of the
 plane. *)
 Definition leibniz_rule_for (last_term : forall R : comUnitRingType,
     ('I_2 -> 'I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> 'I_2 -> R) : Prop :=
   forall (R : comUnitRingType) (v : 'I_2 -> 'I_3 -> R) (D : 'I_3 -> derivation R) (d_y : 'I_2 -> derivation R)
-    (g : 'M[R]_2) (vol : R) (P : 'I_2 -> 'I_2 -> R) (w : 'I_2 -> R),
-  (2%:R : R) \is a GRing.unit -> vol \is a GRing.unit -> g^T = g -> g \in unitmx ->
+    (g G : 'M[R]_2) (vol : R) (P : 'I_2 -> 'I_2 -> R) (w : 'I_2 -> R),
+  (2%:R : R) \is a GRing.unit -> G^T = G -> vol ^+ 2 = \det G -> vol \is a GRing.unit ->
+  g^T = g -> g \in unitmx ->
   (forall k b c, D (along_body k) (g b c) = \sum_e gradient_of v e k * d_y e (g b c)) ->
   (forall k e i, D (along_body k) (gradient_of v e i) = D (along_body i) (gradient_of v e k)) ->
   vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
-  = \sum_a divergence_with D vol P (last_term R (christoffel g d_y) P (gradient_of v)) a * w a
+  = \sum_a divergence_with D G P (last_term R (christoffel g d_y) P (gradient_of v)) a * w a
     + \sum_a \sum_i P a i * covariant_derivative v D (christoffel g d_y) w i a.
 
 (** The corrected term obeys it. *)
 Lemma leibniz_rule_corrected :
   leibniz_rule_for (fun R gamma P F a => \sum_b \sum_c \sum_j P b j * gamma b a c * F c j).
-Proof. by move=> R v D d_y g vol P w _ unit_vol _ _ _ _; apply: claim_6_2_covariant_divergence. Qed.
+Proof.
+by move=> R v D d_y g G vol P w unit2 sym_G root_G unit_vol _ _ _ _; apply: claim_6_2_covariant_divergence.
+Qed.
 
 Section ShearOfTheBody.
 
@@ -649,10 +692,11 @@ have motion k b e : D (along_body k) (shear_metric c b e)
 have mixed k e i : D (along_body k) (gradient_of shear_jet e i) = D (along_body i) (gradient_of shear_jet e
   k).
   by rewrite /gradient_of /shear_jet; case: (e == 0); rewrite ?derivative_of_one ?derivative_of_nat.
-have := rule R shear_jet D (shear_derivative c) (shear_metric c) 1 P w unit2 (unitr1 _) (shear_symmetric c)
-          (shear_regular c) motion mixed.
-rewrite (leibniz_rule_corrected (D := D) P w unit2 (unitr1 _) (shear_symmetric c) (shear_regular c) motion
-  mixed).
+have root_one : 1 ^+ 2 = \det (1%:M : 'M[R]_2) by rewrite expr1n det1.
+have := rule R shear_jet D (shear_derivative c) (shear_metric c) 1%:M 1 P w unit2 (trmx1 _ _) root_one
+          (unitr1 _) (shear_symmetric c) (shear_regular c) motion mixed.
+rewrite (leibniz_rule_corrected (D := D) P w unit2 (trmx1 _ _) root_one (unitr1 _) (shear_symmetric c)
+  (shear_regular c) motion mixed).
 move/addIr; rewrite !sum_in_plane /w /= !(mulr0, mulr1, addr0) /divergence_with.
 move/addrI/oppr_inj => <-.
 rewrite !sum_in_plane !shear_christoffel //= /gradient_of /shear_jet /=; ring_identity.

@@ -445,6 +445,25 @@ move=> mixed prolonged_X along_X along_D symmetric_L solves; rewrite thm_9_1_1 /
 by rewrite big1 ?oppr0 // => a _; rewrite solves mul0r.
 Qed.
 
+(** ** The momentum map and the current
+
+(9.4) asks of the covariant momentum map that \f$X\lrcorner\Omega = dJ\f$, and (9.7) says that it is
+\f$J = X\lrcorner\Theta\f$. Pulled back along a section, whether a solution or not, the two differ by the rate
+of equivariance,
+\f[ (j^1\phi)^*(X\lrcorner\Omega) = d\bigl((j^1\phi)^*(X\lrcorner\Theta)\bigr) - r\,d^{n+1}x , \f]
+so that (9.7) satisfies (9.4) along every section if and only if \f$r = 0\f$. On vectors that are tangent to
+no section (9.4) says more, which is not proved here. *)
+Theorem eq_9_4_along_sections L X :
+    (forall a mu nu, D mu (v a nu) = D nu (v a mu)) -> prolonged X ->
+    chain_rule L X -> (forall mu, chain_rule L (D mu)) ->
+  multisymplectic_form L (before X D)
+  = \sum_kappa D kappa (cartan_form L (replaced D kappa X)) - equivariance_rate L X.
+Proof.
+move=> mixed prolonged_X along_X along_D; rewrite eq_6_8 //.
+under [X in _ = X - _]eq_bigr do rewrite noether_current_from_cartan_form.
+by rewrite thm_9_1_1 // addrAC subrr add0r.
+Qed.
+
 (** ** The multisymplectic form formula at a point
 
 Theorem 6.2.2 says that the form \f$j^1\mathcal V\lrcorner j^1\mathcal W\lrcorner\Omega\f$ has no flux through
@@ -502,6 +521,87 @@ apply/eqP; rewrite -subr_eq0; apply/eqP; rewrite -[RHS]zero; ring_identity.
 Qed.
 
 End Fields.
+
+(** ** Equivariance of a family of automorphisms, to first order
+
+A family \f$\eta_\varepsilon\f$ that begins at the identity with the rate \f$X\f$ takes a function \f$f\f$ to
+\f$\eta_\varepsilon^*f = f + \varepsilon X(f)\f$, to first order in \f$\varepsilon\f$. *)
+Section Families.
+
+Variables (R : comUnitRingType) (n N : nat).
+Variables (x : 'I_n.+1 -> R) (y : 'I_N -> R) (v : 'I_N -> 'I_n.+1 -> R).
+Variables (d_x : 'I_n.+1 -> derivation R) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R)
+          (D : 'I_n.+1 -> derivation R).
+Hypothesis along_x : forall mu nu, D nu (x mu) = (mu == nu)%:R.
+Hypothesis along_y : forall a mu, D mu (y a) = v a mu.
+
+Definition carried (X : derivation R) (f : R) : with_small_part R := (f, X f).
+
+(** Products are carried to products: that is the rule of Leibniz. *)
+Lemma carried_product X f h : carried X (f * h) = carried X f * carried X h.
+Proof. by rewrite /carried leibniz; congr pair; rewrite addrC. Qed.
+
+(** \f$\eta_\varepsilon^*x^\mu\f$ differentiated along a section, and the determinant of
+\f$\partial\eta_\varepsilon/\partial x\f$. *)
+Definition carried_jacobian (X : derivation R) : with_small_part R :=
+  \det (\matrix_(mu, nu) derivation_of_both_parts (D nu) (carried X (x mu))).
+
+(** The part without \f$\varepsilon\f$. *)
+Definition large_part (f : with_small_part R) : R := f.1.
+Lemma large_part_additive : additive large_part. Proof. by []. Qed.
+Lemma large_part_multiplicative : multiplicative large_part. Proof. by []. Qed.
+Canonical large_part_is_additive := Additive large_part_additive.
+Canonical large_part_is_rmorphism := AddRMorphism large_part_multiplicative.
+
+Lemma carried_jacobian_to_first_order X : carried_jacobian X = (1, \sum_mu D mu (X (x mu))).
+Proof.
+pose M := \matrix_(mu, nu) derivation_of_both_parts (D nu) (carried X (x mu)).
+have large : map_mx large_part M = 1%:M by apply/matrixP => mu nu; rewrite !mxE /large_part /= along_x.
+have := derivative_of_determinant (derivation_of_small_part R) M.
+move/(congr1 (fun f : with_small_part R => f.2)) => second.
+have one : (\det M).1 = 1 by rewrite -[LHS]/(large_part _) -det_map_mx large det1.
+rewrite /carried_jacobian -/M [LHS]surjective_pairing one; congr pair.
+have cofactors mu k : (\adj M mu k).1 = (mu == k)%:R.
+  have := map_mx_adj [rmorphism of large_part] M; rewrite large adjugate_of_one => /matrixP /(_ mu k).
+  by rewrite !mxE.
+rewrite -[LHS]/((derivation_of_small_part R (\det M)).2) second /mxtrace.
+have small_sum (I : finType) (f : I -> with_small_part R) : (\sum_i f i).2 = \sum_i (f i).2.
+  exact: (big_morph (fun f : with_small_part R => f.2) (fun _ _ => erefl) erefl).
+rewrite small_sum; apply: eq_bigr => mu _; rewrite mxE small_sum (bigD1 mu) //= big1 => [|k ne].
+  by rewrite cofactors eqxx mul1r !mxE /= mulr0 addr0 addr0.
+by rewrite cofactors eq_sym (negbTE ne) mul0r !mxE /= mulr0 addr0.
+Qed.
+
+(** The defect of equivariance of a family,
+\f$\eta_\varepsilon^*L\,\det(\partial\eta_\varepsilon/\partial x) - L\f$, is to first order \f$\varepsilon\f$
+times the rate \f$r = X(L) + L\,D_\mu\xi^\mu\f$: a density that is equivariant along the family has
+\f$r = 0\f$. That \f$r = 0\f$ makes a density equivariant under finite automorphisms needs flows, and is not
+proved here. *)
+Theorem claim_9_1_equivariance_to_first_order L X :
+  carried X L * carried_jacobian X = (L, equivariance_rate x D L X).
+Proof.
+rewrite carried_jacobian_to_first_order; congr pair; rewrite /= mulr1 //.
+by rewrite addrC.
+Qed.
+
+(** ** Noether's theorem for a family of symmetries
+
+Theorem 9.1.1 from the equivariance of the density, for a family to first order: along a solution the current
+\f$(j^1\phi)^*(X\lrcorner\Theta)\f$ is closed. *)
+Theorem thm_9_1_1_of_families L X :
+    (forall a mu nu, D mu (v a nu) = D nu (v a mu)) -> prolonged x y v D X ->
+    chain_rule x y v d_x d_y d_v L X -> (forall mu, chain_rule x y v d_x d_y d_v L (D mu)) ->
+    carried X L * carried_jacobian X = (L, 0) ->
+    (forall a, euler_lagrange d_y d_v D L a = 0) ->
+  \sum_kappa D kappa (cartan_form x y v d_v L (replaced D kappa X)) = 0.
+Proof.
+move=> mixed prolonged_X along_X along_D.
+rewrite claim_9_1_equivariance_to_first_order => -[symmetric_L] solves.
+under eq_bigr do rewrite noether_current_from_cartan_form //.
+exact: (eq_9_5 along_x along_y mixed prolonged_X along_X along_D symmetric_L solves).
+Qed.
+
+End Families.
 
 (** (6.8) with the printed sign fails for one field on a space-time with one dimension of the body, already
 for the density \f$L = y\f$ and the variation \f$\partial/\partial y\f$ of the section \f$y = 0\f$: the left

@@ -951,17 +951,21 @@ Qed.
 
 (** ** The value of the Legendre map
 
-Last line of the proof of theorem 4.3.1: \f$\mu = F\ell(f) = -R_f^*\ell'(f)\f$, with the minus of the physical
-momentum, is the spatial momentum with which the step from \f$g_k\f$ begins, \f$\mathbb L\f$ being an action.
-*)
-
+Last line of the proof of theorem 4.3.1, as printed: \f$\mu = R_{g_k}^*p_k = F\ell(f) = R_f^*\ell'(f)\f$ with
+\f$p_k = \partial\mathbb L/\partial g_k\f$. *)
 Theorem claim_4_3_legendre_map_value_of_matrices l gk gk1 : gk1 \in unitmx -> let f :=
   relative_motion_right gk gk1 in
+  differentiable l f -> R_star gk (first_differential (lift_right l) gk gk1) = right_differential l f.
+Proof. by move=> u f dl; have [-> ->] := eq_4_8_of_matrices u dl. Qed.
+
+(** The spatial momentum with which the step from \f$g_k\f$ begins, \f$\mathbb L\f$ being an action, is minus
+this value: \f$-R_f^*\ell'(f)\f$. *)
+Theorem physical_momentum_at_the_start l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
   differentiable l f ->
   spatial_momentum gk (start_momentum (lift_right l) gk gk1) = momentum_before_right l f.
 Proof.
 move=> u f dl; rewrite /spatial_momentum /start_momentum /R_star mulNmx -/(R_star _ _).
-by have [-> ->] := eq_4_8_of_matrices u dl.
+by rewrite claim_4_3_legendre_map_value_of_matrices.
 Qed.
 
 (** ** The reconstructed algorithm is the image of the discrete motion
@@ -986,7 +990,7 @@ have f_is : relative_motion_right (g k) (g k.+1) = f k.
   rewrite step /relative_motion_right /reconstruct_right inverse_product ?unitmx_inv // invmxK.
   by rewrite mulmxA mulmxV // mul1mx.
 have dl_k : differentiable l (relative_motion_right (g k) (g k.+1)) by rewrite f_is.
-have := claim_4_3_legendre_map_value_of_matrices (ug k.+1) dl_k; rewrite f_is -mu_is => <-.
+have := physical_momentum_at_the_start (ug k.+1) dl_k; rewrite f_is -mu_is => <-.
 by rewrite /spatial_momentum /R_star -mulmxA transpose_inverse // mulmx1.
 Qed.
 
@@ -1041,26 +1045,6 @@ have for_trace (R : comUnitRingType) (n : nat) (g : 'M[R]_n) : g \in unitmx ->
   by rewrite /= linear_differential /relative_motion_right mul1mx {1}/R_star trmx1 mulmx1.
 have unit_g : matrix_of 2 quarter_turn \in unitmx by decide_by_computation.
 by have := for_trace _ _ _ unit_g; decide_by_computation.
-Qed.
-
-(** ** The value of the Legendre map as printed
-
-Printed is \f$\mu = F\ell(f) = R_f^*\ell'(f)\f$. For an action this is minus the spatial momentum with which
-the step begins; a quarter turn of the plane with \f$\ell(f) = \mathrm{Tr}(f)\f$ shows it, on the skew
-matrices. *)
-Theorem claim_4_3_legendre_map_value_printed_fails :
-  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
-     orthogonal gk -> orthogonal gk1 -> let f := relative_motion_right gk gk1 in differentiable l f ->
-     agree (@skew R n) (spatial_momentum gk (start_momentum (lift_right l) gk gk1)) (right_differential l f)).
-Proof.
-move=> printed.
-have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
-    pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
-  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_right f 1%:M).
-  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  rewrite claim_4_3_legendre_map_value_of_matrices ?unitmx1 // eq_3_9_onto.
-  by rewrite /momentum_before_right /right_differential linear_differential.
-by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
 Qed.
 
 (** A free particle on a line: \f$q\f$ is the matrix \f$1 + qE_{12}\f$, of which products are sums of

@@ -311,16 +311,18 @@ Section 8.4: for an energy of the Green tensor with the slope \f$S\f$
 \f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = \mathcal P_a{}^i{}_{|i} -
 \frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a \f]
 with the covariant divergence of section 6.2, its index corrected. *)
-Theorem claim_8_4_elasticity_components (S : 'M[R]_n) a : J \is a GRing.unit -> S^T = S ->
+Theorem claim_8_4_elasticity_components (G S : 'M[R]_n) a :
+    G^T = G -> root_G ^+ 2 = \det G -> J \is a GRing.unit -> S^T = S ->
     W_g = slope_in_metric S F -> (forall b k, energy_slope d_v W b k = slope_in_gradient S g F b k) ->
   euler_lagrange d_y d_v D incompressible_density a
   = - (root_G * (rho * (\sum_b g a b * acceleration v d_y D g b)
-      - two_point_divergence v D root_G (christoffel g d_y) (first_piola_kirchhoff_stress d_v rho W) a
+      - two_point_divergence v D G (christoffel g d_y) (first_piola_kirchhoff_stress d_v rho W) a
       + \sum_k D_body k P * areas k a)).
 Proof.
-move=> unit_J symmetric_S W_gE W_FE.
+move=> symmetric_G root_of_G unit_J symmetric_S W_gE W_FE.
 have symmetric_W : W_g^T = W_g by rewrite W_gE /slope_in_metric !trmx_mul trmxK symmetric_S mulmxA.
-rewrite pressure_in_field_equations (eq_6_21 medium unit_J symmetric_W (S := S)) //; ring_identity.
+rewrite pressure_in_field_equations (eq_6_21 medium symmetric_G root_of_G unit_J symmetric_W (S := S)) //.
+ring_identity.
 Qed.
 
 End Incompressible.

@@ -119,8 +119,10 @@ Section Equations.
 Variables (R : comUnitRingType) (n N : nat).
 Variables (v : 'I_N -> 'I_n.+1 -> R) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R)
           (D : 'I_n.+1 -> derivation R).
-Variables (rho vol J : R) (g : 'M[R]_N) (W : R) (W_g : 'M[R]_N).
+Variables (rho vol J : R) (G : 'M[R]_n) (g : 'M[R]_N) (W : R) (W_g : 'M[R]_N).
 Hypothesis medium : is_medium v d_y d_v D rho vol g W W_g.
+Hypothesis symmetric_G : G^T = G.
+Hypothesis root_of_G : vol ^+ 2 = \det G.
 Hypothesis unit_J : J \is a GRing.unit.
 Hypothesis symmetric_slope : W_g^T = W_g.
 
@@ -166,19 +168,21 @@ Qed.
 (6.20): for every stored energy \f$W(x, G, g, v)\f$
 \f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = \mathcal P_a{}^i{}_{|i} +
 \gamma^b_{ac}\bigl(\mathcal P_b{}^jF_j{}^c - J\,g_{bd}\,\sigma^{dc}\bigr) \f]
-with the covariant divergence that obeys the rule of Leibniz: the Euler-Lagrange derivative of (6.3) is
+with the covariant divergence that obeys the rule of Leibniz, with the Christoffel symbols of both metrics:
+the Euler-Lagrange derivative of (6.3) is
 \f$-\sqrt{\det G}\f$ times the difference of the two sides. *)
 Theorem eq_6_20 a :
   euler_lagrange d_y d_v D (medium_density v rho vol g W) a
   = - (vol * (rho * (\sum_b g a b * acceleration v d_y D g b)
-      - (two_point_divergence v D vol gamma P a
+      - (two_point_divergence v D G gamma P a
          + \sum_b \sum_c gamma b a c * (\sum_j P b j * gradient_of v c j - J * \sum_e g b e * sigma e c)))).
 Proof.
 rewrite (eq_6_13 medium); congr (- (_ * _)).
 have -> : vol^-1 * (\sum_k D (along_body k) (rho * energy_slope d_v W a k * vol))
-          = \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol D vol j.
+          = \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol D G j.
   rewrite mulr_sumr -big_split; apply: eq_bigr => k _ /=; rewrite leibniz mulrDr.
-  rewrite mulrCA mulVr ?(volume_is_unit medium) // mulr1 /body_symbol /P /first_piola_kirchhoff_stress.
+  rewrite mulrCA mulVr ?(volume_is_unit medium) // mulr1 /P /first_piola_kirchhoff_stress.
+  rewrite (body_symbol_of_root D (two_is_unit medium) symmetric_G root_of_G (volume_is_unit medium)).
   by congr (_ + _); ring_identity.
 have -> : \sum_b \sum_c gamma b a c * (\sum_j P b j * gradient_of v c j - J * \sum_e g b e * sigma e c)
   = \sum_b \sum_c \sum_j P b j * gamma b a c * gradient_of v c j
@@ -197,7 +201,7 @@ Theorem eq_6_21 (S : 'M[R]_n) a :
     let F := \matrix_(b, k) gradient_of v b k in
     W_g = slope_in_metric S F -> (forall b k, energy_slope d_v W b k = slope_in_gradient S g F b k) ->
   euler_lagrange d_y d_v D (medium_density v rho vol g W) a
-  = - (vol * (rho * (\sum_b g a b * acceleration v d_y D g b) - two_point_divergence v D vol gamma P a)).
+  = - (vol * (rho * (\sum_b g a b * acceleration v d_y D g b) - two_point_divergence v D G gamma P a)).
 Proof.
 move=> F W_gE W_FE; rewrite eq_6_20.
 have vanishes b c : \sum_j P b j * gradient_of v c j - J * (\sum_e g b e * sigma e c) = 0.

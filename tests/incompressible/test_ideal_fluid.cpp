@@ -102,6 +102,15 @@ BOOST_AUTO_TEST_CASE(the_motion_alone_tells_the_slope_of_the_pressure) {
   // a'' = 0 and (1/a)'' = 2/a^3 = 1/4: the force on x2 alone, -x2/4 through F = 1/2.
   BOOST_TEST(std::abs(slope[0]) < 8 * eps);
   BOOST_TEST(std::abs(slope[1] + 0.1) < 8 * eps);
+  // Off the constraint: y = (2 x1, (3 + t^2) x2) at t = 0 has F = diag(2, 3) and J = 6, so that the force of
+  // 2 x2 asks for dP/dx2 = -3 * 2 x2 / 6 = -x2.
+  auto const swollen = [](auto const& x) {
+    using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
+    return Matrix<T, 2, 1>(T(x[1] * 2.0), T(x[2] * (x[0] * x[0] + 3.0)));
+  };
+  auto const off = required_pressure_gradient(fluid, second_jet(swollen, Vector<double, 3>(0, 0.5, 0.8)));
+  BOOST_TEST(std::abs(off[0]) < 8 * eps);
+  BOOST_TEST(std::abs(off[1] + 0.8) < 8 * eps);
   auto const flat = [](auto const& x) {
     using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
     return Matrix<T, 2, 1>(T(x[1]), T(x[1] * 2.0));

@@ -135,4 +135,14 @@ BOOST_AUTO_TEST_CASE(a_turning_disc_has_the_circulation_of_its_rotation) {
   // The vorticity form is twice the area form, r dr dtheta.
   BOOST_TEST(std::abs(material_vorticity(Euclidean<2>{}, second_jet(Turning{}, event))(0, 1) - 2 * event[1]) <
              1e-14);
+  // y = (x1 + 2 t x2, x2 + t x1) at t = 0: the velocity form is (2 x2, x1), with both slopes across.
+  auto const across = [](auto const& x) {
+    using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
+    return Matrix<T, 2, 1>(T(x[1] + x[0] * x[2] * 2.0), T(x[2] + x[0] * x[1]));
+  };
+  auto const vorticity =
+      material_vorticity(Euclidean<2>{}, second_jet(across, Vector<double, 3>(0, 0.4, 0.7)));
+  BOOST_TEST(std::abs(vorticity(0, 1) + 1) < 1e-14);
+  BOOST_TEST(std::abs(vorticity(1, 0) - 1) < 1e-14);
+  BOOST_TEST(vorticity.diagonal().norm() == 0);
 }

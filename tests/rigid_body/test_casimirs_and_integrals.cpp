@@ -65,6 +65,28 @@ BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_pfaffian_of_blocks_is_their_product) {
+  // Its sign is that of Pf ((0, 1), (-1, 0)) = 1, in every size.
+  for (int const n : {2, 4, 6, 8}) {
+    Matrix<rational, Dynamic, Dynamic> m = Matrix<rational, Dynamic, Dynamic>::Zero(n, n);
+    rational product(1);
+    for (int k = 0; k < n; k += 2) {
+      rational const entry(k + 2);
+      m(k, k + 1) = entry, m(k + 1, k) = -entry, product = product * entry;
+    }
+    BOOST_TEST_CONTEXT("size " << n) { BOOST_TEST((pfaffian(m) == product)); }
+    // The exchange of two rows, and of the columns with them, turns the sign.
+    m.row(0).swap(m.row(1)), m.col(0).swap(m.col(1));
+    BOOST_TEST_CONTEXT("size " << n) { BOOST_TEST((pfaffian(m) == -product)); }
+  }
+  // Pf = a12 a34 - a13 a24 + a14 a23.
+  Matrix<rational, Dynamic, Dynamic> m = Matrix<rational, Dynamic, Dynamic>::Zero(4, 4);
+  int entry = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) m(i, j) = rational(++entry), m(j, i) = -m(i, j);
+  BOOST_TEST((pfaffian(m) == rational(1 * 6 - 2 * 5 + 3 * 4)));
+}
+
 BOOST_AUTO_TEST_CASE(kept_by_the_scheme) {
   kept_along_the_scheme<3>();
   kept_along_the_scheme<4>();
