@@ -141,7 +141,9 @@ Companion companion_of(std::shared_ptr<SphereFlow const> const& flow, SphereSche
   for (auto const& [steps, in_words] : {std::pair(4, "four"), {3, "three"}, {2, "two"}}) try {
       stepped_vorticity(flow, scheme, steps * step)->advance(2);
       return {stepped_vorticity(flow, scheme, steps * step), steps, order, false,
-              fmt::format("estimated from a companion run with steps {} times as long", in_words)};
+              fmt::format("estimated from a companion run with steps {} times as long, relative to the "
+                          "vorticity of the flow",
+                          in_words)};
     } catch (NotContracting const&) {
       // So long a step is beyond the iteration.
     }
@@ -207,8 +209,11 @@ std::vector<Parameter> parameters() {
        "\"mixed\"; \"double\" for a layer",
        "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the change "
        "in a step, or double, to rounding, which takes several times as long. What the method conserves it "
-       "conserves to rounding in both. With double a run that goes back returns to where it began. A layer "
-       "(system.hamiltonian) takes double alone.",
+       "conserves to rounding in both, that of the absolute vorticity. Where what turns as a whole, as the "
+       "sphere does, has more than 16 times the vorticity of the rest of the flow, the rest is stepped apart "
+       "from it, to the rounding of its own and in double precision in either case; a remark says so. "
+       "With double a run that goes back returns to where it began. A layer (system.hamiltonian) takes double "
+       "alone.",
        "",
        "\"double\"",
        {"mixed", "double"}});
