@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "actio/scene/byte_order_mark.hpp"
 #include "actio/scene/systems/vorticity_input.hpp"
 
 namespace actio::scene {
@@ -67,6 +68,7 @@ SphereHarmonics read_harmonics_file(std::string const& path, int n) {
     throw SceneError({path}, "a table of harmonics is expected, this is no ordinary file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path + ": cannot be read");
+  skip_byte_order_mark(in);
   SphereHarmonics f(n);
   Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(n, n);
   int number = 0, last = 0;
