@@ -73,7 +73,7 @@ export function scenePicture(scene, name, caption, prefix) {
 /// The estimated error of a run, in short: of the attitude or configuration where it is known, otherwise of the momentum.
 function errorOf(summary) {
   const error = summary.error ?? {}, until = summary.error_until ?? {};
-  for (const [name, unit] of [['attitude', ' rad'], ['configuration', ''], ['momentum', '']]) {
+  for (const [name, unit] of [['attitude', ' rad'], ['configuration', ''], ['momentum', ''], ['vorticity', '']]) {
     if (typeof error[name] === 'number') return `${name} ${power(error[name])}${unit}`;
     if (name in until) return `${name} ${power(until[name].error)}${unit} until t = ${number(until[name].time)}`;
   }

@@ -89,6 +89,11 @@ BOOST_AUTO_TEST_CASE(a_file_of_coefficients_is_a_scene_with_these_rows) {
   folder.write("start.csv", rows);
   scene.initial = "file = \"start.csv\"";
   BOOST_TEST((run_in(folder, scene).rows == given.rows));
+  // A spreadsheet begins its tables with a mark.
+  folder.write("start.csv", "\xEF\xBB\xBF" + rows);
+  BOOST_TEST((run_in(folder, scene).rows == given.rows));
+  folder.write("start.csv", rows);
+  run_in(folder, scene);
   // The copy runs from anywhere, and resumes.
   BOOST_TEST(actio({"run", folder / "out/scene.toml", "--out", folder / "again"}).status == 0);
   BOOST_TEST(contents(folder / "again/series.csv") == contents(folder / "out/series.csv"));

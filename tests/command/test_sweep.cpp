@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(no_two_sweeps_run_in_one_folder) {
 BOOST_AUTO_TEST_CASE(ranges_lists_of_numbers_items_of_lists_and_files_give_the_values) {
   command::Folder const folder;
   std::string const scene = folder.write("apophis.toml", command::apophis()),
-                    values = folder.write("ends.txt", "# ends\n5\n\n10.0, 15\n");
+                    values = folder.write("ends.txt", "\xEF\xBB\xBF# ends\n5\n\n10.0, 15\n");
   auto const swept = [&](std::string const& over, std::string const& column) {
     auto const outcome =
         command::actio({"sweep", scene, "--over", over, "--out", folder / "sweep", "--force", "--quiet"});

@@ -132,7 +132,7 @@ std::vector<ErrorEstimate::Entry> ErrorEstimate::entries() const {
   std::vector<Entry> out;
   if (!estimates()) return out;
   if (companion_.attitude) out.push_back(entry(companion_.turn, companion_.unit, largest_[0]));
-  out.push_back(entry("momentum", "", largest_[1]));
+  out.push_back(entry(companion_.momentum, "", largest_[1]));
   if (companion_.vectors) out.push_back(entry("vectors", "", largest_[2]));
   for (auto const& name : companion_.without) {
     out.push_back({name});

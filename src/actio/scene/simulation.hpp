@@ -70,6 +70,7 @@ struct Companion {
   long control_steps = 0;                 ///< of the run to one of the control: a multiple of `steps`
   std::string turn = "attitude";          ///< what `StateDistance::attitude` is the distance of
   std::string unit = " rad";              ///< of that distance
+  std::string momentum = "momentum";      ///< what `StateDistance::momentum` is the distance of
   bool vectors = false;                   ///< whether vectors are carried
   std::vector<std::string> without = {};  ///< quantities that are asked for, and of which no error is told
 };

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <optional>
 
+#include "actio/scene/byte_order_mark.hpp"
 #include "actio/scene/scene_file.hpp"
 
 namespace actio::scene {
@@ -130,6 +131,7 @@ std::string read_values(std::string const& path, Place const& place) {
   if (!std::filesystem::exists(path, none))
     throw SceneError(place, "there is no file '" + shown(path, 200) + "' to read values from");
   std::ifstream in(path, std::ios::binary);
+  skip_byte_order_mark(in);
   std::string out;
   for (std::string line; std::getline(in, line);) {
     line = trimmed(line);

@@ -136,6 +136,9 @@ class SkewProducts {
           imaginary_.block(i, j, rows, columns) + imaginary_.block(j, i, columns, rows).transpose();
     });
   }
+  /// Calls `use(real, imaginary)` with the parts of the B of the last product, which it may change.
+  template <class Use>
+  void with_product(Use const& use) { use(real_, imaginary_); }
   /// E = B A = A W A with the A and the B of the last product: skew-Hermitian, so that half of it is
   /// computed.
   void multiply_again(SkewHermitian<Real> const& a, SkewHermitian<Real>& e) {

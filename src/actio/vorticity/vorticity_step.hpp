@@ -15,6 +15,10 @@
 //   all_invariants   the same, and A moved along the orbit by what takes energy and angular momentum back.
 //
 // The step is made in a frame that turns (turning_frame.hpp).
+//
+// On a sphere that turns fast nearly all of W is the planet's, and what belongs to the flow would be lost in
+// the rounding of it. There the state is what the flow has beside a zonal background bX, X = i hbar S_3, and
+// no number of the size of b is added to one of the flow (zonal_background.hpp).
 #pragma once
 
 #include <deque>
@@ -25,6 +29,7 @@
 #include "actio/vorticity/operator_radius.hpp"
 #include "actio/vorticity/past_steps.hpp"
 #include "actio/vorticity/step_setting.hpp"
+#include "actio/vorticity/zonal_background.hpp"
 
 namespace actio {
 
@@ -35,12 +40,14 @@ class VorticityStep : public StepSetting<Stream> {
  public:
   /// @param stream    of the Hamiltonian; referred to
   /// @param step      h, time; negative steps go back
-  /// @param products  how real matrices are multiplied
+  /// @param products    how real matrices are multiplied
+  /// @param background  what W has beside the state that is advanced; the frame turns about the third axis
   VorticityStep(Stream const& stream, Conserved conserved, double step, TurningFrame frame = {},
-                Products products = eigen_products())
+                Products products = eigen_products(), ZonalBackground background = {})
       : StepSetting<Stream>(stream, conserved, step, frame),
         products_(std::move(products)),
-        directions_(this->corrected_axes()) {}
+        directions_(this->corrected_axes()),
+        background_(background) {}
 
   /// Residuals of the equation are relative to |W|; below the default they are left to rounding.
   double tolerance = 0;
@@ -87,6 +94,9 @@ class VorticityStep : public StepSetting<Stream> {
   static constexpr int most_iterations = 200;
   static constexpr double rounding_ = 1e-13;
   static constexpr double smallest_size = 1e-140;
+  static constexpr double rounding_of_sums = 16 * std::numeric_limits<double>::epsilon();
+  /// Of |A||Wt|: [A, Wt] so small is near an equilibrium, or no direction at all.
+  static constexpr double small_commutator = 1e-3, smallest_commutator = 1e-5;
 
   /// Solves the equation of a step; false where no iteration contracts.
   bool find(SkewHermitian<> const& w, double size, VorticityReport& report) {
@@ -100,7 +110,7 @@ class VorticityStep : public StepSetting<Stream> {
     guess(w);
     middle_ = w;
     find_displacement(w);
-    products_.multiply(a_, middle_, commutator_);
+    multiply();
     return 2 * norm(commutator_) <= size;
   }
   /// @param eliminate  whether the middle is found by elimination
@@ -113,13 +123,10 @@ class VorticityStep : public StepSetting<Stream> {
       middle_ = w + increment_;
       find_displacement(w);
       if (eliminate)
-        eliminate_middle(a_, w, middle_);
+        eliminate_middle_of(w);
       else if (made == 1)
         relax = relaxation(w);
-      // [vorticity_products]
-      products_.multiply(a_, middle_, commutator_);  // [A, Wt], and A Wt beside it
-      products_.multiply_again(a_, remainder_);      // A Wt A
-      // [vorticity_products]
+      multiply();
       ++report.iterations;
       // Both unknowns: D = Wt - W_0, and half the change of W.
       // [vorticity_fixed_point]
@@ -150,6 +157,42 @@ class VorticityStep : public StepSetting<Stream> {
       increment_ = std::move(next), half_change_ = std::move(next_half);
     }
   }
+  /// The products of the equation of a step.
+  void multiply() {
+    // [vorticity_products]
+    products_.multiply(a_, middle_, commutator_);  // [A, Wt], and A Wt beside it
+    if (background_.is_there()) add_background();
+    products_.multiply_again(a_, remainder_);  // A Wt A
+    // [vorticity_products]
+    if (!background_.is_there()) return;
+    products_.with_product([&](auto& real, auto& imaginary) {
+      zonal_.add_outside(a_, real, imaginary, remainder_);
+    });
+    mirror_lower(remainder_);
+  }
+  void add_background() {
+    zonal_.add_commutators(a_, middle_, commutator_);
+    products_.with_product([&](auto& real, auto& imaginary) {
+      zonal_.add_to_product(a_, middle_, real, imaginary);
+    });
+  }
+  /// The middle of the A that was found, without an error.
+  void eliminate_middle_of(SkewHermitian<> const& w) {
+    if (!background_.is_there()) return eliminate_middle(a_, w, middle_);
+    // What there is without a flow apart from M is brought to the other side.
+    middle_ = SkewHermitian<>(w.size());
+    multiply();
+    SkewHermitian<> whole = a_;
+    zonal_.add_own(whole);
+    eliminate_middle(whole, w + commutator_ + remainder_, middle_);
+  }
+  /// The largest modulus of an eigenvalue of all of A.
+  double radius() const {
+    if (!background_.is_there()) return spectral_radius(a_);
+    SkewHermitian<> whole = a_;
+    zonal_.add_own(whole);
+    return spectral_radius(whole);
+  }
   /// The longest of some shorter steps from W that are found; each is half as long as the one before. Where A
   /// is eight times as large as one none is tried.
   double longest_from(SkewHermitian<> const& w, double size) {
@@ -158,7 +201,7 @@ class VorticityStep : public StepSetting<Stream> {
     guess(w);
     middle_ = w;
     find_displacement(w);
-    double part = std::min(1.0, 8 / spectral_radius(a_));
+    double part = std::min(1.0, 8 / radius());
     bool found = false;
     for (int tried = 0; tried < 20 && !found; ++tried) {
       part /= 2, eps_ = part * eps;
@@ -173,6 +216,7 @@ class VorticityStep : public StepSetting<Stream> {
 
   /// D and C as polynomials in time through the steps before.
   void guess(SkewHermitian<> const& w) {
+    if (background_.is_there()) zonal_ = ZonalTerms(sphere_, background_, eps_);
     increment_ = half_change_ = SkewHermitian<>(w.size());
     if (!past_.empty()) factors_.setZero();
     extrapolate(past_, [this](Past const& past, double weight) {
@@ -190,30 +234,39 @@ class VorticityStep : public StepSetting<Stream> {
     if (static_cast<int>(past_.size()) > extrapolated_steps) past_.pop_back();
   }
 
+  /// What P is taken of.
+  SkewHermitian<> source_of_stream(SkewHermitian<> const& w) const {
+    SkewHermitian<> source = of_energy() ? w + half_change_ : middle_;
+    if (!of_energy()) {
+      // What turns as a whole commutes with the rest, and the frame turns with it.
+      if (background_.is_there())
+        add_spin(sphere_, -1 / sphere_.spin_square() * spin_components(sphere_, source), source);
+      return source;
+    }
+    // The angular momentum that is conserved is left out of the change: where a planet turns fast, it would
+    // be amplified before it vanishes.
+    Eigen::Vector3d const change = spin_components(sphere_, half_change_);
+    for (auto const& e : directions_) add_spin(sphere_, -e.dot(change) / sphere_.spin_square() * e, source);
+    return source;
+  }
   /// A, from the middle and the factors as they are.
   void find_displacement(SkewHermitian<> const& w) {
     // [vorticity_displacement]
-    if (!of_energy()) {
-      stream_.solve(middle_, p_);
-    } else {
-      // The angular momentum that is conserved is left out of the change: where a planet turns fast, it would
-      // be amplified before it vanishes.
-      SkewHermitian<> mean = w + half_change_;
-      Eigen::Vector3d const change = spin_components(sphere_, half_change_);
-      for (auto const& e : directions_) add_spin(sphere_, -e.dot(change) / sphere_.spin_square() * e, mean);
-      stream_.solve(mean, p_);
-    }
-    this->subtract_turning(middle_, momentum_, p_);
+    stream_.solve(source_of_stream(w), p_);
+    if (!background_.is_there()) this->subtract_turning(middle_, momentum_, p_);
     a_ = eps_ * p_;
     // [vorticity_displacement]
-    if (directions_.empty()) return;
-    turned_.clear();
-    for (auto const& e : directions_) turned_.push_back(TurningFrame{e, 0}.turn(sphere_, middle_));
-    // [vorticity_along_orbit]
-    a_ += factors_[0] * half_change_;
-    for (std::size_t j = 0; j < turned_.size(); ++j)
-      a_ += factors_[static_cast<Eigen::Index>(j) + 1] * turned_[j];
-    // [vorticity_along_orbit]
+    if (!directions_.empty()) {
+      SkewHermitian<> whole = middle_;
+      if (background_.is_there()) zonal_.add_middle(whole);
+      turned_.clear();
+      for (auto const& e : directions_) turned_.push_back(TurningFrame{e, 0}.turn(sphere_, whole));
+      // [vorticity_along_orbit]
+      a_ += factors_[0] * half_change_;
+      for (std::size_t j = 0; j < turned_.size(); ++j)
+        a_ += factors_[static_cast<Eigen::Index>(j) + 1] * turned_[j];
+      // [vorticity_along_orbit]
+    }
   }
 
   /// What energy and angular momentum change by in the step, as a change of W; and a Newton step of the
@@ -239,25 +292,53 @@ class VorticityStep : public StepSetting<Stream> {
     };
     Eigen::MatrixXd gram(count, count);
     for (Eigen::Index i = 0; i < count; ++i)
-      for (Eigen::Index j = 0; j <= i; ++j)
-        gram(i, j) = gram(j, i) = inner_product(x(i), x(j)) / (scale[i] * scale[j]);
-    change = change.cwiseQuotient(scale);
-    factors_.head(count) += regular_solution(gram, change, 1e-8).cwiseQuotient(scale);
-    return change.norm();
+      for (Eigen::Index j = 0; j <= i; ++j) gram(i, j) = gram(j, i) = inner_product(x(i), x(j));
+    Eigen::VectorXd unit = scale, sought = change;
+    if (background_.is_there()) {
+      unit = leave_rounding(scale, gram, change);
+      sought = change;
+      // The part of P that belongs to the background, by the change of the angular momentum about its axis.
+      for (Eigen::Index j = 1; j < count; ++j)
+        sought[0] += zonal_.turn() * directions_[static_cast<std::size_t>(j) - 1][2] * change[j];
+    }
+    gram = unit.cwiseInverse().asDiagonal() * gram * unit.cwiseInverse().asDiagonal();
+    factors_.head(count) += regular_solution(gram, sought.cwiseQuotient(unit), 1e-8).cwiseQuotient(unit);
+    return change.cwiseQuotient(scale).norm();
+  }
+  /// Where a sphere turns fast, the X of the turns about the horizontal axes are longer by its rotation over
+  /// the flow. Beside them the others, by which energy and angular momentum along the axis are held, would be
+  /// left out, so that each X is taken in its own length. Near an equilibrium that of [A, Wt] is small, and
+  /// what is divided by it should be more than rounding.
+  /// @return  the lengths
+  Eigen::VectorXd leave_rounding(Eigen::VectorXd const& scale, Eigen::MatrixXd& gram,
+                                 Eigen::VectorXd& change) {
+    // What [A, Wt] is the sum of; the last of the X is that of the third axis.
+    double const most = norm(a_) * norm(middle_) / std::sqrt(double(sphere_.n)) +
+                        std::abs(zonal_.turn()) * norm(turned_.back()),
+                 part = norm(commutator_) / most;
+    if (part < small_commutator)
+      change = (change.array().abs() > rounding_of_sums * most * scale.array()).select(change, 0);
+    if (!(part > smallest_commutator)) gram.row(0).setZero(), gram.col(0).setZero(), factors_[0] = 0;
+    Eigen::VectorXd const lengths = gram.diagonal().cwiseSqrt();
+    return (lengths.array() > 0).select(lengths, 1);
   }
 
   /// That of the second-order iteration for a spectrum on the imaginary axis. Its radius is 2|A| by what A
   /// does to the middle; and where W is mostly a rotation with the rate r, P of a change of degree 2 turns it
   /// by hr/3.
   double relaxation(SkewHermitian<> const& w) const {
-    double const rate = spin_components(sphere_, w).norm() / sphere_.spin_square() / (2 * sphere_.hbar());
-    double const beta = 2 * spectral_radius(a_) + std::abs(step_) * rate / 3;
+    double const rate =
+        0.5 * (spin_components(sphere_, w).norm() / sphere_.spin_square() / sphere_.hbar() +
+               std::abs(background_.vorticity));
+    double const beta = 2 * radius() + std::abs(step_) * rate / 3;
     return 2 / (1 + std::sqrt(1 + beta * beta));
   }
 
   double momentum_ = 0;  ///< modulus of the spin components of W
   SkewProducts<double> products_;
   typename StepSetting<Stream>::Axes directions_;
+  ZonalBackground background_;
+  ZonalTerms zonal_;  ///< of the background, for the step
 
   SkewHermitian<> increment_, half_change_;  ///< the unknowns: D, and C where P is taken of it
   SkewHermitian<> middle_, p_, a_, commutator_, remainder_;

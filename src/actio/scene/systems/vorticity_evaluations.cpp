@@ -17,14 +17,15 @@ void define_quadratic_invariants(QuantityGraph& graph, VorticityMotion const& mo
   });
   graph.define("enstrophy", {""},
                [&motion](auto, double* out) { *out = enstrophy(motion.vorticity_but_for_rotation()); });
-  // The root of the integral of the square of a coordinate, times that of the vorticity: no flow has more.
+  // The root of the integral of the square of a coordinate, times that of the vorticity: no flow has more. It
+  // is that of the flow, beside which the momentum of the sphere's own rotation may be large.
   graph.define(
       "angular_momentum", column_ends(Quantity::Kind::vector),
       [&motion](auto, double* momentum) {
     Eigen::Map<Eigen::Vector3d>(momentum, 3) = motion.angular_momentum();
       },
       [&motion](auto, double const*, std::size_t) {
-    return std::sqrt(4 * M_PI / 3 * 2 * enstrophy(motion.absolute_vorticity()));
+    return std::sqrt(4 * M_PI / 3 * 2 * enstrophy(motion.vorticity_but_for_rotation()));
   });
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "actio/scene/byte_order_mark.hpp"
 #include "actio/scene/systems/vorticity_input.hpp"
 
 namespace actio::scene {
@@ -70,6 +71,7 @@ SphereHarmonics read_harmonics_file(std::string const& path, int n) {
 
 SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n) {
   std::istringstream in(text);
+  skip_byte_order_mark(in);
   SphereHarmonics f(n);
   Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(n, n);
   int number = 0, last = 0;
@@ -78,7 +80,6 @@ SphereHarmonics read_harmonics(std::string const& text, std::string const& path,
     if (!line.empty() && line.back() == '\r') line.pop_back();
     Place const here{path, static_cast<unsigned>(number), 1};
     if (number == 1) {
-      if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // the mark of UTF-8 that some editors write
       if (line != "l,m,re,im")
         throw SceneError(here, fmt::format("the heading l,m,re,im is expected, found '{}'", shown(line, 40)));
       continue;

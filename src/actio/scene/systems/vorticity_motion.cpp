@@ -1,5 +1,7 @@
 #include "actio/scene/systems/vorticity_motion.hpp"
 
+#include <fmt/format.h>
+
 #include "actio/scene/systems/vorticity_products.hpp"
 #include "actio/scene/systems/vorticity_stepped.hpp"
 
@@ -45,8 +47,8 @@ void remember_matrix(CheckpointStream& stream, SkewHermitian<Real>& w, int n) {
 template void remember_matrix(CheckpointStream&, SkewHermitian<double>&, int);
 
 StateDistance VorticityMotion::distance(Motion const& other) const {
-  auto const& w = absolute_vorticity();
-  return {0, norm(w - dynamic_cast<VorticityMotion const&>(other).absolute_vorticity()), norm(w)};
+  auto const w = vorticity_but_for_rotation();
+  return {0, norm(w - dynamic_cast<VorticityMotion const&>(other).vorticity_but_for_rotation()), norm(w)};
 }
 
 SphereStream::SphereStream(int n, SphereHamiltonian const& hamiltonian)
@@ -69,9 +71,60 @@ SphereFlow::SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphe
       frame(conserved == Conserved::energy_casimir && rotation != 0
                 ? frame_about_pole(sphere, stream, start, turning_back())
                 : calmest_frame(sphere, stream, start)),
-      products(products_of_flow(start, remarks)) {}
+      products(products_of_flow(start, remarks)) {
+  take_apart(relative, conserved);
+  if (apart.is_there() && norm(apart.flow) > 0)
+    remarks.push_back(fmt::format(
+        "what turns as a whole has {:.2g} times the vorticity of the rest of the flow, so that the steps are "
+        "made of the rest, in double precision",
+        apart.background.vorticity * std::sqrt(sphere.n / 3.0) / norm(apart.flow)));
+}
+
+/// b X with X = i hbar S_3 has the norm b sqrt(N/3).
+void SphereFlow::take_apart(SkewHermitian<> const& relative, Conserved conserved) {
+  Eigen::Vector3d const own =
+      spin_components(sphere, relative) / (sphere.spin_square() * sphere.hbar());  // of the function own . x
+  Eigen::Vector3d const pole = Eigen::Vector3d::UnitZ(), all = own + 2 * rotation * pole;
+  bool const about_pole = conserved == Conserved::energy_casimir && rotation != 0;
+  Eigen::Vector3d const axis = about_pole ? pole : Eigen::Vector3d(all.normalized()),
+                        held = about_pole ? Eigen::Vector3d(own[2] * pole) : own;
+  double const b = axis.dot(all);
+  SkewHermitian<> rest = relative;
+  add_spin(sphere, -sphere.hbar() * held, rest);
+  if (!(std::abs(b) * std::sqrt(sphere.n / 3.0) > fast * norm(rest))) return;
+  apart.relative = held;
+  if (double const sine = axis.cross(pole).norm(); sine > 0) {
+    apart.upright = {std::atan2(sine, axis[2]), axis.cross(pole) / sine};
+    rest = Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
+  } else if (axis[2] < 0) {
+    apart.upright = {M_PI, Eigen::Vector3d::UnitX()};
+    rest = Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
+  }
+  apart.flow = std::move(rest);
+  apart.background = {b, conserved == Conserved::lie_poisson ? 0 : calmest_stream(b)};
+  // Beside bX the stream function of all has -bX/(2 + gamma), which the frame takes away but for its part.
+  frame = {pole, apart.background.stream + hamiltonian.frame_rate(b / 2)};
+}
+
+double SphereFlow::calmest_stream(double b) const {
+  auto const turned = [&](SkewHermitian<> const& w) { return spin_commutator(sphere, 2, w); };
+  SkewHermitian<> const p = stream.solve(apart.flow), turns = turned(apart.flow);
+  double const size = sphere.hbar() * inner_product(turns, turns);
+  if (!(size > 0)) return 0;
+  SkewHermitian<> const moves = commutator(p, apart.flow) - b * sphere.hbar() * turned(p);
+  return -inner_product(moves, turns) / size;
+}
 
 double SphereFlow::fastest_turning() const {
+  if (apart.is_there()) {
+    SkewHermitian<> p = stream.solve(apart.flow);
+    add_spin(sphere, sphere.hbar() * apart.background.stream * Eigen::Vector3d::UnitZ(), p);
+    // What is not in the flow yet turns, too: waves of degree 2 by b/6. The frame of the Lie-Poisson form
+    // does not turn with the waves that are there.
+    bool const waves_turn = apart.background.stream == 0;
+    return std::max(FastVorticityStep<>::spectral_radius(p) / sphere.hbar(),
+                    std::abs(apart.background.vorticity) / (waves_turn ? 2 : 6));
+  }
   SkewHermitian<> p = stream.solve(start);
   add_spin(sphere, frame.rate * sphere.hbar() * frame.axis, p);
   return FastVorticityStep<>::spectral_radius(p) / sphere.hbar();
@@ -90,7 +143,8 @@ std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow co
   };
   if (flow->hamiltonian.layer())
     return with.template operator()<VorticityStep<HelmholtzStream>, HelmholtzStream>();
-  if (scheme.to_rounding) return with.template operator()<VorticityStep<>, SphereLaplacian>();
+  if (scheme.to_rounding || flow->apart.is_there())
+    return with.template operator()<VorticityStep<>, SphereLaplacian>();
   return with.template operator()<FastVorticityStep<>, SphereLaplacian>();
 }
 

@@ -26,7 +26,7 @@ class SteppedVorticity : public VorticityMotion {
         scheme_(std::move(scheme)),
         step_(step),
         steps_(substeps(step)),
-        w_(flow_->start) {}
+        w_(flow_->first_state()) {}
 
   void advance(long count) override {
     ahead_.reset();
@@ -68,27 +68,43 @@ class SteppedVorticity : public VorticityMotion {
   SkewHermitian<> vorticity_at_output() const override {
     TurningFrame const& frame = flow_->frame;
     double const t = time(), back = flow_->turning_back();
+    if (flow_->apart.is_there()) {
+      auto const& apart = flow_->apart;
+      SkewHermitian<> w = about_pole(frame.rate * t, state());
+      if (apart.upright.angle() != 0) w = tilt()(-apart.upright.angle(), w);
+      w = about_pole(-back * t, w);
+      add_function(w, Eigen::AngleAxisd(-back * t, Eigen::Vector3d::UnitZ()) * apart.relative);
+      return w;
+    }
     SkewHermitian<> w;
     if (frame.axis[0] == 0 && frame.axis[1] == 0) {
-      w = about_pole((frame.rate * frame.axis[2] - back) * t, absolute_vorticity());
+      w = about_pole((frame.rate * frame.axis[2] - back) * t, state());
     } else {
       if (!about_axis_) about_axis_.emplace(flow_->sphere, frame.axis);
-      w = about_pole(-back * t, (*about_axis_)(frame.rate * t, absolute_vorticity()));
+      w = about_pole(-back * t, (*about_axis_)(frame.rate * t, state()));
     }
-    subtract_rotation(w, Eigen::Vector3d::UnitZ());
+    add_function(w, -2 * flow_->rotation * Eigen::Vector3d::UnitZ());
     return w;
   }
   SkewHermitian<> vorticity_but_for_rotation() const override {
-    SkewHermitian<> w = absolute_vorticity();
-    if (flow_->rotation != 0)
-      subtract_rotation(
-          w, Eigen::AngleAxisd(-flow_->frame.rate * time(), flow_->frame.axis) * Eigen::Vector3d::UnitZ());
+    SkewHermitian<> w = state();
+    if (flow_->apart.is_there())
+      add_function(w, into_frame() * (flow_->apart.upright * flow_->apart.relative));
+    else if (flow_->rotation != 0)
+      add_function(w, into_frame() * (-2 * flow_->rotation * Eigen::Vector3d::UnitZ()));
     return w;
   }
-  SkewHermitian<> const& absolute_vorticity() const override { return ahead_ ? *ahead_ : w_; }
+  SkewHermitian<> absolute_vorticity() const override {
+    SkewHermitian<> w = state();
+    add_function(w, flow_->apart.background.vorticity * Eigen::Vector3d::UnitZ());
+    return w;
+  }
   Eigen::Vector3d angular_momentum() const override {
-    return Eigen::AngleAxisd(flow_->frame.rate * time(), flow_->frame.axis) *
-           sphere_momentum(absolute_vorticity());
+    Eigen::Vector3d const of_state = into_frame().inverse() * sphere_momentum(state());
+    if (!flow_->apart.is_there()) return of_state;
+    // The integral of the square of a coordinate is 4 pi/3.
+    return flow_->apart.upright.inverse() * of_state +
+           4 * M_PI / 3 * (flow_->apart.relative + 2 * flow_->rotation * Eigen::Vector3d::UnitZ());
   }
 
  private:
@@ -97,9 +113,14 @@ class SteppedVorticity : public VorticityMotion {
   std::vector<Step> substeps(double step) const {
     std::vector<Step> out;
     out.reserve(scheme_.fractions.size());
-    for (double const fraction : scheme_.fractions)
-      out.emplace_back(flow_->stream.template as<Stream>(), scheme_.conserved, fraction * step, flow_->frame,
-                       flow_->products);
+    for (double const fraction : scheme_.fractions) {
+      auto const& stream = flow_->stream.template as<Stream>();
+      if constexpr (requires(Step one) { one.half_change(); })
+        out.emplace_back(stream, scheme_.conserved, fraction * step, flow_->frame, flow_->products,
+                         flow_->apart.background);
+      else
+        out.emplace_back(stream, scheme_.conserved, fraction * step, flow_->frame, flow_->products);
+    }
     return out;
   }
   /// What a step guesses from.
@@ -126,9 +147,18 @@ class SteppedVorticity : public VorticityMotion {
   SkewHermitian<> about_pole(double angle, SkewHermitian<> const& w) const {
     return Turning(flow_->sphere, Eigen::Vector3d::UnitZ())(angle, w);
   }
-  /// \f$2\Omega\,x\cdot p\f$ with a direction p in the place of the pole.
-  void subtract_rotation(SkewHermitian<>& w, Eigen::Vector3d const& pole) const {
-    add_spin(flow_->sphere, -2 * flow_->rotation * flow_->sphere.hbar() * pole, w);
+  /// Adds \f$r\cdot x\f$.
+  void add_function(SkewHermitian<>& w, Eigen::Vector3d const& r) const {
+    add_spin(flow_->sphere, flow_->sphere.hbar() * r, w);
+  }
+  /// What is stepped.
+  SkewHermitian<> const& state() const { return ahead_ ? *ahead_ : w_; }
+  /// From axes that do not turn to those of the frame.
+  Eigen::AngleAxisd into_frame() const { return {-flow_->frame.rate * time(), flow_->frame.axis}; }
+  /// About the axis about which the axis of the frame was put upright.
+  Turning const& tilt() const {
+    if (!about_axis_) about_axis_.emplace(flow_->sphere, flow_->apart.upright.axis());
+    return *about_axis_;
   }
 
   /// Where a substep cannot be made, the vorticity is as it was.

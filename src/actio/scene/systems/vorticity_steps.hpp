@@ -1,6 +1,7 @@
 // A flow on the sphere in steps: of order 2, or symmetric compositions of them.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <variant>
 
@@ -39,6 +40,19 @@ struct SphereScheme {
   double longest() const;
 };
 
+/// A flow on a sphere that turns fast, apart from what turns as a whole (vorticity/zonal_background.hpp). It is
+/// stepped along axes of which the third is that of the frame.
+struct ApartFromPlanet {
+  ZonalBackground background;  ///< what turns as a whole, about the axis of the frame
+  SkewHermitian<> flow;        ///< the rest at the start, along the axes of the steps
+  Eigen::Vector3d relative;    ///< r in the part r . x of the relative vorticity that the background holds, at
+                               ///< the start, along the axes of the sphere; along fixed axes it stays
+  Eigen::AngleAxisd upright{0, Eigen::Vector3d::UnitX()};  ///< turns the axis of the frame to the third one
+
+  /// Whether there is one.
+  bool is_there() const { return background.is_there(); }
+};
+
 /// A flow, the frame that it is stepped in, and the frame that it is told in.
 struct SphereFlow {
   QuantizedSphere sphere;         ///< of the matrices
@@ -47,6 +61,7 @@ struct SphereFlow {
   double rotation;                ///< of the sphere, 1/time
   SkewHermitian<> start;          ///< the absolute vorticity
   TurningFrame frame;             ///< in which it is stepped
+  ApartFromPlanet apart;          ///< what is stepped in the place of it, where the sphere turns fast
   Products products;              ///< of the matrices of a step
 
   /// The frame turns about the angular momentum, at the rate at which the flow changes least. For the
@@ -58,11 +73,24 @@ struct SphereFlow {
   SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, SkewHermitian<> const& relative,
              Conserved conserved, std::vector<std::string>& remarks);
 
+  /// From so many times the vorticity of the rest on, what turns as a whole is kept apart from it. In their
+  /// sum a step in single precision rounds the flow as many times as much; and from some 300 times on it would
+  /// not hold energy and momentum any more: the eigenvalues that belong to them in the Gram matrix of
+  /// `OrbitMove` are smaller than the others by the square, and fall below its cut-off.
+  static constexpr double fast = 16;
+  /// With what the first step begins.
+  SkewHermitian<> const& first_state() const { return apart.is_there() ? apart.flow : start; }
+
   /// The rate at which the free flow turns back about the pole, seen from the sphere; 1/time.
   double turning_back() const { return hamiltonian.frame_rate(rotation); }
   /// \f$|P - Q|_2/\hbar\f$, the fastest turning of a vector by the equations of motion, 1/time: estimated by
   /// the method of Lanczos.
   double fastest_turning() const;
+
+ private:
+  void take_apart(SkewHermitian<> const& relative, Conserved conserved);
+  /// The part that the stream function has along the third axis in the frame in which the flow changes least.
+  double calmest_stream(double b) const;
 };
 
 /// A flow from its start, in steps.

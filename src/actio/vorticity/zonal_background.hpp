@@ -1,0 +1,94 @@
+// What turns as a whole, apart from the flow on it: the background of a step.
+//
+// On a sphere that turns fast W = bX + V with X = i hbar S_3, where b is many times as large as V. In the sum
+// V is lost in the rounding of bX, and energy and angular momentum of the flow with it. So a step can be made
+// of V alone. The displacement is A = A' + A_0 with A_0 = i a S_3, which commutes with X. Without a flow its
+// middle would be
+//
+//   M = (1 - A_0)^{-1} bX (1 + A_0)^{-1} = i diag(mu),   mu_k = b hbar s_k/(1 + a^2 s_k^2),   s_k of S_3,
+//
+// and what the equation of a step, Wt = W_0 + [A, Wt] + A Wt A, leaves for Vt = Wt - M is
+//
+//   Vt = V_0 + C + B A' + B A_0 + A_0 M A',   B = A Vt + A' M,   C = [A, Vt] + [A', M],   V_1 = V_0 + 2C.
+//
+// A' is of the size of V over b, so no term is larger than what V changes by in a step; and A_0, which is not
+// small, is kept out of the products of matrices, whose rounding is that of their largest entries. Products
+// with the diagonal matrices take O(N^2) operations.
+#pragma once
+
+#include "actio/vorticity/quantized_sphere.hpp"
+
+namespace actio {
+
+/// A rotation of the whole sphere about the third axis, of which a step keeps the flow apart.
+struct ZonalBackground {
+  double vorticity = 0;  ///< b, of the vorticity b x_3; 1/time
+  /// of the part b' x_3 that the stream function of the displacement has besides that of V, in the frame of
+  /// the step; 1/time
+  double stream = 0;
+
+  /// Whether there is one.
+  bool is_there() const { return vorticity != 0; }
+};
+
+/// The terms of the equation of a step that a background adds.
+class ZonalTerms {
+ public:
+  /// Of none.
+  ZonalTerms() = default;
+  /// @param eps  h/(2 hbar)
+  ZonalTerms(QuantizedSphere const& sphere, ZonalBackground const& background, double eps)
+      : scale_(background.vorticity * sphere.hbar()),
+        turn_(eps * background.stream * sphere.hbar()),
+        own_(sphere.n),
+        share_(sphere.n),
+        middle_(sphere.n) {
+    for (int k = 0; k < sphere.n; ++k) {
+      own_[k] = turn_ * sphere.weight(k), share_[k] = 1 / (1 + own_[k] * own_[k]);
+      middle_[k] = scale_ * sphere.weight(k) * share_[k];
+    }
+  }
+
+  double turn() const { return turn_; }  ///< a
+
+  /// Adds A_0.
+  void add_own(SkewHermitian<>& a) const { a.imaginary.diagonal() += own_; }
+  /// Adds M.
+  void add_middle(SkewHermitian<>& w) const { w.imaginary.diagonal() += middle_; }
+  /// Adds [A', M] + [A_0, Vt]: differences of entries of M or of A_0 are not found by subtraction.
+  void add_commutators(SkewHermitian<> const& a, SkewHermitian<> const& v, SkewHermitian<>& c) const {
+    for (Eigen::Index j = 0; j < a.size(); ++j)
+      for (Eigen::Index i = 0; i < a.size(); ++i) {
+        double const apart = static_cast<double>(i - j);
+        double const f = apart * scale_ * (1 - own_[i] * own_[j]) * share_[i] * share_[j], g = -apart * turn_;
+        c.real(i, j) -= f * a.imaginary(i, j) + g * v.imaginary(i, j);
+        c.imaginary(i, j) += f * a.real(i, j) + g * v.real(i, j);
+      }
+  }
+  /// Adds A_0 Vt + A' M to the parts of a product.
+  void add_to_product(SkewHermitian<> const& a, SkewHermitian<> const& v, SkewHermitian<>::Part& real,
+                      SkewHermitian<>::Part& imaginary) const {
+    for (Eigen::Index j = 0; j < a.size(); ++j) {
+      real.col(j) -= own_.cwiseProduct(v.imaginary.col(j)) + middle_[j] * a.imaginary.col(j);
+      imaginary.col(j) += own_.cwiseProduct(v.real.col(j)) + middle_[j] * a.real.col(j);
+    }
+  }
+  /// Adds B A_0 + A_0 M A' to what is on and below the diagonal, B being A Vt + A' M.
+  void add_outside(SkewHermitian<> const& a, SkewHermitian<>::Part const& real,
+                   SkewHermitian<>::Part const& imaginary, SkewHermitian<>& e) const {
+    Eigen::VectorXd const both = own_.cwiseProduct(middle_);
+    for (Eigen::Index j = 0; j < a.size(); ++j) {
+      auto const below = [rows = a.size() - j](auto&& column) { return column.tail(rows); };
+      below(e.real.col(j)) -= own_[j] * below(imaginary.col(j)) + below(both).cwiseProduct(below(a.real.col(j)));
+      below(e.imaginary.col(j)) +=
+          own_[j] * below(real.col(j)) - below(both).cwiseProduct(below(a.imaginary.col(j)));
+      e.real(j, j) = 0;
+    }
+  }
+
+ private:
+  double scale_ = 0, turn_ = 0;
+  Eigen::VectorXd own_, share_, middle_;  ///< a s_k, 1/(1 + a^2 s_k^2), mu_k
+};
+
+}  // namespace actio
