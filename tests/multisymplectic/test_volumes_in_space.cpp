@@ -1,5 +1,5 @@
-// Hexahedra that are no parallelepipeds: exact volumes and mean gradients, the patch test, rigid motions, gases
-// at rest, and what a motion conserves.
+// Hexahedra that are no parallelepipeds: exact volumes and mean gradients, the patch test, rigid motions,
+// gases at rest, and what a motion conserves.
 #include <boost/test/unit_test.hpp>
 
 #include <set>
