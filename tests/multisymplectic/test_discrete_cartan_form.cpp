@@ -78,7 +78,7 @@ Matrix<Q, N, 1> by_momenta(L const& density, SpaceTimeCell<Q, n, N> const& cell,
     auto const j = discrete_jet(cell, k);
     auto const p = momenta(density, j);
     int const corner = k % cell.corners;
-    // How the jet at k changes with the value at l: the place, the velocity, the edges.
+    // How the jet at k changes with the value at l: the place, the velocity, the edges, the correction.
     if (k == l) Theta += partial_y(density, j) * cell.volume(k);
     Matrix<Q, n + 1, 1> slope = Matrix<Q, n + 1, 1>::Zero();
     if (l % cell.corners == corner) slope[0] = (l < cell.corners ? Q(-1) : Q(1)) / cell.duration();
@@ -86,6 +86,9 @@ Matrix<Q, N, 1> by_momenta(L const& density, SpaceTimeCell<Q, n, N> const& cell,
       Q const change = l == (k ^ (1 << e)) ? Q(1) : l == k ? Q(-1) : Q(0);
       for (int i = 0; i < n; ++i) slope[1 + i] += change * cell.geometry->inverse_edges[corner](e, i);
     }
+    auto const& correction = cell.geometry->correction;
+    if (correction.any && k / cell.corners == l / cell.corners)
+      for (int i = 0; i < n; ++i) slope[1 + i] += correction.slopes(i, l % cell.corners);
     Theta += p * slope * cell.volume(k);
   }
   return Theta;
@@ -107,6 +110,12 @@ BOOST_AUTO_TEST_CASE(cartan_forms_are_the_momenta_of_the_density_on_the_edges_of
   auto const here = cell_of(mesh, drawn_section<2, 3>(mesh, draw), 0, {{1, 0}});
   for (int l = 0; l < here.nodes; ++l)
     BOOST_TEST((discrete_cartan_form(Everything{}, here, l) == by_momenta(Everything{}, here, l)));
+  // In space every value of a level is in every jet of it.
+  auto const space = bent_mesh<3>(Side::free);
+  auto const cell = cell_of(space, drawn_section<3, 2>(space, draw), 0, {{1, 0, 1}});
+  BOOST_TEST(cell.geometry->correction.any);
+  for (int l = 0; l < cell.nodes; l += 5)
+    BOOST_TEST((discrete_cartan_form(Everything{}, cell, l) == by_momenta(Everything{}, cell, l)));
 }
 
 BOOST_AUTO_TEST_CASE(

@@ -21,6 +21,7 @@ BOOST_AUTO_TEST_CASE(what_says_nothing_of_the_body_changes_nothing) {
   };
   for (char const* version : {"2", "2.0", "2.1"}) same(replaced(text, "2.2", version));
   same(replaced(text, "\"bottom\"", "\"bottom\" some_kind"));
+  same(replaced(text, "1 3 \"bottom\"", "1 3\"bottom\""));
   same("$Comments\n$MeshFormat\n$EndComments\n" + text);
   same(replaced(text, "$Nodes", "$Periodic\n1\n0 1 2\n1\n20 50\n$EndPeriodic\n$Nodes"));
   same(replaced(text, "50 0 1 0", "+50 1e-330 +1.0 -1e-400"));

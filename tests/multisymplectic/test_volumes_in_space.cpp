@@ -1,5 +1,5 @@
-// Hexahedra that are no parallelepipeds: exact volumes and mean gradients, the patch test, rigid motions, gases at
-// rest, and what a motion conserves.
+// Hexahedra that are no parallelepipeds: exact volumes and mean gradients, the patch test, rigid motions,
+// gases at rest, and what a motion conserves.
 #include <boost/test/unit_test.hpp>
 
 #include <set>
@@ -43,8 +43,8 @@ Matrix<S, 3, 8> bent_cube(Draw& draw) {
   return X;
 }
 
-/// The integral over the cube of det times one, and times the slopes of the hat functions, by Simpson's rule, which
-/// is exact for third powers of each coordinate: these have second ones.
+/// The integral over the cube of det times one, and times the slopes of the hat functions, by Simpson's rule,
+/// which is exact for third powers of each coordinate: these have second ones.
 struct BySimpson {
   Q volume{0};
   Matrix<Q, 3, 8> slopes = Matrix<Q, 3, 8>::Zero();
@@ -268,7 +268,7 @@ BOOST_AUTO_TEST_CASE(inner_nodes_follow_a_homogeneous_motion_of_the_rim) {
       if (!rim[k / d]) inside = std::max(inside, std::abs(f[k])), ++nodes;
     }
     BOOST_TEST(nodes > 0, name);
-    // A force is a sum over at most some tens of cells, each with eight points that are rounded some ten times.
+    // A force is a sum over at most some tens of cells, each with eight points rounded some ten times.
     BOOST_TEST(inside <= 300 * eps * all, name);
     double const exact = volume_of<d>(mesh) * Fibred{}(F);
     BOOST_TEST(std::abs(forces.stored(x) - exact) <= 1000 * eps * exact, name);
@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(rigid_motions_cost_no_energy_and_no_force) {
     R(0, 0) = R(1, 1) = 0.28, R(0, 1) = -0.96, R(1, 0) = 0.96;
     List<double> f;
     forces.forces(homogeneous<d>(mesh, R), 0, f);
-    // Strains are rounded by some ten times the places over the edges, of which there are at most ten on a body.
+    // Strains are rounded by some ten times the places over the edges; at most ten of these are on a body.
     for (double const one : f) BOOST_TEST(std::abs(one) <= 3000 * eps, name);
     BOOST_TEST(std::abs(forces.stored(homogeneous<d>(mesh, R))) <= 3000 * eps, name);
   });

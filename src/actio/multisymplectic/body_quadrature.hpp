@@ -224,8 +224,6 @@ class BodyQuadrature {
         if (correction.any) corrections.resize(cell);
         if (correction.any || !corrections.empty()) corrections.push_back(correction);
         ratio = correction.ratio;
-        if (!(ratio > 0))
-          throw InvertedCell(mesh.cell_name(cell), "a cell has a volume; over that of its corners", ratio, 0);
       }
     double const parts = simplex ? (d == 1 ? 1 : d == 2 ? 2 : 6) : corners;
     for (int p = 0; p < points_per_cell; ++p) {
@@ -237,6 +235,8 @@ class BodyQuadrature {
       double const volume = det / parts * ratio;
       points.push_back({inverse_matrix(A), volume, volume});
     }
+    if (!(ratio > 0))
+      throw InvertedCell(mesh.cell_name(cell), "a cell has a volume; over that of its corners", ratio, 0);
   }
   /// What varies over a cell: its means under the hat function of each corner, and that over the cell.
   struct Means {

@@ -72,6 +72,9 @@ CellGeometry<S, n> cell_geometry(Matrix<S, n, corners_of_cell<n>> const& places,
     geometry.inverse_edges[b] = inverse_matrix(edges, "cell_geometry");
     geometry.volume[b] = J / S(geometry.corners) * geometry.correction.ratio;
   }
+  S const& ratio = geometry.correction.ratio;
+  if (ordered_arithmetic<S>() && !(ratio > S(0)))
+    throw InvertedCell("cell " + name, "a cell has a volume; over that of its corners", to_double(ratio), 0);
   return geometry;
 }
 

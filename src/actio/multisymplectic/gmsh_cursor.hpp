@@ -64,13 +64,13 @@ class GmshCursor {
     skip_blanks();
     return left() == 0;
   }
-  /// The next word: what stands up to the next blank.
+  /// The next word: what stands up to the next blank, or to a quotation mark.
   /// @throws NotAGmshFile  where the file ends
   std::string_view word(char const* what) {
     skip_blanks();
     last_ = at_;
     if (left() == 0) fail(std::string("the file ends where ") + what + " should be");
-    while (at_ < text_.size() && !blank(text_[at_])) ++at_;
+    while (at_ < text_.size() && !blank(text_[at_]) && (at_ == last_ || text_[at_] != '"')) ++at_;
     return text_.substr(last_, at_ - last_);
   }
   /// The rest of the line, and on to the next one.
