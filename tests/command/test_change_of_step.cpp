@@ -7,6 +7,8 @@
 #include "long_scenes.hpp"
 #include "process.hpp"
 
+BOOST_AUTO_TEST_SUITE(change_of_step)
+
 namespace {
 
 using namespace command;
@@ -43,8 +45,6 @@ void interrupt(std::string const& scene, std::string const& out) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(change_of_step)
 
 // The error of the joined run is about that of the coarser of both steps, and what they differ by is about
 // that. Where the time did not go on as it should, loads, torques and frames that depend on it would tell,
@@ -160,11 +160,9 @@ BOOST_AUTO_TEST_CASE(rows_between_steps_stay_where_they_are) {
   Folder const folder;
   auto scene = steps;
   scene["step"] = "0.7", scene["until"] = "600000.3";
-  std::string const file = folder.write("long.toml", apophis(scene) + "\n[run]\nbetween_steps = true\n");
-  std::string text = contents(file);
-  text.erase(text.rfind("\n[run]\n"));
-  text.insert(text.find("every"), "between_steps = true\n");
-  folder.write("long.toml", text);
+  std::string text = apophis(scene);
+  text.insert(text.find("\nevery") + 1, "between_steps = true\n");
+  std::string const file = folder.write("long.toml", text);
   interrupt(file, folder / "joined");
   auto const joined = actio({"resume", folder / "joined", "--step", "0.45"});
   BOOST_TEST(joined.status == 0, joined.err);
