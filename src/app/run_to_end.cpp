@@ -32,6 +32,13 @@ std::string closing_line(Scene const& scene, RunFolder const& folder, RunReport 
   return line;
 }
 
+/// Of a run whose steps have become too long: the state of its last checkpoint may take shorter ones.
+std::string way_on(Scene const& scene, RunFolder const& folder, RunReport const& report) {
+  if (report.ending != Ending::numerics_failed || scene.simulation.exact || !folder.begun()) return "";
+  return fmt::format("; actio resume {} --step H goes on from the last checkpoint in shorter steps",
+                     in_shell(folder.path()));
+}
+
 }  // namespace
 
 int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet, Scene* before_change) {
@@ -47,7 +54,7 @@ int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet, S
     say(stderr,
         fmt::format("{}; actio resume {} goes on from there\n", report.message, in_shell(folder.path())));
   else if (!report.message.empty())
-    say(stderr, report.message + "\n");
+    say(stderr, report.message + way_on(scene, folder, report) + "\n");
   else if (!quiet)
     say(stdout, closing_line(scene, folder, report) + "\n");
   if (scene.plots && (report.ending == Ending::done || report.ending == Ending::interrupted))

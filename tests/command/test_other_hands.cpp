@@ -12,6 +12,8 @@
 #include "process.hpp"
 #include "sphere_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(other_hands)
+
 namespace {
 
 using namespace command;
@@ -95,8 +97,6 @@ std::string const on_mesh =
     "20000\nevery = 10\n[output]\nquantities = [\"energy\", \"momentum\"]\n";
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(other_hands)
 
 BOOST_AUTO_TEST_CASE(who_keeps_every_file_open_and_locked_leaves_run_and_resume_as_they_are) {
   Folder const folder;

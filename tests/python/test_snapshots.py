@@ -209,7 +209,8 @@ class Fields(unittest.TestCase):
                 actio.run(text=text).snapshots.to_xarray()
             fields, coordinates = kept.pop()
             sizes = {"time": len(coordinates["time"])}
-            for axes, numbers, _ in [*fields.values(), *(c for c in coordinates.values() if type(c) is tuple)]:
+            told = [*fields.values(), *(one for one in coordinates.values() if type(one) is tuple)]
+            for axes, numbers, _ in told:
                 self.assertEqual(len(axes), numbers.ndim)
                 for axis, size in zip(axes, numbers.shape):
                     self.assertEqual(sizes.setdefault(axis, size), size)

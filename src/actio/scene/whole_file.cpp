@@ -56,7 +56,7 @@ void WholeFile::name(bool durable) {
 
 bool has_its_name(int file, std::string const& path) {
   struct stat open, named;
-  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+  return ::fstat(file, &open) == 0 && open.st_nlink > 0 && ::stat(path.c_str(), &named) == 0 &&
          open.st_ino == named.st_ino;
 }
 void require_there(std::string const& path) {

@@ -23,9 +23,10 @@ class Snapshots(Mapping[str, NDArray[Any]]):
         run.snapshots.to_xarray()               # a Dataset, where xarray is installed
 
     Of a medium: place, velocity and what was asked for, at the nodes, whose points in the reference are the
-    coordinate "reference"; "cells" holds the nodes at the corners of each cell, in the order of VTK. Of a flow
-    on the sphere: vorticity and what was asked for over latitude and longitude in radians, and the coefficients
-    harmonics_re and harmonics_im of degree l and order m. The numbers are those of the tables, bit for bit.
+    coordinate "reference"; "cells" holds the nodes at the corners of each cell, in the order of VTK. Of a
+    flow on the sphere: vorticity and what was asked for over latitude and longitude in radians, and the
+    coefficients harmonics_re and harmonics_im of degree l and order m. The numbers are those of the tables,
+    bit for bit.
     """
 
     __slots__ = ("_held",)

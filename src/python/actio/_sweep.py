@@ -229,8 +229,8 @@ class _Crew:
             for path, mark in found._about["inputs"].items():
                 if self.inputs.setdefault(path, mark) != mark:
                     error = SceneError(
-                        f"{os.fsdecode(path)}: has changed since another member of the sweep was read with it,"
-                        " and numbers from both are not joined"
+                        f"{os.fsdecode(path)}: has changed since another member of the sweep was read with"
+                        " it, and numbers from both are not joined"
                     )
             if error is None and found.summary["status"] != "done":
                 error = Stopped("stopped before its end")

@@ -216,7 +216,8 @@ class System:
         step, order, method: of the method, which is one of `actio.systems()["euler_poincare"]["methods"]`.
         configuration: the matrix at the beginning; the identity where it is left out.
         quantities: what the rows hold, a name or several of `actio.quantities("euler_poincare")` and of
-            carried vectors; configuration, velocity, momenta, energy and the carried vectors where it is left out.
+            carried vectors; configuration, velocity, momenta, energy and the carried vectors where it is left
+            out.
         title: of the scene.
 
         All else that is left out has the default of the scene.

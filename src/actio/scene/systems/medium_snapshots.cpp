@@ -127,7 +127,7 @@ class MediumSnapshots : public SnapshotWriter {
     auto const numbers = mean_fields(medium_, frame.places, asked_, true);
     auto const one = MediumFrames<d>::one(frame.places, frame.velocities, asked_, numbers);
     std::vector<SnapshotArray> out;
-    auto const& all = frames("").fields();
+    auto const all = frames("").fields();
     for (std::size_t k = 0; k + 1 < all.size(); ++k) {
       SnapshotArray& array = out.emplace_back(array_of(all[k]));
       auto const found = one(k);
