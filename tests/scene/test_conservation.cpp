@@ -85,11 +85,14 @@ std::vector<Featured> media() {
     add({moved_side, held_side}, scene);
     scene = base, scene.load = own + (fluid ? ", " : "") + "gravity = \"0.3*y^2\"";
     add({potential}, scene);
-    scene = base, scene.load = own + (fluid ? ", " : "") + "traction.right = [0.05, 0.1]";
+    scene = base, scene.load = own + (fluid ? ", " : "") +
+                               (fluid ? "traction.right = [0.02, 0]" : "traction.right = [0.05, 0.1]");
+    scene.method = "step = 0.0025";
     add({traction}, scene);
     scene = base,
     scene.load = fluid ? "pressure = { left = 1, right = \"1 + 0.3*sin(5*t)\", top = 1, bottom = 1 }"
                        : "pressure.right = \"0.1 + 0.1*sin(5*t)\"";
+    scene.method = "step = 0.0025";
     add({pressure_on_a_side}, scene);
     scene = base, scene.mesh = periodic, scene.load = none;
     scene.velocity = "\"0.3*sin(2*pi*(X + 2*Y))\", \"0.3*sin(2*pi*(Y - X))\"";
@@ -109,7 +112,8 @@ std::vector<Featured> media() {
     scene.loop = "{ lower = [0, 0.25], upper = [0.5, 0.75] }";
     add({loop_at_a_side, held_side}, scene);
     scene = base, scene.load = "", scene.material = "name = \"tait\", B = 10, gamma = 2";
-    scene.system = "density = \"1 + 0.8*Y\"";
+    scene.system = "density = \"1 + 0.8*Y\"", scene.velocity = "\"0\", \"0\"";
+    scene.loop = "{ lower = [0.25, 0.25], upper = [0.5, 0.75] }", scene.method = "step = 0.000625";
     add({pressure_of_the_jacobian}, scene);
     // The pressure of a gas is a function of its density, however that varies.
     scene = base, scene.load = "", scene.mesh = periodic;

@@ -188,15 +188,15 @@ std::string combination(Eigen::VectorXd const& direction, std::vector<std::strin
 
 void require_regular(SceneTable const& system, ReducedScene const& scene) {
   LegendreVelocity legendre(*scene.system);
-  LeastRegular const least(legendre.hessian(scene.velocity, scene.start.vectors));
+  Eigen::MatrixXd const hessian = legendre.hessian(scene.velocity, scene.start.vectors);
   // Far below them, a quotient of one by them is beyond the numbers.
   constexpr double smallest = 1e-280;
-  if (least.largest > 0 && least.largest < smallest)
+  if (double const largest = hessian.cwiseAbs().maxCoeff(); largest > 0 && largest < smallest)
     system.fail("lagrangian",
-                fmt::format("lagrangian: its second derivatives at the start are {:.3g} at most, and "
-                            "at least {:.3g} is needed; a Lagrangian times a number has the same "
-                            "motion",
-                            least.largest, smallest));
+                fmt::format("lagrangian: its second derivatives at the start are {:.3g} at most, and at "
+                            "least {:.3g} is needed; a Lagrangian times a number has the same motion",
+                            largest, smallest));
+  LeastRegular const least(hessian);
   if (least.smallest > 1e-12 * least.largest) return;
   system.fail(
       "lagrangian",
