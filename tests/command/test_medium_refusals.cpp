@@ -189,14 +189,15 @@ BOOST_AUTO_TEST_CASE(a_step_that_becomes_unstable_ends_the_run) {
 // As a shock forms, viscosity allows less than it did at the start, and steps are made in parts.
 BOOST_AUTO_TEST_CASE(a_shock_with_viscosity_goes_to_its_end_with_the_default_step) {
   struct Tube {
-    char const *lower, *upper, *cells, *rest;
+    char const *lower, *upper, *cells, *sides;
   };
   Medium shock;
   shock.until = "0.2", shock.every = "";
   for (auto const& [lower, upper, cells, sides] :
        {Tube{"[-1]", "[1]", "[400]", ""},
         Tube{"[-1, 0]", "[1, 0.1]", "[60, 3]", ", bottom = \"sliding\", top = \"sliding\""},
-        Tube{"[-1, 0, 0]", "[1, 0.1, 0.1]", "[30, 2, 2]", ", bottom = \"sliding\", top = \"sliding\""}})
+        Tube{"[-1, 0, 0]", "[1, 0.1, 0.1]", "[30, 2, 2]",
+             ", bottom = \"sliding\", top = \"sliding\", front = \"sliding\", back = \"sliding\""}})
     for (char const* const viscosity :
          {"linear = 0.5, quadratic = 2", "linear = 8, quadratic = 2", "linear = 0, quadratic = 40"}) {
       shock.mesh =

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "actio/multisymplectic/fast_cell_3d.hpp"
-#include "actio/multisymplectic/stored_energies.hpp"
+#include "actio/multisymplectic/strain_energies.hpp"
 
 namespace actio::detail {
 

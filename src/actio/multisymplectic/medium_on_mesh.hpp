@@ -288,7 +288,7 @@ class MediumOnMesh {
   }
   /// A step, or where viscosity needs shorter ones so many equal parts of it that each is half as long as that
   /// allows. It allows less as a shock forms.
-  /// @throws ViscosityNeedsShorterSteps  where a thousand parts are not enough
+  /// @throws ViscosityNeedsShorterSteps  where more than a thousand parts would be needed
   LeastJacobian in_parts(double h, double end) {
     double const start = time();
     for (double parts = 1;;) try {
@@ -297,9 +297,9 @@ class MediumOnMesh {
           least = attempt(h / parts, start + (k - 1) / parts * h, k == parts ? end : start + k / parts * h);
         return least;
       } catch (ViscosityNeedsShorterSteps const& error) {
-        if (parts > 1000) throw;
-        put_back();
         parts = std::max(2 * parts, std::ceil(2 * h / error.bound));
+        if (!(parts <= 1000)) throw;
+        put_back();
       }
   }
   void put_back() { state_ = kept_, forces_ = kept_forces_; }
