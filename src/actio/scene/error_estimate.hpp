@@ -49,8 +49,8 @@ class ErrorEstimate {
 
   /// The largest error so far in one respect, or why none is told.
   struct Entry {
-    /// `attitude`, in radians; `configuration`, as `ReducedMotion` has the distance; `momentum` and `vectors`,
-    /// relative to the largest modulus that they have had; or a quantity of which no error is told
+    /// `attitude`, in radians; `configuration`, the distance that `ReducedMotion` has; `momentum` and
+    /// `vectors`, relative to the largest modulus that they have had; or a quantity of which no error is told
     std::string name;
     double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none is told
     std::string unit = "";                                    ///< " rad", or nothing

@@ -1,5 +1,7 @@
 #include "actio/scene/systems/reduced_motion.hpp"
 
+#include <Eigen/LU>
+
 #include "actio/scene/systems/galerkin_motion.hpp"
 
 namespace actio::scene {
