@@ -8,8 +8,8 @@
 namespace actio::scene {
 namespace {
 
-constexpr long exact_every = 16,  // rows: the closed form takes as long as some fifty steps
-    seldom = 64;                  // steps
+// In steps between two rows: the closed form takes as long as some fifty.
+constexpr long between_exact = 128, between_looks = 64;
 
 /// What rounding adds over so many steps.
 double rounding(long steps) {
@@ -49,17 +49,19 @@ double ErrorEstimate::Follower::factor(double beyond, int order) const {
 void ErrorEstimate::see(long row, double time, long steps, bool last) {
   if (!companion_.motion || lost_ || time == 0) return;
   try {
-    if (companion_.steps == 0) {
-      if (!last && row % exact_every != 0) return;
+    bool const exact = companion_.steps == 0;
+    bool const due =
+        last || row % (1 + (exact ? between_exact : between_looks) * row / std::max(1L, steps)) == 0;
+    if (exact) {
+      if (!due) return;
       companion_.motion->go_to(time);
       return compare(1, 1, steps, time);
     }
-    // Where they have no step, a shorter one goes to the row: as seldom as not to take long.
-    bool const due = last || row % (1 + seldom * row / std::max(1L, steps)) == 0;
     double factors[2] = {0, 0};
     for (int k = 0; k < (companion_.control ? 2 : 1); ++k) {
       Follower const one = k == 0 ? companion() : control();
       double const beyond = one.time_beyond(time, run_.step);
+      // Where they have no step, a shorter one goes to the row.
       if (beyond != 0 && !due) return;
       factors[k] = one.factor(beyond / run_.step, companion_.order);
       if (!(factors[k] >= 1)) return;  // a single step tells nothing of its own error

@@ -41,16 +41,16 @@ class ErrorEstimate {
 
   /// Moves the companions on with the run, which has made so many steps.
   void follow(long steps);
-  /// Compares the states at a row of the run, if that is due: where the companions have a step, otherwise at
-  /// rows that are some 64 steps apart, every sixteenth row where the companion is exact, and in the last row.
+  /// Compares the states at a row of the run, if that is due: where the companions have a step, and otherwise
+  /// at rows that are some 64 steps apart, some 128 where the companion is exact, and in the last row.
   /// @param time   of the row
   /// @param steps  of the run up to the row
   void see(long row, double time, long steps, bool last);
 
   /// The largest error so far in one respect, or why none is told.
   struct Entry {
-    /// `attitude`, in radians; `configuration`, relative, column by column; `momentum` and `vectors`,
-    /// relative to the largest modulus that they have had; or a quantity of which no error is told
+    /// `attitude`, in radians; `configuration`, the distance that `ReducedMotion` has; `momentum` and
+    /// `vectors`, relative to the largest modulus that they have had; or a quantity of which no error is told
     std::string name;
     double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none is told
     std::string unit = "";                                    ///< " rad", or nothing

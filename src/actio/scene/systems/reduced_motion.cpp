@@ -1,5 +1,7 @@
 #include "actio/scene/systems/reduced_motion.hpp"
 
+#include <Eigen/LU>
+
 #include "actio/scene/systems/galerkin_motion.hpp"
 
 namespace actio::scene {
@@ -112,8 +114,8 @@ StateDistance ReducedMotion::distance(Motion const& other) const {
   out.vectors = length_between(point().vectors, there.point().vectors);
   out.vectors_modulus = length(point().vectors);
   Eigen::MatrixXd const &g = configuration(), &h = there.configuration();
-  for (Eigen::Index j = 0; j < g.cols() && h.size() == g.size(); ++j)
-    out.attitude = std::max(out.attitude, (h.col(j) - g.col(j)).stableNorm() / g.col(j).stableNorm());
+  if (g.size() && g.size() == h.size())
+    out.attitude = Eigen::MatrixXd(g.partialPivLu().solve(h - g)).stableNorm() / std::sqrt(2.0);
   return out;
 }
 

@@ -20,8 +20,7 @@ class ReducedMotion : public Motion {
   virtual void advance_plainly(long steps) { advance(steps); }
   /// How momentum and vectors now change with those at the start; null where that is not followed.
   virtual Eigen::MatrixXd const* tangent() const { return nullptr; }
-  /// That of the configurations is the largest of their columns, relative to the length of the column: for a
-  /// rotation about the angle of a small turn.
+  /// That of the configurations is \f$|g^{-1}h - 1|_F/\sqrt2\f$: for a small turn in one plane, that turn.
   StateDistance distance(Motion const& other) const override;
 };
 
