@@ -63,8 +63,8 @@ void ErrorEstimate::compare(double factor, long steps) {
 std::vector<ErrorEstimate::Entry> ErrorEstimate::entries() const {
   if (empty()) return {};
   double const momentum = largest_.modulus > 0 ? largest_.momentum / largest_.modulus : 0;
-  if (!companion_.attitude) return {{"momentum", momentum}};
-  return {{"attitude", largest_.attitude}, {"momentum", momentum}};
+  if (!companion_.attitude) return {{companion_.state, momentum}};
+  return {{"attitude", largest_.attitude}, {companion_.state, momentum}};
 }
 
 std::string ErrorEstimate::how() const {

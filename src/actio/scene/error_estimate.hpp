@@ -37,7 +37,8 @@ class ErrorEstimate {
 
   /// The largest error so far of one quantity.
   struct Entry {
-    /// `attitude`, in radians, or `momentum`, relative to the largest modulus that it has had
+    /// `attitude`, in radians, or `momentum`, or what else the system calls it, relative to the largest
+    /// modulus that it has had
     std::string name;
     double error;  ///< in that unit
   };

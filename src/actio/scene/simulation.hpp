@@ -55,6 +55,7 @@ struct Companion {
   bool attitude = true;  ///< whether the attitude is reconstructed
   /// in words, for the reader of the estimate; where there is no companion: why not
   std::string how;
+  std::string state = "momentum";  ///< what `StateDistance::momentum` is the distance of
 };
 
 /// A system that is ready to run. Its quantities look at its motion, and were asked for.

@@ -143,7 +143,8 @@ Companion companion_of(std::shared_ptr<SphereFlow const> const& flow, SphereSche
       return {stepped_vorticity(flow, scheme, steps * step), steps, order, false,
               fmt::format("estimated from a companion run with steps {} times as long, relative to the "
                           "vorticity of the flow",
-                          in_words)};
+                          in_words),
+              "vorticity"};
     } catch (NotContracting const&) {
       // So long a step is beyond the iteration.
     }
