@@ -82,11 +82,10 @@ BOOST_AUTO_TEST_CASE(what_is_conserved_is_so_relative_to_the_flow_at_every_rotat
       SkewHermitian<> v = start;
       VorticityStep<> step(laplacian, conserved, 0.4 / b, apart.frame, eigen_products(), apart.background);
       for (int k = 0; k < steps; ++k) step.advance(v);
-      double const energy =
-                       std::abs(vorticity_energy(laplacian, v) / vorticity_energy(laplacian, start) - 1),
+      double const energy = std::abs(vorticity_energy(laplacian, v) / vorticity_energy(laplacian, start) - 1),
                    squares = std::abs(enstrophy(v) / enstrophy(start) - 1);
-      Eigen::Vector3d const momentum = (sphere_momentum(v) - sphere_momentum(start)) /
-                                       std::sqrt(4 * M_PI / 3 * 2 * enstrophy(start));
+      Eigen::Vector3d const momentum =
+          (sphere_momentum(v) - sphere_momentum(start)) / std::sqrt(4 * M_PI / 3 * 2 * enstrophy(start));
       BOOST_TEST_MESSAGE(name(conserved) << ", b = " << b << ": energy " << energy << ", enstrophy "
                                          << squares << ", momentum " << momentum.norm());
       double const bound = steps * n * eps;
@@ -113,8 +112,8 @@ BOOST_AUTO_TEST_CASE(waves_stay_in_their_frame_in_steps_of_any_length) {
         VorticityStep<> step(laplacian, conserved, h, apart.frame, eigen_products(), apart.background);
         for (int k = 0; k < 3; ++k) step.advance(v);
         // Where the middle is eliminated, rounding is that of a system of the size 2N.
-        BOOST_TEST(norm(v - wave) <= 64 * n * eps * norm(wave), "b = " << b << ", h b = " << h * b << ": "
-                                                                      << norm(v - wave) / norm(wave));
+        BOOST_TEST(norm(v - wave) <= 64 * n * eps * norm(wave),
+                   "b = " << b << ", h b = " << h * b << ": " << norm(v - wave) / norm(wave));
       }
 }
 

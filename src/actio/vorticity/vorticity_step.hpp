@@ -27,6 +27,7 @@
 #include "actio/vorticity/cayley_middle.hpp"
 #include "actio/vorticity/laplacian.hpp"
 #include "actio/vorticity/operator_radius.hpp"
+#include "actio/vorticity/orbit_correction.hpp"
 #include "actio/vorticity/past_steps.hpp"
 #include "actio/vorticity/step_setting.hpp"
 #include "actio/vorticity/zonal_background.hpp"
@@ -94,9 +95,6 @@ class VorticityStep : public StepSetting<Stream> {
   static constexpr int most_iterations = 200;
   static constexpr double rounding_ = 1e-13;
   static constexpr double smallest_size = 1e-140;
-  static constexpr double rounding_of_sums = 16 * std::numeric_limits<double>::epsilon();
-  /// Of |A||Wt|: [A, Wt] so small is near an equilibrium, or no direction at all.
-  static constexpr double small_commutator = 1e-3, smallest_commutator = 1e-5;
 
   /// Solves the equation of a step; false where no iteration contracts.
   bool find(SkewHermitian<> const& w, double size, VorticityReport& report) {
@@ -123,7 +121,7 @@ class VorticityStep : public StepSetting<Stream> {
       middle_ = w + increment_;
       find_displacement(w);
       if (eliminate)
-        eliminate_middle_of(w);
+        find_middle(w);
       else if (made == 1)
         relax = relaxation(w);
       multiply();
@@ -161,37 +159,26 @@ class VorticityStep : public StepSetting<Stream> {
   void multiply() {
     // [vorticity_products]
     products_.multiply(a_, middle_, commutator_);  // [A, Wt], and A Wt beside it
-    if (background_.is_there()) add_background();
+    if (background_.is_there()) zonal_.add_to_product(a_, middle_, products_, commutator_);
     products_.multiply_again(a_, remainder_);  // A Wt A
     // [vorticity_products]
-    if (!background_.is_there()) return;
-    products_.with_product([&](auto& real, auto& imaginary) {
-      zonal_.add_outside(a_, real, imaginary, remainder_);
-    });
-    mirror_lower(remainder_);
+    if (background_.is_there()) zonal_.add_outside(a_, products_, remainder_);
   }
-  void add_background() {
-    zonal_.add_commutators(a_, middle_, commutator_);
-    products_.with_product([&](auto& real, auto& imaginary) {
-      zonal_.add_to_product(a_, middle_, real, imaginary);
-    });
+  /// A with its part of the background.
+  SkewHermitian<> whole_displacement() const {
+    SkewHermitian<> a = a_;
+    if (background_.is_there()) zonal_.add_own(a);
+    return a;
   }
   /// The middle of the A that was found, without an error.
-  void eliminate_middle_of(SkewHermitian<> const& w) {
-    if (!background_.is_there()) return eliminate_middle(a_, w, middle_);
-    // What there is without a flow apart from M is brought to the other side.
-    middle_ = SkewHermitian<>(w.size());
-    multiply();
-    SkewHermitian<> whole = a_;
-    zonal_.add_own(whole);
-    eliminate_middle(whole, w + commutator_ + remainder_, middle_);
-  }
-  /// The largest modulus of an eigenvalue of all of A.
-  double radius() const {
-    if (!background_.is_there()) return spectral_radius(a_);
-    SkewHermitian<> whole = a_;
-    zonal_.add_own(whole);
-    return spectral_radius(whole);
+  void find_middle(SkewHermitian<> start) {
+    if (background_.is_there()) {
+      // What there would be without a flow in the middle is brought to the other side.
+      middle_ = SkewHermitian<>(start.size());
+      multiply();
+      start += commutator_, start += remainder_;
+    }
+    eliminate_middle(whole_displacement(), start, middle_);
   }
   /// The longest of some shorter steps from W that are found; each is half as long as the one before. Where A
   /// is eight times as large as one none is tried.
@@ -201,7 +188,7 @@ class VorticityStep : public StepSetting<Stream> {
     guess(w);
     middle_ = w;
     find_displacement(w);
-    double part = std::min(1.0, 8 / radius());
+    double part = std::min(1.0, 8 / spectral_radius(whole_displacement()));
     bool found = false;
     for (int tried = 0; tried < 20 && !found; ++tried) {
       part /= 2, eps_ = part * eps;
@@ -256,81 +243,32 @@ class VorticityStep : public StepSetting<Stream> {
     if (!background_.is_there()) this->subtract_turning(middle_, momentum_, p_);
     a_ = eps_ * p_;
     // [vorticity_displacement]
-    if (!directions_.empty()) {
-      SkewHermitian<> whole = middle_;
-      if (background_.is_there()) zonal_.add_middle(whole);
-      turned_.clear();
-      for (auto const& e : directions_) turned_.push_back(TurningFrame{e, 0}.turn(sphere_, whole));
-      // [vorticity_along_orbit]
-      a_ += factors_[0] * half_change_;
-      for (std::size_t j = 0; j < turned_.size(); ++j)
-        a_ += factors_[static_cast<Eigen::Index>(j) + 1] * turned_[j];
-      // [vorticity_along_orbit]
-    }
+    if (directions_.empty()) return;
+    SkewHermitian<> whole = middle_;
+    if (background_.is_there()) zonal_.add_middle(whole);
+    turned_.clear();
+    for (auto const& e : directions_) turned_.push_back(TurningFrame{e, 0}.turn(sphere_, whole));
+    // [vorticity_along_orbit]
+    a_ += factors_[0] * half_change_;
+    for (std::size_t j = 0; j < turned_.size(); ++j)
+      a_ += factors_[static_cast<Eigen::Index>(j) + 1] * turned_[j];
+    // [vorticity_along_orbit]
   }
 
   /// What energy and angular momentum change by in the step, as a change of W; and a Newton step of the
   /// factors against it.
-  ///
-  /// A moves along X_0 = C and X_j = [iS_j, Wt], which are the commutators of eps(P - Q) and iS_j with Wt:
-  /// the changes of the invariants are <eps(P - Q), C> and <iS_j, C>, their derivatives in the factors minus
-  /// the inner products of the X.
   double correct() {
-    if (directions_.empty()) return 0;
-    auto const count = static_cast<Eigen::Index>(turned_.size()) + 1;
-    Eigen::VectorXd change(count), scale(count);
-    // [vorticity_changes]
-    change[0] = eps_ * inner_product(p_, commutator_), scale[0] = std::abs(eps_) * norm(p_);
-    // [vorticity_changes]
-    double const spin = std::sqrt(sphere_.n / 3.0) / sphere_.hbar();
-    for (Eigen::Index j = 1; j < count; ++j) {
-      auto const& e = directions_[static_cast<std::size_t>(j) - 1];
-      change[j] = e.dot(spin_components(sphere_, commutator_)), scale[j] = spin;
-    }
-    auto const x = [&](Eigen::Index j) -> SkewHermitian<> const& {
-      return j == 0 ? commutator_ : turned_[static_cast<std::size_t>(j) - 1];
-    };
-    Eigen::MatrixXd gram(count, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-      for (Eigen::Index j = 0; j <= i; ++j) gram(i, j) = gram(j, i) = inner_product(x(i), x(j));
-    Eigen::VectorXd unit = scale, sought = change;
-    if (background_.is_there()) {
-      unit = leave_rounding(scale, gram, change);
-      sought = change;
-      // The part of P that belongs to the background, by the change of the angular momentum about its axis.
-      for (Eigen::Index j = 1; j < count; ++j)
-        sought[0] += zonal_.turn() * directions_[static_cast<std::size_t>(j) - 1][2] * change[j];
-    }
-    gram = unit.cwiseInverse().asDiagonal() * gram * unit.cwiseInverse().asDiagonal();
-    factors_.head(count) += regular_solution(gram, sought.cwiseQuotient(unit), 1e-8).cwiseQuotient(unit);
-    return change.cwiseQuotient(scale).norm();
-  }
-  /// Where a sphere turns fast, the X of the turns about the horizontal axes are longer by its rotation over
-  /// the flow. Beside them the others, by which energy and angular momentum along the axis are held, would be
-  /// left out, so that each X is taken in its own length. Near an equilibrium that of [A, Wt] is small, and
-  /// what is divided by it should be more than rounding.
-  /// @return  the lengths
-  Eigen::VectorXd leave_rounding(Eigen::VectorXd const& scale, Eigen::MatrixXd& gram,
-                                 Eigen::VectorXd& change) {
-    // What [A, Wt] is the sum of; the last of the X is that of the third axis.
-    double const most = norm(a_) * norm(middle_) / std::sqrt(double(sphere_.n)) +
-                        std::abs(zonal_.turn()) * norm(turned_.back()),
-                 part = norm(commutator_) / most;
-    if (part < small_commutator)
-      change = (change.array().abs() > rounding_of_sums * most * scale.array()).select(change, 0);
-    if (!(part > smallest_commutator)) gram.row(0).setZero(), gram.col(0).setZero(), factors_[0] = 0;
-    Eigen::VectorXd const lengths = gram.diagonal().cwiseSqrt();
-    return (lengths.array() > 0).select(lengths, 1);
+    return correct_factors(sphere_, {eps_, p_, a_, middle_, commutator_, directions_, turned_},
+                           background_.is_there() ? std::optional(zonal_.turn()) : std::nullopt, factors_);
   }
 
   /// That of the second-order iteration for a spectrum on the imaginary axis. Its radius is 2|A| by what A
   /// does to the middle; and where W is mostly a rotation with the rate r, P of a change of degree 2 turns it
   /// by hr/3.
   double relaxation(SkewHermitian<> const& w) const {
-    double const rate =
-        0.5 * (spin_components(sphere_, w).norm() / sphere_.spin_square() / sphere_.hbar() +
-               std::abs(background_.vorticity));
-    double const beta = 2 * radius() + std::abs(step_) * rate / 3;
+    double const rate = 0.5 * (spin_components(sphere_, w).norm() / sphere_.spin_square() / sphere_.hbar() +
+                               std::abs(background_.vorticity));
+    double const beta = 2 * spectral_radius(whole_displacement()) + std::abs(step_) * rate / 3;
     return 2 / (1 + std::sqrt(1 + beta * beta));
   }
 

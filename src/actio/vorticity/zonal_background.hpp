@@ -16,6 +16,7 @@
 // with the diagonal matrices take O(N^2) operations.
 #pragma once
 
+#include "actio/vorticity/products.hpp"
 #include "actio/vorticity/quantized_sphere.hpp"
 
 namespace actio {
@@ -55,8 +56,16 @@ class ZonalTerms {
   void add_own(SkewHermitian<>& a) const { a.imaginary.diagonal() += own_; }
   /// Adds M.
   void add_middle(SkewHermitian<>& w) const { w.imaginary.diagonal() += middle_; }
-  /// Adds [A', M] + [A_0, Vt]: differences of entries of M or of A_0 are not found by subtraction.
-  void add_commutators(SkewHermitian<> const& a, SkewHermitian<> const& v, SkewHermitian<>& c) const {
+  /// Adds A_0 Vt + A' M to the product A' Vt, and [A', M] + [A_0, Vt] to its commutator: there differences of
+  /// entries of M or of A_0 are not found by subtraction.
+  void add_to_product(SkewHermitian<> const& a, SkewHermitian<> const& v, SkewProducts<double>& products,
+                      SkewHermitian<>& c) const {
+    products.with_product([&](auto& real, auto& imaginary) {
+      for (Eigen::Index j = 0; j < a.size(); ++j) {
+        real.col(j) -= own_.cwiseProduct(v.imaginary.col(j)) + middle_[j] * a.imaginary.col(j);
+        imaginary.col(j) += own_.cwiseProduct(v.real.col(j)) + middle_[j] * a.real.col(j);
+      }
+    });
     for (Eigen::Index j = 0; j < a.size(); ++j)
       for (Eigen::Index i = 0; i < a.size(); ++i) {
         double const apart = static_cast<double>(i - j);
@@ -65,25 +74,20 @@ class ZonalTerms {
         c.imaginary(i, j) += f * a.real(i, j) + g * v.real(i, j);
       }
   }
-  /// Adds A_0 Vt + A' M to the parts of a product.
-  void add_to_product(SkewHermitian<> const& a, SkewHermitian<> const& v, SkewHermitian<>::Part& real,
-                      SkewHermitian<>::Part& imaginary) const {
-    for (Eigen::Index j = 0; j < a.size(); ++j) {
-      real.col(j) -= own_.cwiseProduct(v.imaginary.col(j)) + middle_[j] * a.imaginary.col(j);
-      imaginary.col(j) += own_.cwiseProduct(v.real.col(j)) + middle_[j] * a.real.col(j);
-    }
-  }
-  /// Adds B A_0 + A_0 M A' to what is on and below the diagonal, B being A Vt + A' M.
-  void add_outside(SkewHermitian<> const& a, SkewHermitian<>::Part const& real,
-                   SkewHermitian<>::Part const& imaginary, SkewHermitian<>& e) const {
+  /// Adds B A_0 + A_0 M A' to B A', B being the product.
+  void add_outside(SkewHermitian<> const& a, SkewProducts<double>& products, SkewHermitian<>& e) const {
     Eigen::VectorXd const both = own_.cwiseProduct(middle_);
-    for (Eigen::Index j = 0; j < a.size(); ++j) {
-      auto const below = [rows = a.size() - j](auto&& column) { return column.tail(rows); };
-      below(e.real.col(j)) -= own_[j] * below(imaginary.col(j)) + below(both).cwiseProduct(below(a.real.col(j)));
-      below(e.imaginary.col(j)) +=
-          own_[j] * below(real.col(j)) - below(both).cwiseProduct(below(a.imaginary.col(j)));
-      e.real(j, j) = 0;
-    }
+    products.with_product([&](auto& real, auto& imaginary) {
+      for (Eigen::Index j = 0; j < a.size(); ++j) {
+        auto const below = [rows = a.size() - j](auto&& column) { return column.tail(rows); };
+        below(e.real.col(j)) -=
+            own_[j] * below(imaginary.col(j)) + below(both).cwiseProduct(below(a.real.col(j)));
+        below(e.imaginary.col(j)) +=
+            own_[j] * below(real.col(j)) - below(both).cwiseProduct(below(a.imaginary.col(j)));
+        e.real(j, j) = 0;
+      }
+    });
+    mirror_lower(e);
   }
 
  private:

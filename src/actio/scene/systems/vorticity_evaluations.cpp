@@ -1,4 +1,5 @@
 // How the quantities of a flow on the sphere come from its motion.
+#include <algorithm>
 #include <cmath>
 
 #include "actio/scene/systems/vorticity_powers.hpp"
@@ -18,14 +19,17 @@ void define_quadratic_invariants(QuantityGraph& graph, VorticityMotion const& mo
   graph.define("enstrophy", {""},
                [&motion](auto, double* out) { *out = enstrophy(motion.vorticity_but_for_rotation()); });
   // The root of the integral of the square of a coordinate, times that of the vorticity: no flow has more. It
-  // is that of the flow, beside which the momentum of the sphere's own rotation may be large.
+  // is that of the flow, beside which the momentum of the sphere's own rotation may be large; but not so small
+  // that the rounding of that is all there is to see.
   graph.define(
       "angular_momentum", column_ends(Quantity::Kind::vector),
       [&motion](auto, double* momentum) {
     Eigen::Map<Eigen::Vector3d>(momentum, 3) = motion.angular_momentum();
       },
       [&motion](auto, double const*, std::size_t) {
-    return std::sqrt(4 * M_PI / 3 * 2 * enstrophy(motion.vorticity_but_for_rotation()));
+    return std::sqrt(4 * M_PI / 3 * 2 *
+                     std::max(enstrophy(motion.vorticity_but_for_rotation()),
+                              1e-20 * enstrophy(motion.absolute_vorticity())));
   });
 }
 

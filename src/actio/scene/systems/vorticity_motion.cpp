@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "actio/scene/systems/vorticity_products.hpp"
 #include "actio/scene/systems/vorticity_stepped.hpp"
 
@@ -73,11 +76,17 @@ SphereFlow::SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphe
                 : calmest_frame(sphere, stream, start)),
       products(products_of_flow(start, remarks)) {
   take_apart(relative, conserved);
-  if (apart.is_there() && norm(apart.flow) > 0)
-    remarks.push_back(fmt::format(
-        "what turns as a whole has {:.2g} times the vorticity of the rest of the flow, so that the steps are "
-        "made of the rest, in double precision",
-        apart.background.vorticity * std::sqrt(sphere.n / 3.0) / norm(apart.flow)));
+  if (!apart.is_there()) return;
+  if (double const other = outweighed(apart.flow, Eigen::Vector3d::UnitZ()); other > 0)
+    remarks.push_back(
+        fmt::format("what turns as a whole has {:.2g} times the vorticity of the rest of the flow, or of what "
+                    "of it depends on the longitude, so that the steps are made of the rest, in double "
+                    "precision",
+                    std::abs(apart.background.vorticity) * std::sqrt(sphere.n / 3.0) / other));
+}
+
+double SphereFlow::outweighed(SkewHermitian<> const& rest, Eigen::Vector3d const& axis) const {
+  return std::min(norm(rest), norm(TurningFrame{axis, 0}.turn(sphere, rest)));
 }
 
 /// b X with X = i hbar S_3 has the norm b sqrt(N/3).
@@ -91,15 +100,13 @@ void SphereFlow::take_apart(SkewHermitian<> const& relative, Conserved conserved
   double const b = axis.dot(all);
   SkewHermitian<> rest = relative;
   add_spin(sphere, -sphere.hbar() * held, rest);
-  if (!(std::abs(b) * std::sqrt(sphere.n / 3.0) > fast * norm(rest))) return;
+  if (!(std::abs(b) * std::sqrt(sphere.n / 3.0) > fast * outweighed(rest, axis))) return;
   apart.relative = held;
-  if (double const sine = axis.cross(pole).norm(); sine > 0) {
+  if (double const sine = axis.cross(pole).norm(); sine > 0)
     apart.upright = {std::atan2(sine, axis[2]), axis.cross(pole) / sine};
-    rest = Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
-  } else if (axis[2] < 0) {
-    apart.upright = {M_PI, Eigen::Vector3d::UnitX()};
-    rest = Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
-  }
+  else if (axis[2] < 0)
+    apart.upright.angle() = M_PI;
+  if (apart.upright.angle() != 0) rest = Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
   apart.flow = std::move(rest);
   apart.background = {b, conserved == Conserved::lie_poisson ? 0 : calmest_stream(b)};
   // Beside bX the stream function of all has -bX/(2 + gamma), which the frame takes away but for its part.

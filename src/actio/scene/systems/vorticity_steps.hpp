@@ -45,8 +45,8 @@ struct SphereScheme {
 struct ApartFromPlanet {
   ZonalBackground background;  ///< what turns as a whole, about the axis of the frame
   SkewHermitian<> flow;        ///< the rest at the start, along the axes of the steps
-  Eigen::Vector3d relative;    ///< r in the part r . x of the relative vorticity that the background holds, at
-                               ///< the start, along the axes of the sphere; along fixed axes it stays
+  Eigen::Vector3d relative;  ///< r in the part r . x of the relative vorticity that the background holds, at
+                             ///< the start, along the axes of the sphere; along fixed axes it stays
   Eigen::AngleAxisd upright{0, Eigen::Vector3d::UnitX()};  ///< turns the axis of the frame to the third one
 
   /// Whether there is one.
@@ -73,10 +73,11 @@ struct SphereFlow {
   SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, SkewHermitian<> const& relative,
              Conserved conserved, std::vector<std::string>& remarks);
 
-  /// From so many times the vorticity of the rest on, what turns as a whole is kept apart from it. In their
-  /// sum a step in single precision rounds the flow as many times as much; and from some 300 times on it would
-  /// not hold energy and momentum any more: the eigenvalues that belong to them in the Gram matrix of
-  /// `OrbitMove` are smaller than the others by the square, and fall below its cut-off.
+  /// From so many times the vorticity of the rest on, or of what of it depends on the longitude, what turns as
+  /// a whole is kept apart. In their sum a step in single precision rounds the flow as many times as much; and
+  /// it would not hold energy and momentum any more: the eigenvalues that belong to them in the Gram matrix of
+  /// `OrbitMove` are smaller than the others by about the square, and from some 300 times on they fall below
+  /// its cut-off, for a jet that hardly depends on the longitude as for any flow on a sphere that turns fast.
   static constexpr double fast = 16;
   /// With what the first step begins.
   SkewHermitian<> const& first_state() const { return apart.is_there() ? apart.flow : start; }
@@ -89,6 +90,8 @@ struct SphereFlow {
 
  private:
   void take_apart(SkewHermitian<> const& relative, Conserved conserved);
+  /// What a rotation about an axis is compared with.
+  double outweighed(SkewHermitian<> const& rest, Eigen::Vector3d const& axis) const;
   /// The part that the stream function has along the third axis in the frame in which the flow changes least.
   double calmest_stream(double b) const;
 };
