@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(who_keeps_every_file_open_and_locked_leaves_run_and_resume_
 
 BOOST_AUTO_TEST_CASE(who_looks_while_the_run_goes_on_finds_whole_files_with_ever_more_snapshots) {
   Folder const folder;
-  std::string const scene = folder.write("sphere.toml", flow("1e5").text()), out = folder / "out",
+  std::string const scene = folder.write("sphere.toml", flow("3000").text()), out = folder / "out",
                     fields = out + "/snapshots/fields.nc";
   Process run({"run", scene, "--out", out, "--quiet"});
   BOOST_REQUIRE(appears(fields));
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_taken_away_ends_the_run_which_says_which_and
     int resumes;  // the status of `resume` afterwards
     std::string then;
   };
-  std::string const sphere = flow("1e5").text();
+  std::string const sphere = flow("3000").text();
   for (auto const& [text, file, says, resumes, then] :
        std::vector<Taken>{{sphere, "series.csv", "was removed", 4, "is not there any more"},
                           {sphere, "series.h5", "was removed", 4, "is not there any more"},
