@@ -97,9 +97,7 @@ MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watc
   options.quiet = true, options.stop = std::move(watch.stop), options.watch = std::move(watch.see);
   if (out.with_snapshots) {
     out.snapshots = begun(*scene.simulation.snapshots, static_cast<double>(scene.snapshots->rows()));
-    options.snapshot = [&](double time) {
-      out.snapshots.add(time, scene.simulation.snapshots->fields());
-    };
+    options.snapshot = [&](double time) { out.snapshots.add(time, scene.simulation.snapshots->fields()); };
   }
   out.report = scene::run_in_memory(scene, out.table, options);
   // One that ended early has set aside more than it took.

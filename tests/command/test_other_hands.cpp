@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(members_of_a_sweep_have_the_same_mesh_or_are_not_run) {
   folder.write("m.msh", mesh("1 1"));
   std::string const scene = folder.write("body.toml", on_mesh), out = folder / "sweep";
   std::vector<std::string> const arguments{"sweep",  scene, "--over", "system.material.mu=1,1.5",
-                                           "--jobs", "1",   "--quiet"};
+                                           "--jobs", "1"};
   auto with_out = [&](std::string const& name) {
     auto all = arguments;
     all.insert(all.end(), {"--out", folder / name});
