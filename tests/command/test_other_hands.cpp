@@ -94,7 +94,7 @@ std::string const on_mesh =
     "[system]\nkind = \"elastic_body\"\nmesh = { file = \"m.msh\" }\nmaterial = { name = \"neo_hookean\", mu "
     "= "
     "1, kappa = 2 }\n[initial]\nvelocity = [\"0.1*X\", \"-0.1*Y\"]\n[method]\nstep = 0.05\n[run]\nuntil = "
-    "20000\nevery = 10\n[output]\nquantities = [\"energy\", \"momentum\"]\n";
+    "200000\nevery = 100\n[output]\nquantities = [\"energy\", \"momentum\"]\n";
 
 }  // namespace
 
