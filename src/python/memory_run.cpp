@@ -96,9 +96,8 @@ MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watc
   RunOptions options;
   options.quiet = true, options.stop = std::move(watch.stop), options.watch = std::move(watch.see);
   if (out.with_snapshots) {
-    SnapshotWriter const& writer = *scene.simulation.snapshots;
-    out.snapshots = begun(writer, static_cast<double>(scene.snapshots->rows()));
-    options.snapshot = [&](double time) { out.snapshots.add(time, writer.fields()); };
+    out.snapshots = begun(*scene.simulation.snapshots, static_cast<double>(scene.snapshots->rows()));
+    options.snapshot = [&](double time) { out.snapshots.add(time, scene.simulation.snapshots->fields()); };
   }
   out.report = scene::run_in_memory(scene, out.table, options);
   // One that ended early has set aside more than it took.
