@@ -222,6 +222,8 @@ def main():
         for k, (status, late, wrong, said) in enumerate(results):
             statuses[status] += 1
             late_ones += late
+            if (k + 1) % 1000 == 0:
+                print(f"{k + 1} of {given.count}: statuses {dict(sorted(statuses.items(), key=str))}", flush=True)
             if wrong:
                 faults.append(k)
                 print(f"{k}: {wrong}: {said.decode(errors='replace').strip()[:300]}", flush=True)

@@ -423,7 +423,10 @@ class Arguments(unittest.TestCase):
         plain = actio.run(text=SCENE, set={"method.order": 4, "run.every": 5.0})
         for table in [
             types.MappingProxyType({"method.order": 4, "run.every": 5.0}),
-            {"method": {"order": 4, "step": 0.25}, "run": types.MappingProxyType({"until": 25, "every": 5.0})},
+            {
+                "method": {"order": 4, "step": 0.25},
+                "run": types.MappingProxyType({"until": 25.0, "every": 5.0}),
+            },
             collections.OrderedDict({"method.order": 4, "run.every": 5.0}),
             collections.ChainMap({"method.order": 4}, {"run.every": 5.0}),
         ]:

@@ -186,9 +186,9 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said_at_its_place) {
 
 BOOST_AUTO_TEST_CASE(a_name_that_nothing_uses_is_refused_with_the_nearest) {
   check_refused("{ c = 6 }", "{ c = 6, C = 5 }",
-                "own.toml:5:25: parameters: 'C' does not occur in the lagrangian; did you mean 'c'?");
+                "own.toml:5:27: parameters: 'C' does not occur in the lagrangian; did you mean 'c'?");
   check_refused("{ c = 6 }", "{ c = 6, mass = 5 }",
-                "own.toml:5:28: parameters: 'mass' does not occur in the lagrangian");
+                "own.toml:5:30: parameters: 'mass' does not occur in the lagrangian");
   check_refused("(w^2 +", "m = 2; (w^2 +",
                 "own.toml:4:15: 'm' is defined, and nothing in the formula uses it");
   check_refused("(w^2 +", "m = 2; k = m; (w^2 +", "own.toml:4:22: 'k' is defined");
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(a_name_that_nothing_uses_is_refused_with_the_nearest) {
       "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\ntorque = { potential = \"k = 2; j = 3; "
       "-k*r33\" }\n[initial]\nangular_velocity = [1, 0, 0]\n[run]\nuntil = 1\n[output]\nquantities = "
       "[\"energy\"]\n";
-  check_said(refusal(body, "own.toml"), "own.toml:4:34: potential: 'j' is defined, and nothing");
+  check_said(refusal(body, "own.toml"), "own.toml:4:32: potential: 'j' is defined, and nothing");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_near_the_group_is_told_and_what_is_too_small_is_refused) {

@@ -81,7 +81,7 @@ class QuantityGraph {
     double terms = 0,  ///< the moduli of what it is made of, added up; 0: its own modulus
         rounding = 0,  ///< terms up to this size are rounding, and the system is at rest
         at_rest = 0;   ///< the unit then: what the quantity is where the system moves at its own pace
-    Unit() = default;
+    Unit() = default;  ///< no terms
     /// Terms that are never rounding alone.
     Unit(double of_terms) : terms(of_terms) {}  // NOLINT(google-explicit-constructor)
     /// With the unit at rest.

@@ -113,7 +113,8 @@ class _Writer:
         self.open.append(id(value))
         if isinstance(value, Mapping):
             entries = [(key, item) for key, item in _entries(value, self.where) if item is not None]
-            text = "{" + ", ".join(f"{_key(key, self.where)} = {self.write(item)}" for key, item in entries) + "}"
+            written = [f"{_key(key, self.where)} = {self.write(item)}" for key, item in entries]
+            text = "{" + ", ".join(written) + "}"
         else:
             text = "[" + ", ".join([self.write(item) for item in value]) + "]"
         self.open.pop()

@@ -66,12 +66,13 @@ class Observed {
   QuantityGraph::Unit unit(double terms, double per_speed) {
     return {terms, rounding * per_speed * sound(), per_speed * sound()};
   }
-  /// Of energies.
+  /// Of energies. What is stored where nothing moves is rounding, of terms that cancel.
   QuantityGraph::Unit unit(BodyEnergies const& e) {
     double mass = 0;
     for (std::size_t k = 0; k < motion().cells().nodes(); ++k) mass += motion().mass(k);
-    double const at_rest = mass * sound() * sound();
-    return {e.kinetic + std::abs(e.stored) + std::abs(e.loads), rounding * rounding * at_rest, at_rest};
+    double const at_rest = mass * sound() * sound(), sum = e.kinetic + std::abs(e.stored) + std::abs(e.loads);
+    bool const rests = e.kinetic <= rounding * rounding * at_rest && sum <= 1e-13 * at_rest;
+    return {rests ? 0 : sum, 0, at_rest};
   }
 
  private:
