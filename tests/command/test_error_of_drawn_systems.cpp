@@ -208,23 +208,6 @@ std::vector<std::vector<double>> columns(Table const& table, std::string const& 
     if (column.rfind(name + "_", 0) == 0) out.push_back(table[column]);
   return out;
 }
-/// The solution of a x = b.
-Square solved(Square a, Square b) {
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k; i < a.size(); ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    std::swap(a[k], a[pivot]), std::swap(b[k], b[pivot]);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      if (i == k) continue;
-      double const f = a[i][k] / a[k][k];
-      for (std::size_t j = 0; j < a.size(); ++j) a[i][j] -= f * a[k][j], b[i][j] -= f * b[k][j];
-    }
-  }
-  for (std::size_t k = 0; k < a.size(); ++k)
-    for (double& x : b[k]) x /= a[k][k];
-  return b;
-}
 /// The largest error until a time.
 double error_of(std::string const& name, Drawn const& drawn, Table const& found, Table const& truth,
                 double until) {
@@ -250,11 +233,8 @@ double error_of(std::string const& name, Drawn const& drawn, Table const& found,
       for (std::size_t k = 0; k < a.size(); ++k) apart += std::pow(a[k][row] - b[k][row], 2);
       most = std::max(most, std::sqrt(apart / 2));
     } else {
-      // |g^-1 h - 1|, where h is the truth.
-      most = std::max(
-          most, norm(solved(matrix(found, name, drawn.n, row),
-                            plus(matrix(truth, name, drawn.n, row), -1, matrix(found, name, drawn.n, row)))) /
-                    std::sqrt(2.0));
+      Square const g = matrix(found, name, drawn.n, row), h = matrix(truth, name, drawn.n, row);
+      most = std::max(most, difference(g, h) / norm(h) * std::sqrt(drawn.n / 2.0));
     }
   }
   return name == "momentum" ? most / modulus : most;

@@ -1,7 +1,5 @@
 #include "actio/scene/systems/reduced_motion.hpp"
 
-#include <Eigen/LU>
-
 #include "actio/scene/systems/galerkin_motion.hpp"
 
 namespace actio::scene {
@@ -115,7 +113,7 @@ StateDistance ReducedMotion::distance(Motion const& other) const {
   out.vectors_modulus = length(point().vectors);
   Eigen::MatrixXd const &g = configuration(), &h = there.configuration();
   if (g.size() && g.size() == h.size())
-    out.attitude = Eigen::MatrixXd(g.partialPivLu().solve(h - g)).stableNorm() / std::sqrt(2.0);
+    out.attitude = (h - g).stableNorm() / g.stableNorm() * std::sqrt(static_cast<double>(g.cols()) / 2);
   return out;
 }
 
