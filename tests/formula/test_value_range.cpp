@@ -20,7 +20,7 @@ std::vector<std::string> const formulas{"0.8*exp(-((t - 3)/0.1)^2)",
                                         "log(1 + t) - log2(2 + t) + log10(1 + t)",
                                         "asin(t/10) + acos(t/10) + atan(t) + tan(t/7)",
                                         "sinh(t/3) - cosh(t - 2) + asinh(t) + acosh(1 + t)",
-                                        "atanh(t/10) + t^1.5 - (t - 3)^-2 + (t - 3)^5",
+                                        "atanh(t/10) + t^1.5 - 1/(t - 3)^2 + (t - 3)^5",
                                         "t*t - t*t*t + pi"};
 
 }  // namespace
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(values_and_derivatives_lie_within_their_bounds) {
         tape(&t, y, work);
         for (int i = 0; i < 3; ++i) {
           double const rounding = 1e-12 * (1 + std::abs(y[i]));
-          BOOST_TEST((y[i] >= bounds[i].lower() - rounding && y[i] <= bounds[i].upper() + rounding),
+          BOOST_TEST(!(y[i] < bounds[i].lower() - rounding || y[i] > bounds[i].upper() + rounding),
                      text << " at " << t << ", derivative " << i << ": " << y[i] << " in ["
                           << bounds[i].lower() << ", " << bounds[i].upper() << "]");
         }

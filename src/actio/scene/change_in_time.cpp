@@ -28,17 +28,14 @@ class Search {
     add(0, until);
     // Ten thousand million steps would not resolve what is shorter.
     double const shortest = std::ldexp(until, -33);
-    for (int k = 1; !pieces_.empty() && pieces_.top().bound > std::max(4 * found_.bend, enough); ++k) {
+    for (int k = 1; pieces_.top().bound > std::max(4 * found_.bend, enough); ++k) {
       Piece const top = pieces_.top();
-      if (k >= most || !(top.to - top.from > shortest)) {
-        found_.settled = false, found_.bound = top.bound, found_.from = top.from, found_.to = top.to;
-        return found_;
-      }
+      if (k >= most || !(top.to - top.from > shortest)) return unsettled(enough);
       pieces_.pop();
       double const middle = (top.from + top.to) / 2;
       add(top.from, middle), add(middle, top.to);
     }
-    found_.bound = pieces_.empty() ? 0 : pieces_.top().bound;
+    found_.bound = pieces_.top().bound;
     return found_;
   }
 
@@ -49,6 +46,19 @@ class Search {
     ValueRange y[3];
     second_(ranges_.data(), y, range_work_);
     pieces_.push({from, to, y[2].largest()});
+  }
+  /// What of it matters: an event in an interval whose height may be, by the bound, a hundredth of the range.
+  ChangeInTime unsettled(double enough) {
+    found_.bound = pieces_.top().bound;
+    double highest = (found_.most - found_.least) / 100;
+    for (; !pieces_.empty(); pieces_.pop()) {
+      Piece const& piece = pieces_.top();
+      double const height = piece.bound * std::pow(piece.to - piece.from, 2) / 8;
+      if (!(piece.bound > std::max(4 * found_.bend, enough)) || !(height > highest)) continue;
+      highest = height;
+      found_.settled = false, found_.from = piece.from, found_.to = piece.to;
+    }
+    return found_;
   }
   void look(double time) {
     inputs_.back() = time;

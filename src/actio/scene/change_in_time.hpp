@@ -19,7 +19,9 @@ struct ChangeInTime {
   double bound = 0;     ///< of that modulus, over the whole interval
   double from = 0,      ///< where the bound is that of, if it is not settled
       to = 0;           ///< and until when
-  bool settled = true;  ///< whether what was found is no less than a quarter of the bound
+  /// whether the bound is no more than four times what was found, but for events whose height may be, by the
+  /// bound, at most a hundredth of the range of the values
+  bool settled = true;
 
   /// Of both together.
   void join(ChangeInTime const& other);
