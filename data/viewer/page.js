@@ -206,7 +206,7 @@ function card(title, rows) {
 /** How far the run may be from the true motion, beside how far it is from what it should conserve. */
 function tellError(error) {
   const exact = /^exact\b/.test(error.how || ""), units = { attitude: " rad" };
-  const rows = Object.entries(error).filter(([, v]) => typeof v === "number").map(([n, v]) => [n.replaceAll("_", " "), shownNumber(v, 2) + (units[n] || "")]);
+  const rows = Object.entries(error).filter(([n]) => n !== "how").map(([n, v]) => [n.replaceAll("_", " "), typeof v === "number" ? shownNumber(v, 2) + (units[n] || "") : v]);
   if (!rows.length && !error.how) return;
   const out = card(exact ? "Error: exact to rounding" : rows.length ? "Error, estimated" : "Error", rows);
   if (error.how) out.append(element("p", error.how));

@@ -70,11 +70,13 @@ export function scenePicture(scene, name, caption, prefix) {
   return inlineSvg(fs.readFileSync(file, 'utf8'), caption, prefix);
 }
 
-/// The estimated error of a run, in short: of the attitude where it is known, otherwise of the momentum.
+/// The estimated error of a run, in short: of the attitude or configuration where it is known, otherwise of the momentum.
 function errorOf(summary) {
-  const error = summary.error ?? {};
-  if (typeof error.attitude === 'number') return `attitude ${power(error.attitude)} rad`;
-  if (typeof error.momentum === 'number') return `momentum ${power(error.momentum)}`;
+  const error = summary.error ?? {}, until = summary.error_until ?? {};
+  for (const [name, unit] of [['attitude', ' rad'], ['configuration', ''], ['momentum', '']]) {
+    if (typeof error[name] === 'number') return `${name} ${power(error[name])}${unit}`;
+    if (name in until) return `${name} ${power(until[name].error)}${unit} until t = ${number(until[name].time)}`;
+  }
   return String(error.how ?? '').startsWith('exact') ? 'rounding' : '';
 }
 

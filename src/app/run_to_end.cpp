@@ -19,12 +19,15 @@ std::string closing_line(Scene const& scene, RunFolder const& folder, RunReport 
   for (std::size_t k = 0; k < report.drift.size(); ++k)
     line += fmt::format("{} {} {:.1e}", k == 0 ? "; drift:" : ",", report.drift[k].name,
                         report.drift[k].relative);
-  for (std::size_t k = 0; k < report.error.size(); ++k)
-    line += fmt::format("{} {} {:.1e}{}", k == 0 ? "; error:" : ",", report.error[k].name,
-                        report.error[k].error, report.error[k].name == "attitude" ? " rad" : "");
-  if (!report.error.empty())
-    line += " (estimated)";
-  else if (report.error_how.starts_with("not estimated"))
+  std::string told, untold;
+  for (auto const& entry : report.error)
+    if (entry.told())
+      told += fmt::format("{}{} {:.1e}{}", told.empty() ? "" : ", ", entry.name, entry.error, entry.unit);
+    else
+      untold += fmt::format("; error of {}: {}", entry.name, entry.said);
+  if (!told.empty()) line += "; error: " + told + " (estimated)";
+  line += untold;
+  if (report.error.empty() && report.error_how.starts_with("not estimated"))
     line += "; error: " + report.error_how;
   return line;
 }

@@ -340,6 +340,16 @@ class WhatIsToldOfARun(unittest.TestCase):
         other = actio.Run._of(run.table, {**run._about, "summary": json.dumps(told)})
         self.assertEqual(other.error, {"attitude": 1e-7, "momentum": 2e-8})
         self.assertIn("error: attitude 1.0e-07, momentum 2.0e-08", other._repr_html_())
+        self.assertEqual(other.untold, {})
+
+    def test_a_sentence_stands_where_there_is_no_number(self):
+        run = actio.run(text=SCENE)
+        said = "no number after t = 5, when it was 1.0e-03 rad"
+        told = {**run.summary, "error": {"attitude": said, "momentum": 2e-8, "how": "guessed"}}
+        other = actio.Run._of(run.table, {**run._about, "summary": json.dumps(told)})
+        self.assertEqual(other.error, {"momentum": 2e-8})
+        self.assertEqual(other.untold, {"attitude": said})
+        self.assertIn(f"error of attitude: {said}", other._repr_html_())
 
 
 class Copies(unittest.TestCase):

@@ -144,9 +144,9 @@ std::vector<Parameter> keys_of_output(System const& system) {
        "Whether pictures are drawn when the run is done, and a page that plays the motion: plots/*.svg and "
        "plots/index.html.",
        "", "true"},
-      {"output.error_estimate", "true or false", "true where it costs less than a third of the run",
-       "Whether the error of attitude and momentum is estimated, for a method that is not exact, from a "
-       "second motion with other steps.",
+      {"output.error_estimate", "true or false", "true where it costs no more than half of the run",
+       "Whether the error of attitude or configuration, momentum and carried vectors is estimated, for a "
+       "method that is not exact, from two further motions with longer steps.",
        "", "true"},
   };
   if (system.snapshots)

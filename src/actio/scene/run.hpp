@@ -44,7 +44,7 @@ struct RunReport {
   long snapshots = 0;               ///< of the whole run
   double seconds = 0;               ///< of all its processes
   std::vector<Drift::Entry> drift;  ///< of each conserved quantity
-  /// of attitude and momentum, estimated; none where that was not possible
+  /// of what the state has, attitude and momentum, estimated; none where that was not possible
   std::vector<ErrorEstimate::Entry> error;
   std::string error_how;  ///< in words: how it is estimated, or why it is not
   /// of the run where it is done, otherwise that this process wrote; the time first

@@ -13,11 +13,14 @@
 
 namespace actio::scene {
 
-/// How far two states of a body are apart.
+/// How far two states of a system are apart.
 struct StateDistance {
-  double attitude = 0,  ///< the angle of the rotation from one to the other, radians
-      momentum = 0,     ///< the modulus of the difference of the body momenta
-      modulus = 0;      ///< of the first momentum
+  double attitude = 0,      ///< the angle of the rotation from one to the other, radians; of configurations
+                            ///< that are no attitudes a relative distance
+      momentum = 0,         ///< the modulus of the difference of the momenta
+      modulus = 0,          ///< of the first momentum
+      vectors = 0,          ///< the length of the difference of all carried vectors
+      vectors_modulus = 0;  ///< of those of the first state
 };
 
 /// How the state of a system moves on. One of the two is overridden: steps, or any time at once.
@@ -46,7 +49,7 @@ class Motion {
   virtual void remember(CheckpointStream& stream) { (void)stream; }
 };
 
-/// A second motion beside the first, from which the error of the first is estimated.
+/// Motions beside that of the run, from which its error is estimated.
 struct Companion {
   std::unique_ptr<Motion> motion;  ///< null: there is none
   /// of the run to one of the companion; 0: the companion is exact, and goes to any time at once
@@ -55,6 +58,14 @@ struct Companion {
   bool attitude = true;  ///< whether the attitude is reconstructed
   /// in words, for the reader of the estimate; where there is no companion: why not
   std::string how;
+  /// a third motion, with steps that are longer still, whose distance tells whether that of the companion is
+  /// what the order says; null: nothing contradicts the companion
+  std::unique_ptr<Motion> control = nullptr;
+  long control_steps = 0;                 ///< of the run to one of the control: a multiple of `steps`
+  std::string turn = "attitude";          ///< what `StateDistance::attitude` is the distance of
+  std::string unit = " rad";              ///< of that distance
+  bool vectors = false;                   ///< whether vectors are carried
+  std::vector<std::string> without = {};  ///< quantities that are asked for, and of which no error is told
 };
 
 /// A system that is ready to run. Its quantities look at its motion, and were asked for.

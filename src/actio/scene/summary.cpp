@@ -33,8 +33,16 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
   for (auto const& entry : report.drift)
     out["drift"][entry.name] = entry.relative, out["drift_units"][entry.name] = entry.unit;
   out["error"] = Json::object();
-  for (auto const& entry : report.error) out["error"][entry.name] = entry.error;
+  Json until = Json::object();
+  for (auto const& entry : report.error) {
+    if (entry.told())
+      out["error"][entry.name] = entry.error;
+    else
+      out["error"][entry.name] = entry.said;
+    if (entry.until >= 0) until[entry.name] = {{"time", entry.until}, {"error", entry.then}};
+  }
   out["error"]["how"] = report.error_how;
+  out["error_until"] = until;
   out["actio"] = ACTIO_VERSION;
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -27,8 +27,9 @@ void remember(CheckpointStream& stream, MemberResult& result) {
   remember(stream, result.message);
   remember(stream, result.drift,
            [&](Drift::Entry& entry) { remember(stream, entry.name), stream(entry.relative); });
-  remember(stream, result.error,
-           [&](ErrorEstimate::Entry& entry) { remember(stream, entry.name), stream(entry.error); });
+  remember(stream, result.error, [&](ErrorEstimate::Entry& entry) {
+    remember(stream, entry.name), remember(stream, entry.said), stream(entry.error);
+  });
   remember(stream, result.columns, [&](std::string& name) { remember(stream, name); });
 }
 

@@ -61,7 +61,8 @@ std::string row(SweepPlan const& plan, Columns const& columns, MemberResult cons
   if (result.status == 0) {
     cells[0] = std::to_string(result.steps), cells[1] = cell(result.seconds);
     for (auto const& entry : result.drift) cells[2 + columns.drift.at(entry.name)] = cell(entry.relative);
-    for (auto const& entry : result.error) cells[errors + columns.error.at(entry.name)] = cell(entry.error);
+    for (auto const& entry : result.error)
+      if (entry.told()) cells[errors + columns.error.at(entry.name)] = cell(entry.error);
     for (std::size_t i = 0; i < result.last_row.size(); ++i)
       cells[last + columns.last.at(result.columns[i])] = cell(result.last_row[i]);
   }

@@ -44,6 +44,7 @@ def run_in_html(run: "Run") -> str:
     )
     caption += f" to t = {run.t[-1]:g}" if run.rows else ""
     caption += _figures("drift", run.drift) + _figures("error", run.error)
+    caption += "".join(f"; error of {html.escape(name)}: {html.escape(said)}" for name, said in run.untold.items())
     first = [[float(x) for x in row] for row in run.table[:5]]
     rest = f"<p>… {run.rows - 5} rows more</p>" if run.rows > 5 else ""
     return "<div>" + table(run.columns, first, caption) + rest + "</div>"

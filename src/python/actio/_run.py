@@ -185,10 +185,18 @@ class Run(Mapping[str, Array]):
 
     @property
     def error(self) -> dict[str, float]:
-        """The estimated errors of the method, as the summary tells them; empty where there is no estimate."""
+        """The estimated errors of the method, as the summary tells them; empty where there is no estimate.
+        What has none at the end has a sentence in `untold`."""
         told = self.summary.get("error")
         entries = told.items() if isinstance(told, dict) else ()
         return {name: value for name, value in entries if isinstance(value, (int, float))}
+
+    @property
+    def untold(self) -> dict[str, str]:
+        """Why no error of a quantity is told, and until when there was one: a sentence for each of them."""
+        told = self.summary.get("error")
+        entries = told.items() if isinstance(told, dict) else ()
+        return {name: value for name, value in entries if isinstance(value, str) and name != "how"}
 
     # ---- For others
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "actio/reduction/composition.hpp"
+#include "actio/scene/companion.hpp"
 #include "actio/scene/system.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/reduced_casimirs.hpp"
@@ -120,17 +121,21 @@ double step_of(Request const& request, ReducedScheme const& scheme, ReducedScene
   return step;
 }
 
-Companion companion_of(ReducedScheme scheme, ReducedScene const& scene, double step, int order,
-                       std::optional<bool> wanted) {
-  if (!wanted.value_or(true)) return {nullptr, 0, 0, false, "left out by output.error_estimate"};
-  scheme.with_configuration = false;
-  for (auto const& [steps, in_words] : {std::pair(4, "four"), {3, "three"}, {2, "two"}}) try {
-      return {scheme.motion(steps * step, scene.start, scene.velocity, {}), steps, order, false,
-              fmt::format("estimated from a companion run with steps {} times as long", in_words)};
-    } catch (Error const&) {
-      // So long a step is beyond the scheme.
-    }
-  return {nullptr, 0, 0, false, "not estimated: steps twice as long are beyond the scheme"};
+Companion companion_of(Request const& request, ReducedScheme const& scheme, ReducedScene const& scene,
+                       double step) {
+  bool const follows = scheme.with_configuration;
+  if (!request.error_estimate.value_or(true))
+    return {nullptr, 0, 0, follows, "left out by output.error_estimate"};
+  int const order = static_cast<int>(request.file.section("method").integer("order", 2, 16));
+  Companion out = companions(
+      [&](long multiple) {
+    return scheme.motion(static_cast<double>(multiple) * step, scene.start, scene.velocity,
+                         scene.configuration);
+      },
+      {4, 3, 2}, order, follows);
+  out.turn = "configuration", out.unit = "", out.vectors = !scene.carried.empty();
+  if (asked(request, {"tangent_map"})) out.without = {"tangent_map"};
+  return out;
 }
 
 Simulation prepare(Request const& request) {
@@ -154,9 +159,7 @@ Simulation prepare(Request const& request) {
     motion = standing(scene);
   }
   if (simulation.failure.empty())
-    simulation.companion =
-        companion_of(scheme, scene, simulation.step, static_cast<int>(method.integer("order", 2, 16)),
-                     request.error_estimate);
+    simulation.companion = companion_of(request, scheme, scene, simulation.step);
   if (asked(request, {"tangent_map"})) motion = following_tangent(std::move(motion), scheme, simulation.step);
   if (!scheme.with_configuration)
     simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");

@@ -3,6 +3,7 @@
 
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "actio/scene/body_shape.hpp"
+#include "actio/scene/companion.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/torqued_motion.hpp"
@@ -166,13 +167,13 @@ std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule
   return exact_motion(FreeBody(scene.top.inertia, scene.start.body_momentum, scene.start.attitude));
 }
 
-/// Steps three times as long cost a little less than a third of the run, since short and long drifts take the
-/// same series.
+/// Steps three and six times as long cost a little less than a half of the run, since short and long drifts
+/// take the same series.
 Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
   if (scene.is_free()) return {nullptr, 0, 0, true, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, true, "left out by output.error_estimate"};
-  return {stepped(scene, 3 * scene.step), 3, std::stoi(scene.choice.order), true,
-          "estimated from a companion run with steps three times as long"};
+  return companions([&](long multiple) { return stepped(scene, static_cast<double>(multiple) * scene.step); },
+                    {3}, std::stoi(scene.choice.order), true);
 }
 
 void define_top(QuantityGraph& graph, TopScene const& scene) {

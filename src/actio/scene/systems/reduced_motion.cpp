@@ -69,6 +69,11 @@ double length(std::vector<double> const& x) {
   return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).stableNorm();
 }
 
+double length_between(std::vector<double> a, std::vector<double> const& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return length(a);
+}
+
 /// A scheme that preserves the bracket has an energy that hardly changes, or no solution near the motion.
 /// @throws OutsideDomain  where a step changes the energy by more than half of the sizes of its parts
 void require_like_energy(ReducedSystem const& system, ReducedPoint const& start, ReducedPoint const& end,
@@ -93,10 +98,16 @@ void require_like_energy(ReducedSystem const& system, ReducedPoint const& start,
 }  // namespace
 
 StateDistance ReducedMotion::distance(Motion const& other) const {
-  auto const& there = dynamic_cast<ReducedMotion const&>(other).point();
-  std::vector<double> difference = point().momentum;
-  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= there.momentum[i];
-  return {0, length(difference), length(point().momentum)};
+  auto const& there = dynamic_cast<ReducedMotion const&>(other);
+  StateDistance out;
+  out.momentum = length_between(point().momentum, there.point().momentum);
+  out.modulus = length(point().momentum);
+  out.vectors = length_between(point().vectors, there.point().vectors);
+  out.vectors_modulus = length(point().vectors);
+  Eigen::MatrixXd const &g = configuration(), &h = there.configuration();
+  if (g.size() && g.size() == h.size())
+    out.attitude = (h - g).stableNorm() / g.stableNorm() * std::sqrt(static_cast<double>(g.cols()) / 2);
+  return out;
 }
 
 std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, ReducedPoint const& start,

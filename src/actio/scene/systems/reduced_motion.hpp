@@ -20,6 +20,8 @@ class ReducedMotion : public Motion {
   virtual void advance_plainly(long steps) { advance(steps); }
   /// How momentum and vectors now change with those at the start; null where that is not followed.
   virtual Eigen::MatrixXd const* tangent() const { return nullptr; }
+  /// That of the configurations is \f$\sqrt{n/2}\,|h - g|_F/|g|_F\f$: on rotations, for a small turn in
+  /// one plane, that turn; on groups that are not compact it stays relative to the size of the entries.
   StateDistance distance(Motion const& other) const override;
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
+#include "actio/scene/companion.hpp"
 #include "actio/scene/systems/angle_input.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
 #include "actio/scene/systems/free_motion_n.hpp"
@@ -93,25 +94,21 @@ double default_turn(StepsOfBodyN const& choice, double fastest, double until) {
   return std::clamp(std::pow(1e-7 / (2e-3 * std::max(1.0, fastest * until)), 1.0 / 6), 1e-3, 0.1);
 }
 
-/// Steps four times as long. Of Moser and Veselov's scheme they cost less than a third of the run up to a
-/// tenth of a radian a step, as the companion need not solve each step to rounding, and up to two fifths
-/// beyond; of the natural chart, which takes more sweeps for longer steps, a third to two thirds.
+/// Steps four and eight times as long. Of Moser and Veselov's scheme they cost less than a half of the run up
+/// to a tenth of a radian a step, as the companions need not solve each step to rounding, and up to three
+/// fifths beyond; of the natural chart, which takes more sweeps for longer steps, a half to once the run.
 Companion companion_of(StepsOfBodyN const& choice, StartOfBodyN const& start, double step,
                        std::optional<bool> wanted) {
   if (!wanted.value_or(true)) return {nullptr, 0, 0, choice.attitude, "left out by output.error_estimate"};
   if (choice.chart && !wanted)
     return {nullptr, 0, 0, choice.attitude,
-            "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
+            "not estimated: it costs more than half of the run; output.error_estimate = true asks for it"};
   Sweeps const sweeps = choice.order == 2 ? Sweeps::to_half_the_digits : Sweeps::to_rounding;
-  for (auto const& [steps, in_words] : {std::pair(4, "four"), {3, "three"}, {2, "two"}}) try {
-      return {stepped_motion_n(choice, start, steps * step, sweeps), steps, choice.order, choice.attitude,
-              fmt::format("estimated from a companion run with steps {} times as long", in_words)};
-    } catch (Error const&) {
-      // So long a step is beyond the scheme.
-    }
-  return {
-      nullptr, 0, 0, choice.attitude,
-      "not estimated: steps twice as long are beyond the scheme; with half of the step there is an estimate"};
+  return companions(
+      [&](long multiple) {
+    return stepped_motion_n(choice, start, static_cast<double>(multiple) * step, sweeps);
+      },
+      {4, 3, 2}, choice.order, choice.attitude);
 }
 
 Simulation prepare(Request const& request) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "actio/reduction/composition.hpp"
+#include "actio/scene/companion.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 
 namespace actio::scene {
@@ -103,8 +104,9 @@ Companion companion_of(RigidBodyScene const& scene, std::optional<bool> wanted, 
     return {nullptr, 0, 0, attitude, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
   if (scene.torque)
-    return {torqued(scene, 3 * scene.step), 3, scene.choice.number(), true,
-            "estimated from a companion run with steps three times as long"};
+    return companions(
+        [&](long multiple) { return torqued(scene, static_cast<double>(multiple) * scene.step); }, {3},
+        scene.choice.number(), true);
   auto exact = exact_motion(scene.free);
   if (!attitude) exact->leave_attitude_out();
   return {std::move(exact), 0, scene.choice.number(), attitude, "compared with the exact motion"};

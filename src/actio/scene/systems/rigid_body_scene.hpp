@@ -40,7 +40,8 @@ struct RigidBodyMotion {
 RigidBodyMotion motion_of(RigidBodyScene& scene, Schedule const& schedule);
 
 /// From which the error is estimated: for a free body the true motion, which takes as long as some fifty
-/// steps, so that one row in sixteen is compared; under a torque steps three times as long.
+/// steps, so that rows some 128 steps apart are compared; under a torque motions with steps three and six
+/// times as long.
 /// @param wanted    as `Request` has it
 /// @param attitude  whether the attitude is reconstructed
 Companion companion_of(RigidBodyScene const& scene, std::optional<bool> wanted, bool attitude);
