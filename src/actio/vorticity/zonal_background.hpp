@@ -67,12 +67,13 @@ class ZonalTerms {
       }
     });
     for (Eigen::Index j = 0; j < a.size(); ++j)
-      for (Eigen::Index i = 0; i < a.size(); ++i) {
+      for (Eigen::Index i = j; i < a.size(); ++i) {
         double const apart = static_cast<double>(i - j);
         double const f = apart * scale_ * (1 - own_[i] * own_[j]) * share_[i] * share_[j], g = -apart * turn_;
         c.real(i, j) -= f * a.imaginary(i, j) + g * v.imaginary(i, j);
         c.imaginary(i, j) += f * a.real(i, j) + g * v.real(i, j);
       }
+    mirror_lower(c);
   }
   /// Adds B A_0 + A_0 M A' to B A', B being the product.
   void add_outside(SkewHermitian<> const& a, SkewProducts<double>& products, SkewHermitian<>& e) const {

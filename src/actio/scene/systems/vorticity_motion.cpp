@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "actio/scene/systems/vorticity_products.hpp"
 #include "actio/scene/systems/vorticity_stepped.hpp"
@@ -91,17 +92,24 @@ double SphereFlow::outweighed(SkewHermitian<> const& rest, Eigen::Vector3d const
 
 /// b X with X = i hbar S_3 has the norm b sqrt(N/3).
 void SphereFlow::take_apart(SkewHermitian<> const& relative, Conserved conserved) {
-  Eigen::Vector3d const own =
-      spin_components(sphere, relative) / (sphere.spin_square() * sphere.hbar());  // of the function own . x
-  Eigen::Vector3d const pole = Eigen::Vector3d::UnitZ(), all = own + 2 * rotation * pole;
+  // A function own . x.
+  auto const of_degree_1 = [&](SkewHermitian<> const& w) {
+    return Eigen::Vector3d(spin_components(sphere, w) / (sphere.spin_square() * sphere.hbar()));
+  };
+  Eigen::Vector3d const pole = Eigen::Vector3d::UnitZ(), own = of_degree_1(relative),
+                        all = own + 2 * rotation * pole;
   bool const about_pole = conserved == Conserved::energy_casimir && rotation != 0;
-  Eigen::Vector3d const axis = about_pole ? pole : Eigen::Vector3d(all.normalized()),
-                        held = about_pole ? Eigen::Vector3d(own[2] * pole) : own;
+  Eigen::Vector3d const axis = about_pole ? pole : Eigen::Vector3d(all.normalized());
+  auto const held = [&](Eigen::Vector3d const& r) { return about_pole ? Eigen::Vector3d(r[2] * pole) : r; };
   double const b = axis.dot(all);
+  // What of the first subtraction is rounding the second one takes away; and where that is all, there is no
+  // flow.
   SkewHermitian<> rest = relative;
-  add_spin(sphere, -sphere.hbar() * held, rest);
+  for (int k = 0; k < 2; ++k) add_spin(sphere, -sphere.hbar() * held(of_degree_1(rest)), rest);
+  if (norm(rest) <= sphere.n * std::numeric_limits<double>::epsilon() * norm(relative))
+    rest = SkewHermitian<>(sphere.n);
   if (!(std::abs(b) * std::sqrt(sphere.n / 3.0) > fast * outweighed(rest, axis))) return;
-  apart.relative = held;
+  apart.relative = held(own);
   if (double const sine = axis.cross(pole).norm(); sine > 0)
     apart.upright = {std::atan2(sine, axis[2]), axis.cross(pole) / sine};
   else if (axis[2] < 0)
