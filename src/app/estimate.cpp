@@ -28,9 +28,9 @@ class Sample {
  public:
   explicit Sample(Scene& scene) : scene_(scene), values_(scene.simulation.quantities.row_size()) {}
 
-  /// Seconds of so many steps, made in such pieces as the run makes. What a run does once at its start, and then
-  /// rarely, may take as long as hundreds of steps: the first piece is counted once, and others are made until
-  /// they have taken several times as long.
+  /// Seconds of so many steps, made in such pieces as the run makes. What a run does once at its start, and
+  /// then rarely, may take as long as hundreds of steps: the first piece is counted once, and others are made
+  /// until they have taken several times as long.
   double steps(long all) {
     Motion& motion = *scene_.simulation.motion;
     Companion& companion = scene_.simulation.companion;
@@ -52,8 +52,8 @@ class Sample {
     step_ = made > of_first ? rest / static_cast<double>(made - of_first) : first;
     return first + rest + static_cast<double>(left_) * step_;
   }
-  /// Seconds of a row, without the steps to it but for a shorter one where it is between two. Of an exact method
-  /// the rows are spread over the whole time.
+  /// Seconds of a row, without the steps to it but for a shorter one where it is between two. Of an exact
+  /// method the rows are spread over the whole time.
   double row() {
     long const rows = scene_.schedule.rows();
     Motion& motion = *scene_.simulation.motion;

@@ -87,8 +87,8 @@ BOOST_AUTO_TEST_CASE(a_scene_that_says_that_no_rows_are_between_steps_keeps_its_
   BOOST_TEST(number_after(contents(folder / "out/summary.json"), "\"steps\": ") == 10000);
 }
 
-// Rows beside the steps of a medium: those at steps do not know of them, and they are as near to the motion as
-// steps are.
+// Rows beside the steps of a medium: those at steps do not know of them, and they are as near to the motion
+// as steps are.
 BOOST_AUTO_TEST_CASE(rows_of_a_medium_between_its_steps_change_no_step) {
   Medium wave;
   wave.initial = "placement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]";

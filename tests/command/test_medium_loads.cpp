@@ -57,7 +57,8 @@ BOOST_AUTO_TEST_CASE(a_traction_gives_momentum) {
   }
 }
 
-// The momentum that a pressure gives in all is that of its pulse, which is a hundredth as long as a stable step.
+// The momentum that a pressure gives in all is that of its pulse, which is a hundredth as long as a stable
+// step.
 BOOST_AUTO_TEST_CASE(a_pulse_of_pressure_is_followed_by_the_default_step_and_a_longer_one_is_remarked_on) {
   Medium pressed = block();
   pressed.mesh += ", periodic = [false, true]";

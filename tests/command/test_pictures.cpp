@@ -288,10 +288,11 @@ BOOST_AUTO_TEST_CASE(the_page_shows_an_estimate_of_the_error_where_the_summary_h
   BOOST_TEST(
       estimated.out.find("Error, estimated | attitude 0.0031 rad | momentum 0.0017") != std::string::npos,
       estimated.out << estimated.err);
-  auto const until = with(R"("error":{"attitude":"no number after t = 5","momentum":1.7e-3,"how":"by half"},)");
-  BOOST_TEST(
-      until.out.find("Error, estimated | attitude no number after t = 5 | momentum 0.0017") != std::string::npos,
-      until.out << until.err);
+  auto const until =
+      with(R"("error":{"attitude":"no number after t = 5","momentum":1.7e-3,"how":"by half"},)");
+  BOOST_TEST(until.out.find("Error, estimated | attitude no number after t = 5 | momentum 0.0017") !=
+                 std::string::npos,
+             until.out << until.err);
   auto const exact = with(R"("error":{"how":"exact to rounding"},)");
   BOOST_TEST(exact.out.find("Error: exact to rounding") != std::string::npos, exact.out << exact.err);
   BOOST_TEST(with("").out.find("\"error\":\"\"") != std::string::npos);

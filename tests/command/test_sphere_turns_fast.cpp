@@ -151,8 +151,8 @@ BOOST_AUTO_TEST_CASE(a_wave_goes_with_its_speed) {
 }
 
 BOOST_AUTO_TEST_CASE(beside_a_rotation_about_another_axis_a_wave_is_seen_where_it_is) {
-  // The fluid turns as a whole, about an axis that is not the pole, and carries a wave of degree 2: about that
-  // axis the wave turns by w/2 - w/6, where w is the vorticity at its end.
+  // The fluid turns as a whole, about an axis that is not the pole, and carries a wave of degree 2: about
+  // that axis the wave turns by w/2 - w/6, where w is the vorticity at its end.
   double const spin = 3, c20 = 0.02, time = 2;
   std::complex<double> const c11{-0.8, 0.5}, c21{0.01, -0.03}, c22{0.02, 0.01};
   Folder const folder;

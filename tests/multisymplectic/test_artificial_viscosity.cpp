@@ -145,8 +145,8 @@ BOOST_AUTO_TEST_CASE(a_step_that_viscosity_does_not_allow_is_made_in_parts) {
   // c = sqrt(2), l = 0.1: l/(2*2*c) with the linear coefficient 2, and less where the gas is compressed.
   double const allowed = 0.1 / 4 / std::sqrt(2.0), step = 0.05;
   BOOST_TEST(std::abs(compressed({.step = 0.01, .viscosity = {2, 0}}).largest_step() - allowed) <= 1e-15);
-  // Of half the length that is allowed at the end of the first attempt: six are too few by a little, and seven
-  // are made.
+  // Of half the length that is allowed at the end of the first attempt: six are too few by a little, and
+  // seven are made.
   auto line = compressed({.step = step, .viscosity = {2, 0}}, 1),
        parts = compressed({.step = step / 7, .viscosity = {2, 0}}, 1);
   line.step(), parts.step(7);

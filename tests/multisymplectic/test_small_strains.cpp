@@ -16,9 +16,7 @@ using Square = Matrix<T, d, d>;
 constexpr double bound = 1e-13;
 
 template <int d>
-Square<dec50, d> in_many_digits(Square<double, d> const& A) {
-  return A.template cast<dec50>();
-}
+Square<dec50, d> in_many_digits(Square<double, d> const& A) { return A.template cast<dec50>(); }
 template <int d>
 Square<dec50, d> with_identity(Square<dec50, d> A) {
   for (int i = 0; i < d; ++i) A(i, i) += 1;
@@ -58,15 +56,11 @@ struct Rubber {
   }
 };
 template <int d, class U, class Slope>
-Rubber<d, U, Slope> rubber(double mu, U u, Slope slope) {
-  return {mu, u, slope};
-}
+Rubber<d, U, Slope> rubber(double mu, U u, Slope slope) { return {mu, u, slope}; }
 
 /// Green's strain and the stress of it, in 50 digits.
 template <int d>
-Square<double, d> rounded(Square<dec50, d> const& A) {
-  return A.template cast<double>();
-}
+Square<double, d> rounded(Square<dec50, d> const& A) { return A.template cast<double>(); }
 template <int d>
 double largest(Square<double, d> const& A) {
   double most = 0;
@@ -127,7 +121,8 @@ struct Strained {
     return x;
   }
 };
-/// The sum over the corners of all cells in 50 digits, given how far nodes are from where they are in the body.
+/// The sum over the corners of all cells in 50 digits, given how far nodes are from where they are in the
+/// body.
 template <int d, class Witness>
 double exact_energy(std::array<int, d> const& cells, std::vector<std::array<double, d>> const& X,
                     std::vector<std::array<double, d>> const& x, Witness const& witness) {

@@ -29,9 +29,7 @@ struct StVenant {
 /// A gas with the pressure 0.4 in its reference places.
 struct Gas {
   template <class F>
-  auto operator()(F const& f) const {
-    return 0.4 / small_determinant(f);
-  }
+  auto operator()(F const& f) const { return 0.4 / small_determinant(f); }
 };
 
 /// A cube with every corner moved.

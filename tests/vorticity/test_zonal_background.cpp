@@ -1,5 +1,5 @@
-// Steps of a flow apart from what turns as a whole: they are the steps of the sum, and what they conserve they
-// conserve to the rounding of the flow, however fast the sphere turns.
+// Steps of a flow apart from what turns as a whole: they are the steps of the sum, and what they conserve
+// they conserve to the rounding of the flow, however fast the sphere turns.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/helmholtz_stream.hpp"
@@ -25,8 +25,8 @@ SkewHermitian<> with(double b, SkewHermitian<> w) {
   add_spin(sphere, sphere.hbar() * b * Eigen::Vector3d::UnitZ(), w);
   return w;
 }
-/// The background of a flow, and the frame that goes with it: Delta, or Delta - gamma, of x_3 is -2 - gamma of
-/// it.
+/// The background of a flow, and the frame that goes with it: Delta, or Delta - gamma, of x_3 is -2 - gamma
+/// of it.
 struct Apart {
   ZonalBackground background;
   TurningFrame frame;

@@ -166,7 +166,8 @@ class BodyForces {
     /// H at a point.
     template <class Kind>
     Gradient gradient(Kind kind, int p, CellPoint<d> const& point) const {
-      return BodyQuadrature<d>::gradient(kind, u, p, point) + BodyQuadrature<d>::gradient(kind, rest, p, point);
+      return BodyQuadrature<d>::gradient(kind, u, p, point) +
+             BodyQuadrature<d>::gradient(kind, rest, p, point);
     }
   };
 

@@ -103,8 +103,8 @@ class FastMedium {
     }
   }
 
-  /// Until the next step places, velocities and energies are those so long after the last step, which one step
-  /// of that length reaches; the steps go on as if it had not been. Zero: those of the last step again.
+  /// Until the next step places, velocities and energies are those so long after the last step, which one
+  /// step of that length reaches; the steps go on as if it had not been. Zero: those of the last step again.
   /// @throws CellInverts  where a cell would turn inside out
   void look_ahead(double time) {
     ahead_.reset();

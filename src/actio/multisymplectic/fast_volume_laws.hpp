@@ -227,7 +227,8 @@ struct ReciprocalLaw {
 #pragma GCC unroll 4
     for (int k = 0; k < 4; ++k) out[k] = (T(b) * J[k] - T(c)) - T(a) * y[k];
   }
-  /// \f$U+m\log J\f$ from \f$j = J-1\f$ and \f$\log J\f$, without loss where these are small, m is a, and b is c.
+  /// \f$U+m\log J\f$ from \f$j = J-1\f$ and \f$\log J\f$, without loss where these are small, m is a, and b
+  /// is c.
   double energy_beyond(double m, double j, double log) const {
     return b / 2 * j * j + (b - c) * (1 + j) + (m - a) * log;
   }

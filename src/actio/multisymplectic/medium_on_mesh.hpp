@@ -124,7 +124,8 @@ class MediumOnMesh {
   std::vector<double> const& masses() const { return steps_of_.forces.body.masses; }
   /// Memory for mesh, cells and states, bytes.
   std::size_t bytes() const {
-    // A state, its copy, forces and their copy, an acceleration, and displacements with the places they are from.
+    // A state, its copy, forces and their copy, an acceleration, and displacements with the places they are
+    // from.
     return mesh_.bytes() + steps_of_.forces.body.bytes() + steps_of_.held.bytes() +
            14 * state_.x.size() * sizeof(double) +
            (steps_of_.viscosity ? steps_of_.viscosity->bytes() + 3 * state_.x.size() * sizeof(double) : 0);
@@ -286,8 +287,8 @@ class MediumOnMesh {
     }
     if (!(least.jacobian > 0)) refuse(least, h);
   }
-  /// A step, or where viscosity needs shorter ones so many equal parts of it that each is half as long as that
-  /// allows. It allows less as a shock forms.
+  /// A step, or where viscosity needs shorter ones so many equal parts of it that each is half as long as
+  /// that allows. It allows less as a shock forms.
   /// @throws ViscosityNeedsShorterSteps  where more than a thousand parts would be needed
   LeastJacobian in_parts(double h, double end) {
     double const start = time();
@@ -303,7 +304,8 @@ class MediumOnMesh {
       }
   }
   void put_back() { state_ = kept_, forces_ = kept_forces_; }
-  /// A step of some length from one time to another, by substeps; what it leaves is no state where a Jacobian is not positive.
+  /// A step of some length from one time to another, by substeps; what it leaves is no state where a Jacobian
+  /// is not positive.
   LeastJacobian attempt(double h, double start, double end) {
     double reached = 0;
     LeastJacobian least;

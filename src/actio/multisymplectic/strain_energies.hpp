@@ -1,5 +1,6 @@
-// What media have stored, as functions of small strains: W and \f$2\,\partial W/\partial C\f$ of Green's strain
-// E, by which nothing subtracts one; and from the gradient of the displacement \f$H = F-1\f$ of any medium.
+// What media have stored, as functions of small strains: W and \f$2\,\partial W/\partial C\f$ of Green's
+// strain E, by which nothing subtracts one; and from the gradient of the displacement \f$H = F-1\f$ of any
+// medium.
 #pragma once
 
 #include "actio/multisymplectic/energies_of_gradients.hpp"

@@ -85,9 +85,7 @@ class EigenProducts : public ProductsBy<EigenProducts> {
 };
 
 template <class Part>
-void EigenProducts::whole(Part const& a, Part const& b, Part& out) const {
-  out.noalias() = a * b;
-}
+void EigenProducts::whole(Part const& a, Part const& b, Part& out) const { out.noalias() = a * b; }
 template <class Part>
 void EigenProducts::lower(Part const& a, Part const& b, Part& out) const {
   out.template triangularView<Eigen::Lower>() = a * b;

@@ -19,15 +19,15 @@ struct MediumView {
 /// One deformation gradient of a cell.
 template <int d>
 struct PointOfCell {
-  std::size_t cell;              ///< which cell
-  int point;                     ///< of the cell
-  double volume;                 ///< the reference volume that it stands for
-  double density;                ///< mass per reference volume
-  double weight;                 ///< of W, per reference volume
-  Matrix<double, d, d> F;        ///< the deformation gradient
-  Matrix<double, d, d> H;        ///< that of the displacement, F - 1
-  Matrix<double, d, d> inverse;  ///< of the reference edges
-  double jacobian;               ///< det F
+  std::size_t cell;                               ///< which cell
+  int point;                                      ///< of the cell
+  double volume;                                  ///< the reference volume that it stands for
+  double density;                                 ///< mass per reference volume
+  double weight;                                  ///< of W, per reference volume
+  Matrix<double, d, d> F;                         ///< the deformation gradient
+  Matrix<double, d, d> H;                         ///< that of the displacement, F - 1
+  Matrix<double, d, d> inverse;                   ///< of the reference edges
+  double jacobian;                                ///< det F
   CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
 };
 

@@ -114,9 +114,7 @@ class MeshMotion final : public MotionOnMesh<d> {
 }  // namespace
 
 template <int d>
-std::unique_ptr<MotionOnMesh<d>> MeshRoad<d>::motion() {
-  return std::make_unique<MeshMotion<d>>(*this);
-}
+std::unique_ptr<MotionOnMesh<d>> MeshRoad<d>::motion() { return std::make_unique<MeshMotion<d>>(*this); }
 
 /// Along a line.
 template struct MeshRoad<1>;

@@ -123,9 +123,9 @@ inline constexpr std::size_t bytes_of_others = 1 << 16;
 template <int d>
 class MediumMotion : public Motion {
  public:
-  using Place = std::array<double, d>;                ///< a point, or a vector
-  virtual long steps() const = 0;                     ///< that were made
-  double ahead() const { return ahead_; }             ///< of the last step, time
+  using Place = std::array<double, d>;     ///< a point, or a vector
+  virtual long steps() const = 0;          ///< that were made
+  double ahead() const { return ahead_; }  ///< of the last step, time
   void look_ahead(double time) final { show_after(time), ahead_ = time; }
   virtual MediumCells<d> const& cells() const = 0;    ///< of the body
   virtual std::vector<Place> places() const = 0;      ///< of the nodes, length

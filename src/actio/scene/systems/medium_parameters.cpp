@@ -45,8 +45,10 @@ std::vector<Parameter> of_system(bool fluid) {
        "\"euclidean\"",
        {"euclidean"}},
       {"system.boundary", "a table of texts by sides", "every side is free",
-       "What each side of the body does, by its name: left and right of a box, where X is least and greatest, "
-       "bottom and top, where Y is, front and back, where Z is, as far as it is not periodic; inner and outer "
+       "What each side of the body does, by its name: left and right of a box, where X is least and "
+       "greatest, "
+       "bottom and top, where Y is, front and back, where Z is, as far as it is not periodic; inner and "
+       "outer "
        "of round bodies; those of a file, and its groups inside of the body. free: no force acts on it; "
        "fixed: its nodes keep the velocity that they have at the start, mostly none; sliding: they keep the "
        "component of it across the side.",

@@ -19,8 +19,8 @@ void define_quadratic_invariants(QuantityGraph& graph, VorticityMotion const& mo
   graph.define("enstrophy", {""},
                [&motion](auto, double* out) { *out = enstrophy(motion.vorticity_but_for_rotation()); });
   // The root of the integral of the square of a coordinate, times that of the vorticity: no flow has more. It
-  // is that of the flow, beside which the momentum of the sphere's own rotation may be large; but not so small
-  // that the rounding of that is all there is to see.
+  // is that of the flow, beside which the momentum of the sphere's own rotation may be large; but not so
+  // small that the rounding of that is all there is to see.
   graph.define(
       "angular_momentum", column_ends(Quantity::Kind::vector),
       [&motion](auto, double* momentum) {

@@ -79,11 +79,11 @@ SphereFlow::SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphe
   take_apart(relative, conserved);
   if (!apart.is_there()) return;
   if (double const other = outweighed(apart.flow, Eigen::Vector3d::UnitZ()); other > 0)
-    remarks.push_back(
-        fmt::format("what turns as a whole has {:.2g} times the vorticity of the rest of the flow, or of what "
-                    "of it depends on the longitude, so that the steps are made of the rest, in double "
-                    "precision",
-                    std::abs(apart.background.vorticity) * std::sqrt(sphere.n / 3.0) / other));
+    remarks.push_back(fmt::format(
+        "what turns as a whole has {:.2g} times the vorticity of the rest of the flow, or of what "
+        "of it depends on the longitude, so that the steps are made of the rest, in double "
+        "precision",
+        std::abs(apart.background.vorticity) * std::sqrt(sphere.n / 3.0) / other));
 }
 
 double SphereFlow::outweighed(SkewHermitian<> const& rest, Eigen::Vector3d const& axis) const {

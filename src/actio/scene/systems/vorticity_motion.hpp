@@ -1,10 +1,9 @@
 // A flow on the sphere that moves on, and the frames that it is looked at in.
 //
 // What is stepped is the absolute vorticity, that of the sphere's own rotation included, in a frame that
-// turns uniformly about the angular momentum (vorticity/turning_frame.hpp); where the sphere turns fast, but for
-// what turns as a whole. What is told of it is told in the
-// frame of the rotating sphere: turned by an angle that is the rate times the time, multiplied and never
-// accumulated.
+// turns uniformly about the angular momentum (vorticity/turning_frame.hpp); where the sphere turns fast, but
+// for what turns as a whole. What is told of it is told in the frame of the rotating sphere: turned by an
+// angle that is the rate times the time, multiplied and never accumulated.
 #pragma once
 
 #include "actio/scene/simulation.hpp"
@@ -30,8 +29,8 @@ class VorticityMotion : public Motion {
   /// sphere at the start.
   virtual Eigen::Vector3d angular_momentum() const = 0;
 
-  /// How far the vorticities are apart, relative to the sphere: as momenta. That of the sphere's rotation, which
-  /// is known, would make the error of the flow look small.
+  /// How far the vorticities are apart, relative to the sphere: as momenta. That of the sphere's rotation,
+  /// which is known, would make the error of the flow look small.
   StateDistance distance(Motion const& other) const override;
 };
 

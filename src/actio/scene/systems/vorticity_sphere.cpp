@@ -142,9 +142,9 @@ Companion companion_of(std::shared_ptr<SphereFlow const> const& flow, SphereSche
             "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
   Companion out = companions(
       [&](long multiple) {
-        double const longer = static_cast<double>(multiple) * step;
-        stepped_vorticity(flow, scheme, longer)->advance(2);  // so long a step may be beyond the iteration
-        return stepped_vorticity(flow, scheme, longer);
+    double const longer = static_cast<double>(multiple) * step;
+    stepped_vorticity(flow, scheme, longer)->advance(2);  // so long a step may be beyond the iteration
+    return stepped_vorticity(flow, scheme, longer);
       },
       {4, 3, 2}, order, false);
   out.momentum = "vorticity";
@@ -212,7 +212,8 @@ std::vector<Parameter> parameters() {
        "sphere does, has more than 16 times the vorticity of the rest of the flow, or of what of it depends "
        "on the longitude, the rest is stepped apart from it, to the rounding of its own and in double "
        "precision in either case; a remark says so. "
-       "With double a run that goes back returns to where it began. A layer (system.hamiltonian) takes double "
+       "With double a run that goes back returns to where it began. A layer (system.hamiltonian) takes "
+       "double "
        "alone.",
        "",
        "\"double\"",

@@ -21,9 +21,7 @@ class SphereStream {
   SkewHermitian<> solve(SkewHermitian<> const& w) const;
   /// The same one, of a kind that is known: `SphereLaplacian` or `HelmholtzStream`.
   template <class Stream>
-  Stream const& as() const {
-    return std::get<Stream>(stream_);
-  }
+  Stream const& as() const { return std::get<Stream>(stream_); }
 
  private:
   using Kind = std::variant<SphereLaplacian, HelmholtzStream>;
@@ -40,8 +38,8 @@ struct SphereScheme {
   double longest() const;
 };
 
-/// A flow on a sphere that turns fast, apart from what turns as a whole (vorticity/zonal_background.hpp). It is
-/// stepped along axes of which the third is that of the frame.
+/// A flow on a sphere that turns fast, apart from what turns as a whole (vorticity/zonal_background.hpp). It
+/// is stepped along axes of which the third is that of the frame.
 struct ApartFromPlanet {
   ZonalBackground background;  ///< what turns as a whole, about the axis of the frame
   SkewHermitian<> flow;        ///< the rest at the start, along the axes of the steps
@@ -73,11 +71,12 @@ struct SphereFlow {
   SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, SkewHermitian<> const& relative,
              Conserved conserved, std::vector<std::string>& remarks);
 
-  /// From so many times the vorticity of the rest on, or of what of it depends on the longitude, what turns as
-  /// a whole is kept apart. In their sum a step in single precision rounds the flow as many times as much; and
-  /// it would not hold energy and momentum any more: the eigenvalues that belong to them in the Gram matrix of
-  /// `OrbitMove` are smaller than the others by about the square, and from some 300 times on they fall below
-  /// its cut-off, for a jet that hardly depends on the longitude as for any flow on a sphere that turns fast.
+  /// From so many times the vorticity of the rest on, or of what of it depends on the longitude, what turns
+  /// as a whole is kept apart. In their sum a step in single precision rounds the flow as many times as much;
+  /// and it would not hold energy and momentum any more: the eigenvalues that belong to them in the Gram
+  /// matrix of `OrbitMove` are smaller than the others by about the square, and from some 300 times on they
+  /// fall below its cut-off, for a jet that hardly depends on the longitude as for any flow on a sphere that
+  /// turns fast.
   static constexpr double fast = 16;
   /// With what the first step begins.
   SkewHermitian<> const& first_state() const { return apart.is_there() ? apart.flow : start; }
