@@ -11,11 +11,13 @@ namespace {
 
 using namespace command;
 
-/// A number of summary.json: the first with this name after `section`; NaN where there is none.
+/// A number of summary.json: the first with this name after `section`; NaN where there is none, or a sentence.
 double figure(std::string const& summary, std::string const& section, std::string const& name) {
   std::size_t const begin = summary.find("\"" + section + "\": {"), end = summary.find('}', begin),
                     at = summary.find("\"" + name + "\": ", begin);
-  return begin == std::string::npos || at > end ? NAN : std::stod(summary.substr(at + name.size() + 4));
+  if (begin == std::string::npos || at > end) return NAN;
+  char const* const value = summary.c_str() + at + name.size() + 4;
+  return *value == '"' ? NAN : std::strtod(value, nullptr);
 }
 
 /// The largest errors of attitude (radians) and momentum (of the largest modulus) of one table against
@@ -64,7 +66,11 @@ Left left_by(std::string const& scene) {
   return left;
 }
 
-void hold(std::string const& what, std::string const& summary, Errors const& truth) {
+/// How many errors were held, and of how many there was a number.
+struct Held {
+  int all = 0, told = 0;
+};
+void hold(std::string const& what, std::string const& summary, Errors const& truth, Held& held) {
   for (auto const& [name, error] :
        {std::pair<std::string, double>{"attitude", truth.attitude}, {"momentum", truth.momentum}}) {
     double const told = figure(summary, "error", name);
@@ -72,9 +78,19 @@ void hold(std::string const& what, std::string const& summary, Errors const& tru
                             << told / error);
     BOOST_TEST(error > 1e-12,
                what << ": the error of the " << name << " is too small to be told from rounding: " << error);
+    ++held.all;
+    if (std::isnan(told)) {
+      BOOST_TEST(contains(summary, "\"" + name + "\": \"no number"), summary);
+      continue;
+    }
+    ++held.told;
     BOOST_TEST((told < 3 * error && told > error / 3),
                what << ": " << name << " off by " << error << ", estimated " << told);
   }
+}
+/// Four in five have a number.
+void require_most_told(Held const& held) {
+  BOOST_TEST(5 * held.told >= 4 * held.all, held.told << " of " << held.all << " have a number");
 }
 
 /// Tops, all different.
@@ -116,6 +132,7 @@ BOOST_AUTO_TEST_SUITE(error_estimate)
 
 BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_systems) {
   std::mt19937 random(11);
+  Held held;
   // Tops, against a sixteenth of the step in order 4.
   for (auto const& [order, step] : {std::pair("2", "0.015625"),
                                     {"4", "0.03125"},
@@ -130,7 +147,7 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_syste
     BOOST_TEST(found.outcome.status == 0, found.outcome.err);
     scene.method = "order = 4\nstep = 0.001953125";
     hold(std::string("top, order ") + order + ", step " + step, found.summary,
-         errors_in_space(found.table, run(scene).table));
+         errors_in_space(found.table, run(scene).table), held);
   }
   // Bodies in three to six dimensions, against a sixteenth of the step in order 6.
   std::uniform_real_distribution<double> u(0, 1);
@@ -150,7 +167,7 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_syste
     BOOST_TEST(found.outcome.status == 0, found.outcome.err);
     body.method = "moser_veselov", body.order = "6", body.step = "0.0078125";
     hold(std::string(method) + " on SO(" + std::to_string(n) + "), order " + order + ", step " + step,
-         found.summary, errors_in_n(found.table, left_by(body.text()).table, n));
+         found.summary, errors_in_n(found.table, left_by(body.text()).table, n), held);
   }
   // Free bodies in space, against the exact motion.
   for (std::string const method : {"order = 2\nstep = 0.0625", "order = 4\nstep = 0.25",
@@ -162,13 +179,15 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_syste
     Left const found = run(scene);
     scene.method = "order = 'exact'";
     Left const exact = run(scene);
-    hold("free body, " + method, found.summary, errors_in_space(found.table, exact.table));
+    hold("free body, " + method, found.summary, errors_in_space(found.table, exact.table), held);
     BOOST_TEST(contains(exact.summary, "exact: no error but that of rounding"));
     BOOST_TEST(std::isnan(figure(exact.summary, "error", "momentum")));
   }
+  require_most_told(held);
 }
 
 BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_under_a_torque) {
+  Held held;
   for (std::string const torque :
        {"gravity_gradient = { rate = 0.8, direction = [1, 0, 0], normal = [0, 0, 1] }",
         "potential = '-2*r33*(1 + 0.3*cos(t)) + 0.5*r12^2'"})
@@ -179,8 +198,9 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_under_a_torque)
       Left const found = run(scene);
       BOOST_TEST(found.outcome.status == 0, found.outcome.err);
       scene.method = "order = 4\nstep = 0.00390625";
-      hold(torque + ", " + method, found.summary, errors_in_space(found.table, run(scene).table));
+      hold(torque + ", " + method, found.summary, errors_in_space(found.table, run(scene).table), held);
     }
+  require_most_told(held);
 }
 
 BOOST_AUTO_TEST_CASE(a_default_in_n_dimensions_reaches_a_millionth_until_the_end) {
@@ -290,7 +310,8 @@ BOOST_AUTO_TEST_CASE(a_short_torque_is_not_stepped_over) {
   Left const found = run(scene("")), fine = run(scene("step = 0.001"));
   BOOST_TEST(found.outcome.status == 0, found.outcome.err);
   Errors const truth = errors_in_space(found.table, fine.table);
-  BOOST_TEST(std::abs(found.table["body_momentum_z"].back()) > 0.02);
+  // Without the torque no component exceeds the modulus, 1.1e-3.
+  BOOST_TEST(std::abs(found.table["body_momentum_z"].back()) > 5 * 1.1e-3);
   BOOST_TEST_MESSAGE("a pulse: attitude off by " << truth.attitude << ", momentum by " << truth.momentum);
   BOOST_TEST(truth.attitude < 1e-8, truth.attitude);
   BOOST_TEST(truth.momentum < 1e-8, truth.momentum);

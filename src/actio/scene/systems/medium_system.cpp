@@ -185,13 +185,14 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
       simulation.remarks.push_back(std::move(told));
     tell_gravity<d>(simulation, road.loads, begin.places);
   }
+  // Before the motion, which takes the mesh.
+  double const frequency =
+      frequency_of(road.loads.in_time, road.mesh.nodes, request.schedule.until(), simulation.remarks);
   auto motion = motion_of(request.file, road);
   double const longest = motion->longest_step();
   require_reachable_end(request.file, longest, request.schedule.until());
-  simulation.step = medium_step(
-      request, longest,
-      frequency_of(road.loads.in_time, road.mesh.nodes, request.schedule.until(), simulation.remarks),
-      simulation.remarks, motion->longest_in_one_part(), method.conserve == Conserve::form);
+  simulation.step = medium_step(request, longest, frequency, simulation.remarks,
+                                motion->longest_in_one_part(), method.conserve == Conserve::form);
   motion->begin(simulation.step, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, std::move(motion),
