@@ -116,8 +116,10 @@ BOOST_AUTO_TEST_CASE(killed_after_the_change_it_goes_on_bit_for_bit) {
       }
       // Where it was killed before the change nothing has changed.
       bool const changed = has(contents(broken + "/scene.toml"), "# from t = ");
-      auto const resumed = changed ? actio({"resume", broken, "--quiet"})
-                                   : actio({"resume", broken, "--step", other, "--quiet"});
+      auto resumed = changed ? actio({"resume", broken, "--quiet"})
+                             : actio({"resume", broken, "--step", other, "--quiet"});
+      // Between the checkpoint and the name of the scene: that is put right, and says so.
+      if (has(resumed.err, "have that length already")) resumed = actio({"resume", broken, "--quiet"});
       BOOST_TEST(resumed.status == 0, resumed.err);
       BOOST_TEST((contents(out + "/series.csv") == contents(broken + "/series.csv")));
       BOOST_TEST(summary_without_times(out) == summary_without_times(broken));

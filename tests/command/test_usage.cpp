@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_scene_may_come_from_a_pipe_and_behind_two_dashes) {
   command::Folder const folder;
   std::string const scene = folder.write("a.toml", command::apophis());
   auto const in_bash = [&](std::string const& line) {
-    return command::shell("cd '" + (folder / "") + "' && bash -c '" + line + "'");
+    return command::shell("export ACTIO; cd '" + (folder / "") + "' && bash -c '" + line + "'");
   };
   auto const piped = in_bash("\"$ACTIO\" run <(cat a.toml) --out piped --quiet");
   BOOST_TEST(piped.status == 0, piped.err);

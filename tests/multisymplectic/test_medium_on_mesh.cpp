@@ -173,11 +173,14 @@ BOOST_AUTO_TEST_CASE(what_a_body_says_of_itself_is_what_its_cells_have) {
     BOOST_TEST(testing::apart({spin.begin(), spin.end()}, flat<3>({body.angular_momentum()})) <= bound);
     BOOST_TEST(testing::apart(flat<d>({momentum}), flat<d>({body.momentum()})) <= bound);
     BOOST_TEST(body.numbers_of_state() == body.remember().size());
-    // A state and its copy of four numbers, forces and their copy, and an acceleration.
-    std::size_t const per_cell = plain.points * sizeof(CellPoint<d>) + plain.corners * sizeof(int),
+    // A state and its copy of four numbers, forces and their copy, an acceleration, and displacements with
+    // the places that they are from; hexahedra have a correction each.
+    bool const corrected = d == 3 && !plain.simplex;
+    std::size_t const per_cell = plain.points * sizeof(CellPoint<d>) + plain.corners * sizeof(int) +
+                                 (corrected ? sizeof(CornerCorrection<double, d>) : 0),
                       all = s.mesh.bytes() + s.mesh.cells.size() * per_cell + m.size() * sizeof(double) +
                             (s.mesh.wraps.empty() ? 0 : s.mesh.cells.size() * plain.corners) +
-                            11 * s.x.size() * sizeof(double);
+                            14 * s.x.size() * sizeof(double);
     BOOST_TEST(body.bytes() == all);
     // With viscosity two copies of its forces, one of velocities, and the masses of the points.
     BOOST_TEST(body_of<d>(s, {.step = 0.01, .viscosity = {1, 1}}).bytes() ==

@@ -40,10 +40,11 @@ PlainViscosity plain_viscosity(Sample const& s, ArtificialViscosity const& by) {
     for (int node : at) rho += masses[node] / volumes[node] / double(at.size());
     double const volume = plain.volume(cell, p), weight = plain.weight(cell, p);
     Square const F = plain.gradient(s.x, cell, p), a = plain.edges(s.x, cell, p);
-    // A velocity is no place: across a seam it has no period.
-    auto still = s.mesh;
-    still.periods = {0, 0, 0};
-    Square const rates = PlainBody<d>{still}.edges(s.u, cell, p) * inverse_matrix(a);
+    // The gradient is affine in the places, with the periods in its constant: velocities have its linear
+    // part.
+    std::vector<double> next = s.x;
+    for (std::size_t k = 0; k < next.size(); ++k) next[k] += s.u[k];
+    Square const rates = (plain.gradient(next, cell, p) - F) * inverse_matrix(F);
     double r = 0, face = d == 1 ? 1 : 0;
     for (int i = 0; i < d; ++i) r -= rates(i, i);
     r = std::max(r, 0.0);

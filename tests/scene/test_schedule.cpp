@@ -3,7 +3,6 @@
 #include <random>
 
 #include <fmt/format.h>
-#include <boost/multiprecision/cpp_dec_float.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "actio/scene/schedule.hpp"
@@ -73,23 +72,6 @@ BOOST_AUTO_TEST_CASE(rows_are_the_multiples_of_every_and_until) {
   }
   BOOST_TEST(beside > 500);
   BOOST_TEST(among > 500);
-}
-
-BOOST_AUTO_TEST_CASE(a_multiple_of_a_decimal_number_is_the_nearest_one) {
-  for (std::string const every :
-       {"0.1", "0.01", "0.3", "0.7", "1.1", "2.5e-3", "1e-9", "12345.678", "0.33333"}) {
-    Schedule const s = schedule_of("until = 1e6\nevery = " + every + "\n");
-    Schedule const longer = schedule_of("until = 2e6\nevery = " + every + "\n");
-    for (long const row : {1, 2, 3, 6, 7, 10, 49, 123, 9999, 12345}) {
-      // In decimal digits, by somebody else's arithmetic.
-      boost::multiprecision::cpp_dec_float_50 const exact =
-          boost::multiprecision::cpp_dec_float_50(every) * row;
-      BOOST_TEST(s.time(row) == exact.convert_to<double>(), row << " times " << every);
-      BOOST_TEST(s.time(row) == longer.time(row));
-    }
-  }
-  Schedule const third = schedule_of("until = 0.3\nevery = 0.1\n");
-  BOOST_TEST(third.time(third.rows() - 1) == 0.3);
 }
 
 BOOST_AUTO_TEST_CASE(with_at_rows_are_those_alone_and_with_neither_the_first_and_the_last) {

@@ -40,7 +40,6 @@ void is_known(char const* name, std::vector<double> const& constants, Witness co
       for (int i = 0; i < d; ++i) F(i, i) += 1;
       auto const [energy, stress] = witness(F);
       double const W = static_cast<double>(energy);
-      BOOST_TEST(std::abs(law->energy_beyond(H) - W) <= 1e-13 * W, name << " energy at " << size);
       double off = 0, most = 0;
       Matrix<double, d, d> const P = law->stress_beyond(H);
       for (int k = 0; k < d * d; ++k) {
@@ -48,6 +47,10 @@ void is_known(char const* name, std::vector<double> const& constants, Witness co
         off = std::max(off, std::abs(P.data()[k] - exact)), most = std::max(most, std::abs(exact));
       }
       BOOST_TEST(off <= 1e-13 * most, name << " stress at " << size);
+      // Where large strains of either sign leave the volume, J - 1 is a difference of 2^d - 1 terms of their
+      // size, and W moves by the stress times what rounding moves these by.
+      double const moved = (1 << d) * d * epsilon<double>() * most * size;
+      BOOST_TEST(std::abs(law->energy_beyond(H) - W) <= 1e-13 * W + moved, name << " energy at " << size);
     }
 }
 

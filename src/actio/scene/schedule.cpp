@@ -12,17 +12,6 @@ constexpr double most = 9007199254740992;  // 2^53: whole numbers beyond it are 
 // of the contract: how far t/h may be from a whole number, relative to it where it is large
 constexpr double near = 1e-9;
 
-/// A positive number as it is written, over a power of ten that makes it whole: 1 and 10 of 0.1.
-struct Decimal {
-  double whole = 0, power = 0;  ///< no power: it has more digits than are exact
-};
-Decimal decimal_of(double x) {
-  double power = 1;
-  for (int digits = 0; digits <= 15; ++digits, power *= 10)
-    if (double const whole = std::round(x * power); whole < most && whole / power == x) return {whole, power};
-  return {};
-}
-
 bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= near * std::max(1.0, ratio); }
 
 }  // namespace
@@ -93,11 +82,7 @@ void Schedule::read_interval(SceneTable const& table, std::string const& key) {
 
 double Schedule::time(long row) const {
   if (every_ == 0) return at_[static_cast<std::size_t>(row)];
-  if (last_beside_ && row == rows_ - 1) return until_;
-  // Three times 0.1 is 0.3: both factors are whole, and the quotient is the nearest number.
-  auto const [whole, power] = decimal_of(every_);
-  auto const count = static_cast<double>(row);
-  return power > 0 && count * whole < most ? count * whole / power : count * every_;
+  return last_beside_ && row == rows_ - 1 ? until_ : static_cast<double>(row) * every_;
 }
 
 std::vector<double> Schedule::landmarks() const {

@@ -83,7 +83,7 @@ inline double correct_factors(QuantizedSphere const& sphere, StepRound const& ro
     sought = change;
     for (Eigen::Index j = 1; j < count; ++j) sought[0] += *turn * direction(j)[2] * change[j];
   }
-  gram = unit.cwiseInverse().asDiagonal() * gram * unit.cwiseInverse().asDiagonal();
+  gram = gram.cwiseQuotient(unit * unit.transpose());
   factors.head(count) += regular_solution(gram, sought.cwiseQuotient(unit), 1e-8).cwiseQuotient(unit);
   return change.cwiseQuotient(scale).norm();
 }

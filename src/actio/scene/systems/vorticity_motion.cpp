@@ -78,16 +78,11 @@ SphereFlow::SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphe
       products(products_of_flow(start, remarks)) {
   take_apart(relative, conserved);
   if (!apart.is_there()) return;
-  if (double const other = outweighed(apart.flow, Eigen::Vector3d::UnitZ()); other > 0)
-    remarks.push_back(fmt::format(
-        "what turns as a whole has {:.2g} times the vorticity of the rest of the flow, or of what "
-        "of it depends on the longitude, so that the steps are made of the rest, in double "
-        "precision",
-        std::abs(apart.background.vorticity) * std::sqrt(sphere.n / 3.0) / other));
-}
-
-double SphereFlow::outweighed(SkewHermitian<> const& rest, Eigen::Vector3d const& axis) const {
-  return std::min(norm(rest), norm(TurningFrame{axis, 0}.turn(sphere, rest)));
+  if (double const other = norm(apart.flow); other > 0)
+    remarks.push_back(
+        fmt::format("what turns as a whole has {:.2g} times the vorticity of the rest of the flow, so that "
+                    "the steps are made of the rest, in double precision",
+                    std::abs(apart.background.vorticity) * std::sqrt(sphere.n / 3.0) / other));
 }
 
 /// b X with X = i hbar S_3 has the norm b sqrt(N/3).
@@ -108,7 +103,7 @@ void SphereFlow::take_apart(SkewHermitian<> const& relative, Conserved conserved
   for (int k = 0; k < 2; ++k) add_spin(sphere, -sphere.hbar() * held(of_degree_1(rest)), rest);
   if (norm(rest) <= sphere.n * std::numeric_limits<double>::epsilon() * norm(relative))
     rest = SkewHermitian<>(sphere.n);
-  if (!(std::abs(b) * std::sqrt(sphere.n / 3.0) > fast * outweighed(rest, axis))) return;
+  if (!(std::abs(b) * std::sqrt(sphere.n / 3.0) > fast * norm(rest))) return;
   apart.relative = held(own);
   if (double const sine = axis.cross(pole).norm(); sine > 0)
     apart.upright = {std::atan2(sine, axis[2]), axis.cross(pole) / sine};

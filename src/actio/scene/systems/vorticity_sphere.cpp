@@ -209,9 +209,8 @@ std::vector<Parameter> parameters() {
        "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the change "
        "in a step, or double, to rounding, which takes several times as long. What the method conserves it "
        "conserves to rounding in both, that of the absolute vorticity. Where what turns as a whole, as the "
-       "sphere does, has more than 16 times the vorticity of the rest of the flow, or of what of it depends "
-       "on the longitude, the rest is stepped apart from it, to the rounding of its own and in double "
-       "precision in either case; a remark says so. "
+       "sphere does, has more than 16 times the vorticity of the rest of the flow, the rest is stepped apart "
+       "from it, to the rounding of its own and in double precision in either case; a remark says so. "
        "With double a run that goes back returns to where it began. A layer (system.hamiltonian) takes "
        "double "
        "alone.",

@@ -71,12 +71,10 @@ struct SphereFlow {
   SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, SkewHermitian<> const& relative,
              Conserved conserved, std::vector<std::string>& remarks);
 
-  /// From so many times the vorticity of the rest on, or of what of it depends on the longitude, what turns
-  /// as a whole is kept apart. In their sum a step in single precision rounds the flow as many times as much;
-  /// and it would not hold energy and momentum any more: the eigenvalues that belong to them in the Gram
-  /// matrix of `OrbitMove` are smaller than the others by about the square, and from some 300 times on they
-  /// fall below its cut-off, for a jet that hardly depends on the longitude as for any flow on a sphere that
-  /// turns fast.
+  /// From so many times the vorticity of the rest on, what turns as a whole is kept apart. In their sum a
+  /// step in single precision rounds the flow as many times as much; and it would not hold energy and
+  /// momentum any more: the eigenvalues that belong to them in the Gram matrix of `OrbitMove` are smaller
+  /// than the others by about the square, and from some 300 times on they fall below its cut-off.
   static constexpr double fast = 16;
   /// With what the first step begins.
   SkewHermitian<> const& first_state() const { return apart.is_there() ? apart.flow : start; }
@@ -89,8 +87,6 @@ struct SphereFlow {
 
  private:
   void take_apart(SkewHermitian<> const& relative, Conserved conserved);
-  /// What a rotation about an axis is compared with.
-  double outweighed(SkewHermitian<> const& rest, Eigen::Vector3d const& axis) const;
   /// The part that the stream function has along the third axis in the frame in which the flow changes least.
   double calmest_stream(double b) const;
 };
