@@ -795,7 +795,7 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
                 -ad_star(tangent(curve, t).velocity, mu));
 
     // As printed, a function of the configuration: another momentum at the same one has another value.
-    Costate<SpannedGroup, S> const beside{p.configuration, draw.template momentum<S>(group)};
+    Costate<SpannedGroup, S> const beside{p.configuration, p.momentum + p.momentum};
     claim.differs("J a function of g, as printed", model, body_momentum(beside), J);
     // Controls: no inverse; the spatial momentum taken for the constant one; the initial value of mu although
     // g(0) is not e; a left-invariant Hamiltonian.
