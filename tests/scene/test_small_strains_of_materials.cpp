@@ -50,7 +50,9 @@ void is_known(char const* name, std::vector<double> const& constants, Witness co
       // Where large strains of either sign leave the volume, J - 1 is a difference of 2^d - 1 terms of their
       // size, and W moves by the stress times what rounding moves these by.
       double const moved = (1 << d) * d * epsilon<double>() * most * size;
-      BOOST_TEST(std::abs(law->energy_beyond(H) - W) <= 1e-13 * W + moved, name << " energy at " << size);
+      BOOST_TEST(std::abs(law->energy_beyond(H) - W) <= 1e-13 * W + moved,
+                 name << " energy at " << size << ": " << law->energy_beyond(H) - W << " of " << W
+                      << ", stress " << most);
     }
 }
 

@@ -25,7 +25,8 @@ class Search {
   }
   ChangeInTime run(double until, double enough, int most) {
     // The range of the values: that of a wave is found by any that are not in step with it.
-    for (int k = 0; k <= 64; ++k) look(until * k / 64);
+    look(0), look(until);
+    for (int k = 1; k < 64; ++k) look(until * k / 64, 0);
     add(0, until);
     // Ten thousand million steps would not resolve what is shorter.
     double const shortest = std::ldexp(until, -33);
@@ -61,12 +62,13 @@ class Search {
     }
     return found_;
   }
-  void look(double time) {
+  /// @param weight  of the second derivative: whether it counts
+  void look(double time, double weight = 1) {
     inputs_.back() = time;
     double y[3];
     second_(inputs_.data(), y, work_);
     if (!std::isfinite(y[0]) || !std::isfinite(y[2])) return;
-    found_.join({y[0], y[0], std::abs(y[2])});
+    found_.join({y[0], y[0], weight * std::abs(y[2])});
   }
 
   Tape const& second_;
