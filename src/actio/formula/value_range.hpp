@@ -23,6 +23,7 @@ using Interval = boost::numeric::interval<
 struct ValueRange : detail::Interval {
   using detail::Interval::Interval;
   ValueRange() = default;
+  /// Of these bounds.
   ValueRange(detail::Interval const& bounds) : detail::Interval(bounds) {}  // NOLINT: as the sums of two are
   /// The largest modulus; infinite where it is not known.
   double largest() const {

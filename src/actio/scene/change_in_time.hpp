@@ -14,11 +14,12 @@ namespace actio::scene {
 
 /// What is known of a formula over an interval of time, its other inputs fixed.
 struct ChangeInTime {
-  double least, most;  ///< of the values found
-  double bend = 0;     ///< the largest modulus of the second derivative found, 1/time^2
-  double bound = 0;    ///< of that modulus, over the whole interval
-  double from = 0,     ///< where the bound is that of, if it is not settled
-      to = 0;          ///< and until when
+  double least,      ///< the least of the values found
+      most;          ///< the largest of them
+  double bend = 0;   ///< the largest modulus of the second derivative found, 1/time^2
+  double bound = 0;  ///< of that modulus, over the whole interval
+  double from = 0,   ///< where the bound is that of, if it is not settled
+      to = 0;        ///< and until when
   /// whether the bound is no more than four times what was found, but for events whose height may be, by the
   /// bound, at most a hundredth of the range of the values
   bool settled = true;

@@ -55,9 +55,10 @@ class ErrorEstimate {
     double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none is told
     std::string unit = "";                                    ///< " rad", or nothing
     std::string said = "";                                    ///< why none is told, a sentence
-    /// the last time at which an error was told, and that error; NaN where there was none
-    double until = std::numeric_limits<double>::quiet_NaN(), then = std::numeric_limits<double>::quiet_NaN();
-    bool told() const { return said.empty(); }  ///< whether there is a number
+    /// the last time at which an error was told; NaN where there was none
+    double until = std::numeric_limits<double>::quiet_NaN();
+    double then = std::numeric_limits<double>::quiet_NaN();  ///< that error
+    bool told() const { return said.empty(); }               ///< whether there is a number
   };
   /// Of what a state has; none where nothing is estimated.
   std::vector<Entry> entries() const;

@@ -23,6 +23,7 @@ struct StepChange {
   double before = 0;  ///< their length up to there
   double step = 0;    ///< and from there on
 };
+/// All of a run, in their order.
 using StepChanges = std::vector<StepChange>;
 /// `# From t = 0.5 on steps of 0.001, before of 0.002`
 std::string in_words(StepChange const& change);

@@ -45,6 +45,7 @@ class RunOutput {
     missing_ = missing.count;
   }
 
+  /// A row more, for all tables.
   void add_row(std::span<double const> row) {
     for (auto& series : series_) series->add(row);
   }
