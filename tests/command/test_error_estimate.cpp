@@ -11,7 +11,8 @@ namespace {
 
 using namespace command;
 
-/// A number of summary.json: the first with this name after `section`; NaN where there is none, or a sentence.
+/// A number of summary.json: the first with this name after `section`; NaN where there is none, or a
+/// sentence.
 double figure(std::string const& summary, std::string const& section, std::string const& name) {
   std::size_t const begin = summary.find("\"" + section + "\": {"), end = summary.find('}', begin),
                     at = summary.find("\"" + name + "\": ", begin);
