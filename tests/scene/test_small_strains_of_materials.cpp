@@ -47,7 +47,7 @@ void is_known(char const* name, std::vector<double> const& constants, Witness co
         off = std::max(off, std::abs(P.data()[k] - exact)), most = std::max(most, std::abs(exact));
       }
       BOOST_TEST(off <= 1e-13 * most, name << " stress at " << size);
-      // Where large strains of either sign nearly leave the volume, J - 1 is a small sum of large terms. Their
+      // Where large strains nearly leave the volume, J - 1 is a small sum of large terms. Their
       // moduli add up to (1 + d max|H|)^d - 1 at most, each is a product of d, and W moves by the stress
       // times what these are rounded by.
       double largest = 0;
