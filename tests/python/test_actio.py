@@ -1191,7 +1191,7 @@ class ThePage(unittest.TestCase):
             for block in re.findall(r"(?:^ {4}.*\n|^\n(?= {4}))+", page.read_text(), re.M)
         ]
         blocks = [block for block in blocks if not re.match(r"\s*(PYTHONPATH=|python3 )", block)]
-        self.assertEqual(len(blocks), 7)
+        self.assertEqual(len(blocks), 8)
         here = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
             os.rename(folder_of_the_command(folder), folder + "/apophis")
@@ -1204,6 +1204,7 @@ class ThePage(unittest.TestCase):
                         exec(compile(block, str(page), "exec"), names)
             finally:
                 os.chdir(here)
+            self.assertEqual(names["x"].shape, names["pressure"].shape)
             self.assertTrue(pathlib.Path(folder, "copy/plots/index.html").exists())
         for expected in [
             "(101, 3)",

@@ -126,7 +126,7 @@ class MediumMotion : public Motion {
   using Place = std::array<double, d>;     ///< a point, or a vector
   virtual long steps() const = 0;          ///< that were made
   double ahead() const { return ahead_; }  ///< of the last step, time
-  /// \copydoc Motion::look_ahead
+  /// Until the next step the state is that so long after the last one, which one shorter step reaches.
   void look_ahead(double time) final { show_after(time), ahead_ = time; }
   virtual MediumCells<d> const& cells() const = 0;    ///< of the body
   virtual std::vector<Place> places() const = 0;      ///< of the nodes, length
