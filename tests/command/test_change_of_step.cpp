@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(a_step_that_cannot_be_is_refused_and_changes_nothing) {
 BOOST_AUTO_TEST_CASE(rows_between_steps_stay_where_they_are) {
   Folder const folder;
   auto scene = steps;
-  scene["step"] = "0.7", scene["until"] = "600000.3";
+  scene["step"] = "0.7", scene["until"] = "6000000.3", scene["every"] = "5000.0";
   std::string text = apophis(scene);
   text.insert(text.find("\nevery") + 1, "between_steps = true\n");
   std::string const file = folder.write("long.toml", text);
