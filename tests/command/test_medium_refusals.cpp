@@ -160,6 +160,15 @@ BOOST_AUTO_TEST_CASE(densities_and_sizes_that_are_none_are_told_at_their_keys) {
   check_ends(cells("[9223372036854775807, 4]"), 2,
              "cells: a whole number from 1 to 1000000000 is expected, found 9.2");
   check_ends(cells("[1, 4]", ", periodic = [true, false]"), 2, "there are at least 2, found 1");
+  check_ends(with_mesh(gas(), "shape = \"box\", lower = [0, 0], upper = [1e-300, 1], cells = [8, 8]"), 2,
+             "the longest edge of a cell over the shortest, of 0.125 along Y over 1.25e-301 along X");
+}
+
+// Where a start is looked at between its nodes it may be what no cell shows.
+BOOST_AUTO_TEST_CASE(a_placement_that_folds_between_the_nodes_is_what_its_nodes_make_of_it) {
+  Medium const folded =
+      with_mesh(gas(), "shape = \"box\", lower = [0, 0], upper = [5, 1], cells = [8, 8]");
+  BOOST_TEST(!plan_of(with_start(folded, "placement = [\"X + 0.02*sin(pi*X/0.005)\", \"Y\"]")).empty());
 }
 
 BOOST_AUTO_TEST_CASE(words_and_times_that_do_not_fit_are_told_with_what_would) {

@@ -177,8 +177,10 @@ std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, Medi
   if (axis < 0) return {};
   double density = 0;
   start.density(std::array<double, d>{}, &density);
-  auto const [rate, simple] =
-      largest_rate<d>(sampled<d>(mesh, start, axis), CharacteristicSpeed<d>(law, density, axis));
+  Wave const wave = sampled<d>(mesh, start, axis);
+  // A placement may fold between the nodes; a wave that has folded has crossed already.
+  if (!std::ranges::all_of(wave.J, [](double J) { return J > 0 && std::isfinite(J); })) return {};
+  auto const [rate, simple] = largest_rate<d>(wave, CharacteristicSpeed<d>(law, density, axis));
   // Differences of formulas leave some 1e-8.
   if (!(rate > 1e-7) || !std::isfinite(rate)) return {};
   return Crossing{1 / rate, simple && mesh.periodic[static_cast<std::size_t>(axis)]};

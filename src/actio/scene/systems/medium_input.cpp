@@ -32,6 +32,21 @@ std::vector<int> read_cells(SceneTable const& mesh, std::size_t count) {
   return out;
 }
 
+/// Refuses cells that are so thin that what strains along them store is rounding of what those across do.
+void require_no_needles(SceneTable const& mesh, MediumMesh const& box) {
+  std::size_t thin = 0, wide = 0;
+  auto const edge = [&](std::size_t k) { return (box.upper[k] - box.lower[k]) / box.cells[k]; };
+  for (std::size_t k = 0; k < box.cells.size(); ++k) {
+    if (!(edge(k) <= edge(wide))) wide = k;
+    if (edge(k) < edge(thin)) thin = k;
+  }
+  // Energies have the square of the ratio, and doubles have 2^53.
+  if (double const ratio = edge(wide) / edge(thin); !(ratio <= 1e8))
+    mesh.fail("cells", fmt::format("cells: the longest edge of a cell over the shortest, of {} along {} over "
+                                   "{} along {}, measured {}, bound 1e8",
+                                   edge(wide), axes()[wide], edge(thin), axes()[thin], ratio));
+}
+
 void read_box(SceneTable& mesh, MediumMesh& out) {
   mesh.allow({"shape", "lower", "upper", "cells", "periodic"});
   out.lower = mesh.numbers("lower");
@@ -55,6 +70,7 @@ void read_box(SceneTable& mesh, MediumMesh& out) {
           mesh.place("cells", k),
           fmt::format("cells: along a periodic direction there are at least 2, found {}", out.cells[k]));
   }
+  require_no_needles(mesh, out);
 }
 
 void read_round(SceneTable& mesh, MediumMesh& out) {
