@@ -50,6 +50,14 @@ BOOST_AUTO_TEST_CASE(from_zero_it_is_measured_by_the_largest_seen) {
   BOOST_TEST(drift_of({{0}, {1e-320}}) == 1);
 }
 
+BOOST_AUTO_TEST_CASE(terms_that_overflow_are_no_unit) {
+  using Unit = actio::scene::QuantityGraph::Unit;
+  Drift out({{"q", 0, 1}});
+  Unit const unit{std::numeric_limits<double>::infinity(), 0, 0};
+  for (double const value : {2.0, 3.0}) out.see({&value, 1}, {&unit, 1});
+  BOOST_TEST(out.worst() == 0.5);
+}
+
 BOOST_AUTO_TEST_CASE(of_what_is_at_rest_it_is_measured_by_its_own_pace) {
   using Unit = actio::scene::QuantityGraph::Unit;
   auto const drift = [](std::vector<double> const& values, std::vector<double> const& terms) {

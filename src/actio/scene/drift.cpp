@@ -49,7 +49,9 @@ void Drift::see(std::span<double const> row, std::span<QuantityGraph::Unit const
   for (std::size_t k = 0; k < units.size(); ++k)
     for (double QuantityGraph::Unit::*const part :
          {&QuantityGraph::Unit::terms, &QuantityGraph::Unit::rounding, &QuantityGraph::Unit::at_rest})
-      seen_[k].natural.*part = std::max(seen_[k].natural.*part, units[k].*part);
+      // Products of large terms may overflow where the quantity does not: they are no unit.
+      if (std::isfinite(units[k].*part))
+        seen_[k].natural.*part = std::max(seen_[k].natural.*part, units[k].*part);
   if (!started_) return start(row);
   double const* then = start_.data();
   for (std::size_t k = 0; k < quantities_.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "actio/any_group/legendre_velocity.hpp"
+#include "actio/scene/drift.hpp"
 
 namespace actio::scene {
 namespace {
@@ -68,11 +69,7 @@ class Reader {
 };
 
 QuantityGraph::NaturalUnit modulus_of(ReducedMotion const& motion) {
-  return [&motion](auto, double const*, std::size_t) {
-    double sum = 0;
-    for (double const p : motion.point().momentum) sum += p * p;
-    return std::sqrt(sum);
-  };
+  return [&motion](auto, double const*, std::size_t) { return length_of(motion.point().momentum); };
 }
 
 }  // namespace
