@@ -183,12 +183,14 @@ Kind const kinds[] = {
      [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(solid, j); }); },
      false},
     {"neo_hookean", "neo-Hookean, written out",
-     [](P const& p,
-        long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(neo_hookean, j); }); },
+     [](P const& p, long n) {
+       over(p.jets, n, [](auto const& j) { return elastic_equation(neo_hookean, j); });
+     },
      false},
     {"mooney_rivlin", "Mooney-Rivlin, written out",
-     [](P const& p,
-        long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(mooney_rivlin, j); }); },
+     [](P const& p, long n) {
+       over(p.jets, n, [](auto const& j) { return elastic_equation(mooney_rivlin, j); });
+     },
      false},
     {"liquid", "Tait's liquid, written out",
      [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(liquid, j); }); },
@@ -200,25 +202,28 @@ Kind const kinds[] = {
      [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return euler_lagrange(solid, j); }); },
      false},
     {"own_density", "a density of one's own, general road",
-     [](P const& p,
-        long n) { over(p.jets, n, [](auto const& j) { return euler_lagrange(OwnDensity{}, j); }); },
+     [](P const& p, long n) {
+       over(p.jets, n, [](auto const& j) { return euler_lagrange(OwnDensity{}, j); });
+     },
      false},
     {"section_hand", "by hand",
-     [](P const& p,
-        long n) { over(p.events, n, [](auto const& x) { return hand_written(twisted_bar_by_hand(x)); }); },
+     [](P const& p, long n) {
+       over(p.events, n, [](auto const& x) { return hand_written(twisted_bar_by_hand(x)); });
+     },
      true},
     {"section_written_out", "St Venant-Kirchhoff, written out",
      [](P const& p, long n) {
-  over(p.events, n, [](auto const& x) { return elastic_equation(solid, second_jet(bar, x)); });
+       over(p.events, n, [](auto const& x) { return elastic_equation(solid, second_jet(bar, x)); });
      },
      true},
     {"section_general", "St Venant-Kirchhoff, general road",
-     [](P const& p,
-        long n) { over(p.events, n, [](auto const& x) { return euler_lagrange(solid, bar, x); }); },
+     [](P const& p, long n) {
+       over(p.events, n, [](auto const& x) { return euler_lagrange(solid, bar, x); });
+     },
      true},
     {"section_own_density", "a density of one's own, general road",
      [](P const& p, long n) {
-  over(p.events, n, [](auto const& x) { return euler_lagrange(OwnDensity{}, bar, x); });
+       over(p.events, n, [](auto const& x) { return euler_lagrange(OwnDensity{}, bar, x); });
      },
      true}};
 constexpr std::size_t section_from = 8;

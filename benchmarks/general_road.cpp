@@ -84,8 +84,8 @@ Road heavy_top() {
   auto const plain = std::make_shared<Plain>(Plain{first, up});
   return {"heavy top", [motion] { motion->advance(); },
           [plain, l] {
-    auto const next = step_advected_euler_poincare_left(l, plain->f, plain->vertical).value;
-    plain->vertical = advect_left(plain->f, plain->vertical), plain->f = next;
+            auto const next = step_advected_euler_poincare_left(l, plain->f, plain->vertical).value;
+            plain->vertical = advect_left(plain->f, plain->vertical), plain->f = next;
           },
           [motion]() -> Report const& { return motion->report(); },
           [motion, plain] { return motion->relative_motion().value.sum() + plain->f.value.sum(); }};
@@ -102,8 +102,8 @@ Road galerkin(int s) {
   run->report.residuals = {0};
   return {"Galerkin, order " + std::to_string(2 * s) + ", SO(3)",
           [run] {
-    auto done = run->step(run->state, h);
-    run->state = done.state, run->report.evaluations = done.evaluations;
+            auto done = run->step(run->state, h);
+            run->state = done.state, run->report.evaluations = done.evaluations;
           },
           [run, s] { run->plain = galerkin_step_left<double>(energy, s)(run->plain, h).state; },
           [run]() -> Report const& { return run->report; },
@@ -129,17 +129,18 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < roads.size(); ++i) {
     contestants.push_back({roads[i].name,
                            [&, i] {
-      for (long k = 0; k < steps; ++k) {
-        roads[i].step();
-        Report const& report = roads[i].report();
-        evaluations[i] += report.evaluations, ++taken[i];
-        if (report.tolerance > 0) residual = std::max(residual, report.residuals.back() / report.tolerance);
-      }
+                             for (long k = 0; k < steps; ++k) {
+                               roads[i].step();
+                               Report const& report = roads[i].report();
+                               evaluations[i] += report.evaluations, ++taken[i];
+                               if (report.tolerance > 0)
+                                 residual = std::max(residual, report.residuals.back() / report.tolerance);
+                             }
                            },
                            steps});
     contestants.push_back({roads[i].name,
                            [&, i] {
-      for (long k = 0; k < plain_steps; ++k) roads[i].from_scratch();
+                             for (long k = 0; k < plain_steps; ++k) roads[i].from_scratch();
                            },
                            plain_steps});
   }
@@ -162,8 +163,8 @@ int main(int argc, char** argv) {
       {"step", "microseconds", "in Runge-Kutta steps", "evaluations", "from scratch, microseconds",
        "times as long"},
       rows,
-      "A step turns by 0.1, about; the time that a tenth of the rounds came under. A Runge-Kutta step "
-      "of a free body, momentum and attitude, takes " +
+      "A step turns by 0.1, about; the time that a tenth of the rounds came under. A Runge-Kutta step of a "
+      "free body, momentum and attitude, takes " +
           book::number(1e9 * benchmark::best_tenth(times[0])) +
           " ns. From scratch: Newton's iteration, which uses nothing of the last step.");
   program.figure("so3_us", 1e6 * benchmark::best_tenth(times[1]), "a DEP step on SO(3), microseconds");
@@ -175,8 +176,8 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < roads.size(); ++i) {
     double const faster = benchmark::ratio_of_best(times[2 * i + 2], times[2 * i + 1]);
     program.claim_of_time(faster >= 1.5, roads[i].name +
-                                             ": a step takes at most two thirds of the time of one from "
-                                             "scratch; measured " +
+                                             ": a step takes at most two thirds of the time "
+                                             "of one from scratch; measured " +
                                              book::number(1 / faster));
     double const most = static_cast<double>(evaluations[i]) / static_cast<double>(taken[i]);
     program.claim(most <= 6, roads[i].name +

@@ -110,9 +110,9 @@ int main(int argc, char** argv) {
   auto const limits = benchmark::nanoseconds_on_the_wall(
       program.rounds(15), {{"fused",
                             [&] {
-    Fused fused{rounds};
-    detail::run_with(best_registers(), fused);
-    sum += fused.out.lane[0];
+                              Fused fused{rounds};
+                              detail::run_with(best_registers(), fused);
+                              sum += fused.out.lane[0];
                             },
                             static_cast<double>(rounds) * 11 * 8},
                            {"memory", [&] { pass(1); }, static_cast<double>(numbers)},
@@ -154,11 +154,11 @@ int main(int argc, char** argv) {
                                       small, size.steps, place, velocity, sum);
   rows.push_back({"a law of one's own", number(own.one), number(own.two), number(own.plain),
                   number(own.plain / own.one), "", "", ""});
-  program.table(
-      "plane", {"medium", "one thread", "two", "Eigen", "Eigen / one", "operations", "floor", "one / floor"},
-      rows,
-      "Media in the plane: nanoseconds for a cell and step. The floor is that of the operations, if all "
-      "were fused in pairs.");
+  program.table("plane",
+                {"medium", "one thread", "two", "Eigen", "Eigen / one", "operations", "floor", "one / floor"},
+                rows,
+                "Media in the plane: nanoseconds for a cell and step. The floor is that of the "
+                "operations, if all were fused in pairs.");
   program.figure("gas", gas, "ns for a cell and step of a gas with exponent 2, one thread");
   program.figure("solid", solid, "ns for a cell and step of St Venant and Kirchhoff's solid, one thread");
   program.figure("rubber", rubber, "ns for a cell and step of a neo-Hookean solid");

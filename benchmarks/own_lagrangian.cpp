@@ -64,36 +64,33 @@ std::vector<double> in_scene(Pair const& pair, long steps) {
 }
 
 std::vector<Pair> pairs() {
-  return {pair_of<SE<2>>(
-              "SE(2)",
-              [](auto const& v) {
-    auto const& x = v.coordinates;
-    return (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] * 6.0) / 2.0;
-              },
-              "(w^2 + v1^2 + 6*v2^2)/2", {0.7, 1.0, 0.2}),
-          pair_of<SO<3>>(
-              "SO(3)",
-              [](auto const& v) {
-    auto const& x = v.coordinates;
-    return (x[0] * x[0] + x[1] * x[1] * 2.0 + x[2] * x[2] * 3.0) / 2.0;
-              },
-              "(w1^2 + 2*w2^2 + 3*w3^2)/2", {0.3, 1.1, -0.4}),
-      pair_of<SE<3>>(
-          "SE(3)",
-          [](auto const& v) {
-    auto const& x = v.coordinates;
-    return (x[0] * x[0] * 2.0 + x[1] * x[1] + x[2] * x[2] * 3.0 + x[3] * x[3] + x[4] * x[4] * 2.0 +
-            x[5] * x[5] * 4.0 + x[0] * x[4]) /
-           2.0;
-          },
-          "(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2 + w1*v2)/2", {0.4, 0.3, -0.5, 0.2, 0.6, -0.1}),
-      pair_of<SL<2>>(
-          "SL(2)",
-          [](auto const& v) {
-    auto const& x = v.coordinates;
-    return (x[0] * x[0] + x[1] * x[1] * 2.0 + x[2] * x[2] * 3.0 + x[0] * x[1]) / 2.0;
-          },
-          "(x1^2 + 2*x2^2 + 3*x3^2 + x1*x2)/2", {0.2, 0.3, -0.1})};
+  return {pair_of<SE<2>>("SE(2)",
+                         [](auto const& v) {
+                           auto const& x = v.coordinates;
+                           return (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] * 6.0) / 2.0;
+                         },
+                         "(w^2 + v1^2 + 6*v2^2)/2", {0.7, 1.0, 0.2}),
+          pair_of<SO<3>>("SO(3)",
+                         [](auto const& v) {
+                           auto const& x = v.coordinates;
+                           return (x[0] * x[0] + x[1] * x[1] * 2.0 + x[2] * x[2] * 3.0) / 2.0;
+                         },
+                         "(w1^2 + 2*w2^2 + 3*w3^2)/2", {0.3, 1.1, -0.4}),
+          pair_of<SE<3>>("SE(3)",
+                         [](auto const& v) {
+                           auto const& x = v.coordinates;
+                           return (x[0] * x[0] * 2.0 + x[1] * x[1] + x[2] * x[2] * 3.0 + x[3] * x[3] +
+                                   x[4] * x[4] * 2.0 + x[5] * x[5] * 4.0 + x[0] * x[4]) /
+                                  2.0;
+                         },
+                         "(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2 + w1*v2)/2",
+                         {0.4, 0.3, -0.5, 0.2, 0.6, -0.1}),
+          pair_of<SL<2>>("SL(2)",
+                         [](auto const& v) {
+                           auto const& x = v.coordinates;
+                           return (x[0] * x[0] + x[1] * x[1] * 2.0 + x[2] * x[2] * 3.0 + x[0] * x[1]) / 2.0;
+                         },
+                         "(x1^2 + 2*x2^2 + 3*x3^2 + x1*x2)/2", {0.2, 0.3, -0.1})};
 }
 
 }  // namespace
@@ -133,8 +130,8 @@ int main(int argc, char** argv) {
                 {"group", "in C++, microseconds", "as a scene, microseconds", "scene over C++",
                  "momenta apart after 200 steps"},
                 rows,
-                "A step of the natural chart, the group turning by about a twentieth; reading the scene and "
-                "differentiating its formula are in the time of the scene.");
+                "A step of the natural chart, the group turning by about a twentieth; reading the scene "
+                "and differentiating its formula are in the time of the scene.");
   program.figure("worst", worst, "time of a scene over that of C++, the largest");
   program.figure("apart", apart, "relative difference of the momenta after 200 steps, the largest");
   program.claim(apart <= 200 * 16 * std::numeric_limits<double>::epsilon(),

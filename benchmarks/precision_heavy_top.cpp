@@ -22,9 +22,9 @@ class ComposedTop {
       auto const l = trace_lagrangian(top_, h);
       auto const f = solver.solve(
           [&](auto const& x) {
-        using T = typename std::decay_t<decltype(x)>::Scalar;
-        return advected_momentum_before_left(l, x, Matrix<T, 3, 1>(state_.vector.template cast<T>())) -
-               like(x, state_.momentum);
+            using T = typename std::decay_t<decltype(x)>::Scalar;
+            return advected_momentum_before_left(l, x, Matrix<T, 3, 1>(state_.vector.template cast<T>())) -
+                   like(x, state_.momentum);
           },
           exp(-h * body_velocity(top_.inertia, state_.momentum)));
       state_ = {advected_lie_poisson_update_left(l, f, state_.vector, state_.momentum),
@@ -44,10 +44,9 @@ class ComposedTop {
 };
 
 int main(int argc, char** argv) {
-  benchmark::Benchmark program(
-      argc, argv,
-      "work and precision on the heavy top: a Lagrangian of one's own beside codes for "
-      "differential equations");
+  benchmark::Benchmark program(argc, argv,
+                               "work and precision on the heavy top: a Lagrangian of one's own beside "
+                               "codes for differential equations");
   auto const known = kovalevskaya_top<double>();
   Vector<double, 3> const I = known.top.inertia.moments, p = known.top.lever();
   auto const start = release(known.top, identity<double>(SO<3>{}), known.spin);
@@ -68,15 +67,15 @@ int main(int argc, char** argv) {
     return benchmark::road_way(
         system, name,
         [&, fractions](double h) {
-      return [motion = ComposedTop(known.top, start, fractions, h)](bool) mutable {
-        auto const& s = motion.step();
-        return std::array<double, 6>{s.momentum.components[0],
-                                     s.momentum.components[1],
-                                     s.momentum.components[2],
-                                     s.vector[0],
-                                     s.vector[1],
-                                     s.vector[2]};
-      };
+          return [motion = ComposedTop(known.top, start, fractions, h)](bool) mutable {
+            auto const& s = motion.step();
+            return std::array<double, 6>{s.momentum.components[0],
+                                         s.momentum.components[1],
+                                         s.momentum.components[2],
+                                         s.vector[0],
+                                         s.vector[1],
+                                         s.vector[2]};
+          };
         },
         first, 1.4);
   };

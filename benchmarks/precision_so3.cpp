@@ -39,14 +39,14 @@ int main(int argc, char** argv) {
     return benchmark::road_way(
         system, name,
         [step, start](double h) {
-      return [step, h, state = start, g = identity<double>(SO<3>{})](bool) mutable {
-        auto const done = step(state, h);
-        state = done.state, g = reconstruct_left(g, done.relative_motion);
-        std::array<double, 12> out;
-        for (int i = 0; i < 3; ++i) out[i] = state.momentum.components[i];
-        for (int i = 0; i < 9; ++i) out[3 + i] = g.value(i / 3, i % 3);
-        return out;
-      };
+          return [step, h, state = start, g = identity<double>(SO<3>{})](bool) mutable {
+            auto const done = step(state, h);
+            state = done.state, g = reconstruct_left(g, done.relative_motion);
+            std::array<double, 12> out;
+            for (int i = 0; i < 3; ++i) out[i] = state.momentum.components[i];
+            for (int i = 0; i < 9; ++i) out[3 + i] = g.value(i / 3, i % 3);
+            return out;
+          };
         },
         first, 1.4);
   };

@@ -101,10 +101,10 @@ std::vector<Curve> all_curves(Benchmark const& program, Witnesses const& exact) 
   };
   curves.push_back({"exact, each time by one evaluation",
                     [](double) {
-    States states;
-    for (int k = 0; k < looks; ++k)
-      states[k] = peers::seven(peers::free_body(task).at(duration * (k + 1) / looks));
-    return states;
+                      States states;
+                      for (int k = 0; k < looks; ++k)
+                        states[k] = peers::seven(peers::free_body(task).at(duration * (k + 1) / looks));
+                      return states;
                     },
                     {}});
   curves.back().runs.push_back(run(curves.back(), looks, exact, patience));
@@ -160,9 +160,9 @@ void show_curves(book::Program& program, std::vector<Curve> const& curves) {
     ++shown;
   }
   program.table("work_precision", {"method", "1e-4", "1e-8", "1e-10", "1e-12", "best error"}, rows,
-                "Microseconds to T = 1000, set-up included, with the best step for each error, which is the "
-                "largest of momentum and attitude at t = "
-                "100, 200, ... 1000; the last column is the smallest error that any step reached.");
+                "Microseconds to T = 1000, set-up included, with the best step for each error, which is "
+                "the largest of momentum and attitude at t = 100, 200, ... 1000; the last column is the "
+                "smallest error that any step reached.");
   program.picture("work_precision", plot.svg(),
                   "Error against processor time, each method with many steps or tolerances.");
 }
@@ -187,7 +187,7 @@ double race(Benchmark& program, std::vector<Curve> const& curves) {
   double sum = 0;
   contestants.push_back({exact->name,
                          [&] {
-    for (int k = 0; k < 50; ++k) sum += exact->solve(own->setting).back()[3];
+                           for (int k = 0; k < 50; ++k) sum += exact->solve(own->setting).back()[3];
                          },
                          50});
   for (auto const& [curve, best] : others)
@@ -222,15 +222,16 @@ double race(Benchmark& program, std::vector<Curve> const& curves) {
 // Only the end: body constructed, parameters computed, one step, each time another body.
 void end_point(Benchmark& program, double error) {
   double sum = 0, shift = 0;
-  auto const times = in_turns(program.rounds(41), {{"end point",
-                                                    [&] {
-    for (int k = 0; k < 2000; ++k) {
-      Task other = task;
-      other.M[1] += shift, shift += 1e-9;
-      sum += peers::free_body(other).at(duration).attitude.value[0];
-    }
-                                                    },
-                                                    2000}});
+  auto const times =
+      in_turns(program.rounds(41), {{"end point",
+                                     [&] {
+                                       for (int k = 0; k < 2000; ++k) {
+                                         Task other = task;
+                                         other.M[1] += shift, shift += 1e-9;
+                                         sum += peers::free_body(other).at(duration).attitude.value[0];
+                                       }
+                                     },
+                                     2000}});
   double const seconds = best_tenth(times[0]);
   program.figure("end_us", 1e6 * seconds, "end point at T = 1000 alone, set-up included, microseconds");
   program.figure("end_us_high", 1e6 * quantile(times[0], 0.9), "the same, a tenth of the rounds above");

@@ -109,12 +109,12 @@ void free_bodies(benchmark::Benchmark& program) {
                              {"baseline, momentum alone", [&] { plain_momenta.step_momentum(steps); }, units},
                              {"one step a call",
                               [&] {
-      for (int k = 0; k < 8; ++k) one.step();
+                                for (int k = 0; k < 8; ++k) one.step();
                               },
                               8.0 * static_cast<double>(count)},
                              {"Runge-Kutta",
                               [&] {
-      for (int k = 0; k < 20000; ++k) y = runge_kutta(equations, y, 1);
+                                for (int k = 0; k < 20000; ++k) y = runge_kutta(equations, y, 1);
                               },
                               20000}});
     double const ratio = benchmark::ratio_of_best(times[5], times[0]);
@@ -181,7 +181,8 @@ void torqued_bodies(benchmark::Benchmark& program) {
                                             {"orbit lanes", [&] { orbits.step(many); }, lane_units},
                                             {"Runge-Kutta",
                                              [&] {
-      for (long k = 0; k < one; ++k) y = runge_kutta(equations, y, 1);
+                                               for (long k = 0; k < one; ++k)
+                                                 y = runge_kutta(equations, y, 1);
                                              },
                                              units}});
     rows.push_back({method.name + ", order " + std::to_string(method.order)});
@@ -196,8 +197,8 @@ void torqued_bodies(benchmark::Benchmark& program) {
                 {"method", "one body, " + name, "baseline", name + ", in orbit", "batch of 64, " + name,
                  "baseline", name + ", in orbit", "Runge-Kutta"},
                 rows,
-                "Bodies under the torque of gravity: nanoseconds for a step of one body. The centre stands "
-                "still but for \"in orbit\".");
+                "Bodies under the torque of gravity: nanoseconds for a step of one body. The centre "
+                "stands still but for \"in orbit\".");
   program.figure("torqued", scalar, "ns for a kick and an exact drift of one body");
   program.figure("torqued_batch", batch, "ns for a kick and an exact drift of a body in a batch");
   program.figure("torqued_ratio", ratio,

@@ -86,7 +86,7 @@ Cost cost_of(benchmark::Benchmark const& program, Task const& task, double h) {
       benchmark::in_turns(program.rounds(n >= 256 ? 11 : 31),
                           {{"product",
                             [&] {
-    for (int k = 0; k < products; ++k) product();
+                              for (int k = 0; k < products; ++k) product();
                             },
                             std::ceil(products)},
                            {"with attitude", [&] { with.run(steps, true); }, std::ceil(steps)},
@@ -119,20 +119,22 @@ Peers peers_of(Task const& task, double h) {
   int ignored = 0;
   auto const t = benchmark::in_turns(5, {{"product",
                                           [&] {
-    for (int k = 0; k < 4 * steps; ++k) product();
+                                            for (int k = 0; k < 4 * steps; ++k) product();
                                           },
                                           4.0 * steps},
                                          {"ordered Schur",
                                           [&] {
-    for (int k = 0; k < times; ++k) sink = peers::by_ordered_schur(riccati);
+                                            for (int k = 0; k < times; ++k)
+                                              sink = peers::by_ordered_schur(riccati);
                                           },
                                           1.0 * times},
-                                     {"Newton-Kleinman",
-                                      [&] {
-    for (int k = 0; k < times; ++k) sink = peers::by_newton_kleinman(riccati, ignored);
-                                      },
-                                      1.0 * times},
-                                     {"ours", [&] { runner.run(steps, false); }, 1.0 * steps}});
+                                         {"Newton-Kleinman",
+                                          [&] {
+                                            for (int k = 0; k < times; ++k)
+                                              sink = peers::by_newton_kleinman(riccati, ignored);
+                                          },
+                                          1.0 * times},
+                                         {"ours", [&] { runner.run(steps, false); }, 1.0 * steps}});
   result.schur = benchmark::ratio_of_best(t[1], t[0]);
   result.newton = benchmark::ratio_of_best(t[2], t[0]);
   result.ours = benchmark::ratio_of_best(t[3], t[0]);
@@ -250,8 +252,8 @@ int main(int argc, char** argv) {
   program.figure("drift", std::abs(beyond.back().second),
                  "relative change of Tr M^2 in 1e6 steps of 0.1 rad, n = 8");
   program.claim(std::abs(beyond.back().second) <= walk,
-                "after 1e6 steps the trace of M^2 has moved by no more than a random walk of roundings of "
-                "the relative motion");
+                "after 1e6 steps the trace of M^2 has moved by no more than a random walk of "
+                "roundings of the relative motion");
   program.headline("a step on SO(n), n >= 128, costs " + number(with_large) + " products with attitude, " +
                        number(alone_large) + " without",
                    with_large);

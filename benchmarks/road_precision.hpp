@@ -34,10 +34,11 @@ struct System {
       for (std::size_t i = 0; i < n; ++i) y[i] = start[i];
       peers::odeint_steps<long double, n>(rate, y, static_cast<long double>(stretch), looks, steps,
                                           [&](int, auto const& at) {
-        auto const shown = show(at);
-        exact.emplace_back();
-        for (std::size_t i = 0; i < m; ++i) exact.back()[i] = static_cast<double>(shown[i]);
-      });
+                                            auto const shown = show(at);
+                                            exact.emplace_back();
+                                            for (std::size_t i = 0; i < m; ++i)
+                                              exact.back()[i] = static_cast<double>(shown[i]);
+                                          });
       if (!coarse.empty())
         for (int k = 0; k < looks; ++k) apart = std::max(apart, error(k + 1, coarse[k]));
       coarse = exact;
@@ -87,14 +88,14 @@ template <class S, class Make>
 Way road_way(S const& system, std::string name, Make make, double first, double ratio) {
   return {std::move(name),
           [&system, make](double setting) {
-    long const steps = std::lround(setting);
-    auto step = make(system.stretch / static_cast<double>(steps));
-    double worst = 0;
-    for (int k = 1; k <= S::looks; ++k) {
-      for (long i = 1; i < steps; ++i) step(false);
-      worst = std::max(worst, system.error(k, step(true)));
-    }
-    return worst;
+            long const steps = std::lround(setting);
+            auto step = make(system.stretch / static_cast<double>(steps));
+            double worst = 0;
+            for (int k = 1; k <= S::looks; ++k) {
+              for (long i = 1; i < steps; ++i) step(false);
+              worst = std::max(worst, system.error(k, step(true)));
+            }
+            return worst;
           },
           first, ratio};
 }
@@ -134,8 +135,8 @@ int compare(Benchmark& program, S& system, std::vector<Way> ways) {
       "Error against processor time; broken lines are those of codes for differential equations.");
   program.table("work_precision", {"method", "1e-3", "1e-6", "1e-9", "1e-11", "best error"}, rows,
                 "Microseconds to t = " + book::number(system.stretch * S::looks) +
-                    ", set-up included, with the best step or tolerance for each error, the largest at five "
-                    "times on the way.");
+                    ", set-up included, with the best step or tolerance for each error, the "
+                    "largest at five times on the way.");
   program.figure("apart", apart, "the witness against itself in half as many steps");
   program.figure("own_us", 1e6 * best_own, "the best of the general road to 1e-9, microseconds");
   program.figure("other_us", 1e6 * best_other, "the best of the others to 1e-9, microseconds");

@@ -40,8 +40,7 @@ std::string eighths(long n) {
 std::string scene_of(long steps, long every, std::string const& quantities,
                      std::string const& format = "csv") {
   return "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1]\n[initial]\nangular_momentum = [1.8, 0.4, "
-         "-0.9]\n"
-         "[method]\nname = \"moser_veselov\"\norder = 2\nstep = 0.125\n[run]\nuntil = " +
+         "-0.9]\n[method]\nname = \"moser_veselov\"\norder = 2\nstep = 0.125\n[run]\nuntil = " +
          eighths(steps) + "\nevery = " + eighths(every) + "\n[output]\nquantities = [" + quantities +
          "]\nformats = [\"" + format + "\"]\n";
 }
@@ -126,8 +125,8 @@ void overhead(Benchmark& program, Folder const& folder) {
   program.figure("bare_ns", 1e9 * best_tenth(plain[0]) / static_cast<double>(steps),
                  "step of the bare loop, momentum alone, ns");
   program.figure("overhead", percent, book::number(percent, 2),
-                 "what a scene adds, momentum alone and a row every 1000 steps, per cent of the time of the "
-                 "thread that steps");
+                 "what a scene adds, momentum alone and a row every 1000 steps, per cent of "
+                 "the time of the thread that steps");
   program.figure("overhead_low", quantile(more[0], 0.1), book::number(quantile(more[0], 0.1), 2),
                  "the same round by round, a tenth of the rounds below");
   program.figure("overhead_high", quantile(more[0], 0.9), book::number(quantile(more[0], 0.9), 2),
@@ -204,8 +203,8 @@ void rows(Benchmark& program, Folder const& folder) {
       {"format", "million rows a second", "size, MB", "peak memory, MB", "for a hundredth of the rows, MB"},
       lines,
       std::string(program.is_short() ? "A" : "Ten") +
-          " million rows of time, energy and Casimir, a row after each step; elapsed time of the command, "
-          "start to end.");
+          " million rows of time, energy and Casimir, a row after each step; elapsed "
+          "time of the command, start to end.");
 }
 
 // ---- What is not asked for
@@ -292,8 +291,8 @@ void count(Benchmark& program) {
   program.claim(counts[1].step < counts[3].step,
                 "a scene that asks for no attitude takes fewer instructions a step than one that does");
   program.claim(counts[3].row < counts[4].row,
-                "a scene that asks for the attitude alone takes fewer instructions a row than one that asks "
-                "for everything");
+                "a scene that asks for the attitude alone takes fewer instructions a row "
+                "than one that asks for everything");
 }
 
 int main(int argc, char** argv) {

@@ -150,10 +150,9 @@ int main(int argc, char** argv) {
                   {"N", "state", "diagonals", "product, ms", "fixed point", "no finish", "Lie-Poisson",
                    "rounds", "energy-Casimir", "all invariants", "fixed point: Casimirs", "ours: Casimirs"},
                   rows);
-    program.figure(
-        "gain", least_gain,
-        "how many times faster than the fixed point a Lie-Poisson step of a smooth state is, least "
-        "over N = 64 to 512");
+    program.figure("gain", least_gain,
+                   "how many times faster than the fixed point a Lie-Poisson step of a smooth "
+                   "state is, least over N = 64 to 512");
     program.figure("gain_developed", gain_developed, "the same of a developed state");
     program.figure(
         "digits", digits,

@@ -77,10 +77,11 @@ inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Metho
                               Patience const& patience) {
   Curve curve{method.name,
               [=](double steps) {
-    auto const stepper = method.make(task, time / steps);
-    States states;
-    for (peers::Seven& s : states) stepper->advance(static_cast<long>(steps) / looks), s = stepper->state();
-    return states;
+                auto const stepper = method.make(task, time / steps);
+                States states;
+                for (peers::Seven& s : states)
+                  stepper->advance(static_cast<long>(steps) / looks), s = stepper->state();
+                return states;
               },
               {}};
   int idle = 0;

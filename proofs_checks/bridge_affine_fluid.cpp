@@ -162,8 +162,8 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
 
 STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of $\\SL(n)$") {
   claim.holds(
-      "The kinetic energy is not invariant under all of $\\SL(n)$: the square $AA^T$ of the configuration is "
-      "advected. The reduced discrete equations are those of remark 3.1.3 with it.");
+      "The kinetic energy is not invariant under all of $\\SL(n)$: the square $AA^T$ of the configuration "
+      "is advected. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is
   // drawn.
   auto const in_dimension = [&]<int n>() {

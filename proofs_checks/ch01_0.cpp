@@ -48,10 +48,11 @@ S determinant(Matrix<S> a) {
 STATEMENT(claim_1_0_moser_veselov_integrable,
           "complete integrability of the Moser-Veselov rigid body scheme") {
   claim.holds(
-      "Counted on $\\SO(3)$, $\\SO(4)$, $\\SO(5)$: besides the Casimirs there are 1, 2 and 4 further "
-      "integrals, half the dimension of a generic orbit, independent and in involution; the step is a "
-      "Poisson map. The true energy is among them. The spectrum of the Lax matrix gives all; its determinant "
-      "alone, a polynomial in one variable, gives $n-1$ with the Casimirs, too few from $n = 4$ on.");
+      "Counted on $\\SO(3)$, $\\SO(4)$, $\\SO(5)$: besides the Casimirs there are 1, 2 and 4 "
+      "further integrals, half the dimension of a generic orbit, independent and in involution; "
+      "the step is a Poisson map. The true energy is among them. The spectrum of the Lax matrix "
+      "gives all; its determinant alone, a polynomial in one variable, gives $n-1$ with the "
+      "Casimirs, too few from $n = 4$ on.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);

@@ -45,8 +45,8 @@ Vector<S> momenta_in_entries(ExactMotions<S> const& m, Entries const& q, S const
 
 STATEMENT(eq_2_1, "the action of a curve") {
   claim.holds(
-      "The integral does not depend on the coordinates in which $g$ and its rate are expressed; it depends "
-      "on $a$ and $b$.");
+      "The integral does not depend on the coordinates in which $g$ and its rate are "
+      "expressed; it depends on $a$ and $b$.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -139,8 +139,8 @@ STATEMENT(eq_2_3, "first variation of the action, integrated by parts") {
 
 STATEMENT(eq_2_5, "first variation of the action with free ends") {
   claim.holds(
-      "The boundary term is the one-form $(\\partial L/\\partial\\dot g)\\,dg$, which is the Lagrange "
-      "one-form of the library.");
+      "The boundary term is the one-form $(\\partial L/\\partial\\dot g)\\,dg$, which is the "
+      "Lagrange one-form of the library.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -171,8 +171,8 @@ STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form 
   claim.corrected(R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_)"
                   R"(\epsilon(t))",
                   R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
-                  "The lifted variation in (2.6) is to be taken at the time $t$ of the end point, not at $t "
-                  "= 0$ as its definition below the formula is printed.");
+                  "The lifted variation in (2.6) is to be taken at the time $t$ of the end point, not at "
+                  "$t = 0$ as its definition below the formula is printed.");
   claim.same_slip_as("claim_2_1_lifted_variation");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
@@ -323,8 +323,8 @@ STATEMENT(claim_2_1_regular_second_order_ode, "regular Lagrangians have second-o
 
 STATEMENT(claim_2_1_action_chart_independent, "action and equations in two charts") {
   claim.holds(
-      "The left side of (2.4) is a covector; the second derivatives in it are those of one curve in both "
-      "charts.");
+      "The left side of (2.4) is a covector; the second derivatives in it are "
+      "those of one curve in both charts.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const h = draw.template element<S>(group), k = draw.template element<S>(group);
@@ -501,10 +501,10 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
                   R"(\frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_\epsilon(t))",
                   R"(\ddot G \subset T(TG), \qquad \hat\delta g(t) \equiv )"
                   R"(\frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
-                  "The second-order set lies in $T(TG)$ rather than $TG$, and the lifted variation is taken "
-                  "at $t$ rather than at 0. Then (2.6) holds; that map and form are the only ones is "
-                  "claim_2_1_el_map_and_form_unique. The classes $C^{k-2}$ and $C^{k-1}$ are tried for $k = "
-                  "2, 3, 4$, with Lagrangians that have no more derivatives than that across a seam.");
+                  "The second-order set lies in $T(TG)$ rather than $TG$, and the lifted variation is "
+                  "taken at $t$ rather than at 0. Then (2.6) holds; that map and form are the only ones is "
+                  "claim_2_1_el_map_and_form_unique. The classes $C^{k-2}$ and $C^{k-1}$ are tried for $k "
+                  "= 2, 3, 4$, with Lagrangians that have no more derivatives than that across a seam.");
   claim.same_slip_as("claim_2_1_lifted_variation");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
@@ -617,9 +617,9 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
                   R"(G\Bigr\} \text{ of } TG)",
                   R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| g \text{ a } C^2 \text{ curve in } )"
                   R"(G\Bigr\} \subset T(TG))",
-                  "Second derivatives are tangent vectors of $TG$, so the set lies in $T(TG)$: it holds the "
-                  "$w$ for which $T\\tau_G(w)$ is the base point of $w$, where $\\tau_G\\colon TG\\to G$ is "
-                  "the projection. As printed it would lie in $TG$; the curve is $g$, not $q$.");
+                  "Second derivatives are tangent vectors of $TG$, so the set lies in $T(TG)$: it holds "
+                  "the $w$ for which $T\\tau_G(w)$ is the base point of $w$, where $\\tau_G\\colon TG\\to "
+                  "G$ is the projection. As printed it would lie in $TG$; the curve is $g$, not $q$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const curve = draw_retracted_curve<S>(draw, group);

@@ -275,8 +275,8 @@ NoetherMembers<S> noether_members(Top const& L, State<SpannedGroup, S> const& v,
 
 STATEMENT(eq_2_9, "infinitesimal invariance of the action on solutions") {
   claim.holds(
-      "For an abelian group of symmetries, whose flow is known in closed form, and for a group that acts on "
-      "itself from the right and from the left, with flows by power series. In the last member $F_t$ "
+      "For an abelian group of symmetries, whose flow is known in closed form, and for a group that acts "
+      "on itself from the right and from the left, with flows by power series. In the last member $F_t$ "
       "commutes with the symmetry (claim_2_1_symmetry_of_solutions).");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
@@ -413,10 +413,10 @@ void carry_solutions(Claim<S>& claim, Draw& draw, std::string const& what, std::
 STATEMENT(claim_2_1_symmetry_of_solutions,
           "a symmetry takes solutions to solutions and commutes with the flow") {
   claim.holds(
-      "With finite elements $k$ of the group: the Euler-Lagrange map and the vector field of the flow are "
-      "carried along by multiplication from the right, from the left and by a one-parameter group; "
-      "$F_t(k\\cdot v) = k\\cdot F_t(v)$ over finite times where the flow is a polynomial, and by power "
-      "series.");
+      "With finite elements $k$ of the group: the Euler-Lagrange map and the vector field of the "
+      "flow are carried along by multiplication from the right, from the left and by a "
+      "one-parameter group; $F_t(k\\cdot v) = k\\cdot F_t(v)$ over finite times where the flow is a "
+      "polynomial, and by power series.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const kinetic = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const k = draw.template element<S>(group);

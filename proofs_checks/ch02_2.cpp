@@ -108,7 +108,7 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
   auto const varied_action = [&](Side on) {
     return rule(
         [&](S const& s) {
-      return change_along<S>(l, path(s), variation_on(on, path(s), test(s), rate_along(test, s)));
+          return change_along<S>(l, path(s), variation_on(on, path(s), test(s), rate_along(test, s)));
         },
         from, to);
   };
@@ -263,8 +263,8 @@ auto draw_canonical(Draw& draw, SpannedGroup const& group) {
 
 STATEMENT(thm_2_2_2, "the bracket that right-invariant functions give the dual algebra") {
   claim.holds(
-      "With $\\{q, p\\} = +1$ on $T^*G$ and the commutator in the algebra; left-invariant functions give the "
-      "minus bracket.");
+      "With $\\{q, p\\} = +1$ on $T^*G$ and the commutator in the algebra; left-invariant "
+      "functions give the minus bracket.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_algebra_polynomial<S>(draw, group.dimension()),
                h = draw_algebra_polynomial<S>(draw, group.dimension()),
@@ -382,9 +382,9 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
   claim.corrected(
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0), \qquad \lambda(p) = T^*_{g}R_{g}\,p)",
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t), \qquad \lambda(p) = T^*_eR_{g}\,p)",
-      "The momentum in the equation for $g$ is that of the same instant; and with the index $g(t)$ in place "
-      "of $e$ the map $\\lambda$ would start in another fibre. Then the four conditions are equivalent: i "
-      "and ii as they stand, iii and iv together with the equation for $g$.");
+      "The momentum in the equation for $g$ is that of the same instant; and with the index $g(t)$ in "
+      "place of $e$ the map $\\lambda$ would start in another fibre. Then the four conditions are "
+      "equivalent: i and ii as they stand, iii and iv together with the equation for $g$.");
   claim.same_slip_as("claim_2_2_reconstruction_velocity");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     lie_poisson_conditions(claim, draw, Side::right, group, model);
@@ -400,8 +400,8 @@ STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group ele
   claim.corrected(R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
                   R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
                   "The momentum is that of the same instant, translated to the identity. With the momentum "
-                  "frozen at its initial value $g$ would be a one-parameter group; and $p(0)$ is a covector "
-                  "at $g(0)$, not an element of the dual algebra.");
+                  "frozen at its initial value $g$ would be a one-parameter group; and $p(0)$ is a "
+                  "covector at $g(0)$, not an element of the dual algebra.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const H = right_invariant_function(h);
@@ -427,8 +427,8 @@ STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group ele
 STATEMENT(claim_2_2_lie_poisson_equivalence,
           "Hamilton's equations, Lie-Poisson equations and brackets say the same") {
   claim.holds(
-      "Conditions iii and iv say nothing about $g$: the equation for $g$ is needed to come back to i and "
-      "ii.");
+      "Conditions iii and iv say nothing about $g$: the equation for $g$ is "
+      "needed to come back to i and ii.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.dimension();
     auto const F = draw_costate_polynomial<S>(draw, group), H = draw_costate_polynomial<S>(draw, group);
@@ -558,9 +558,9 @@ STATEMENT(claim_2_2_euler_poincare_lie_poisson,
           "Euler-Poincare and Lie-Poisson equations, and Legendre's transformation") {
   claim.convention(
       "Where $l$, or $h$, is regular: with $\\mu = \\delta l/\\delta\\xi$ and $h = \\langle\\mu,\\xi\\rangle "
-      "- l$ the one system is the other, off shell and on both sides, and from $h$ in the same way back; on "
-      "$TG$ and $T^*G$, for right-invariant functions, the Legendre transformation of the Lagrangian takes "
-      "its vector field to that of the Hamiltonian.");
+      "- l$ the one system is the other, off shell and on both sides, and from $h$ in the same way back; "
+      "on $TG$ and $T^*G$, for right-invariant functions, the Legendre transformation of the Lagrangian "
+      "takes its vector field to that of the Hamiltonian.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.dimension();
     auto const l = draw_algebra_polynomial<S>(draw, n);
@@ -698,8 +698,8 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
   claim.corrected(R"(\mathcal O \subset \mathfrak g)", R"(\mathcal O \subset \mathfrak g^*)",
                   "The orbit of a momentum under the coadjoint action lies in the dual of the algebra; "
                   "tangent vectors of orbits in the algebra are others. The form is not degenerate, closed "
-                  "(its derivative on surfaces with three parameters in orbits of dimension 4), and the only "
-                  "one that gives the bracket: fields of linear functions span the tangent space.");
+                  "(its derivative on surfaces with three parameters in orbits of dimension 4), and the "
+                  "only one that gives the bracket: fields of linear functions span the tangent space.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_retracted_curve<S>(draw, group);
@@ -764,9 +764,9 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
       R"(\mu(t) = \mathrm{Ad}^*_{g^{-1}(t)}\mu_0,\quad \mu_0 = J(g(t)))",
       R"(\mu(t) = \mathrm{Ad}^*_{g^{-1}(t)}\mu_0,\quad \mu_0 = J(p(t)))",
       "The momentum is no function of the configuration. $J = T_e^*L_g\\,p$ is the momentum map of "
-      "multiplication from the right: for a right-invariant Hamiltonian the body momentum is constant "
-      "and $\\mu(t)$ is the spatial one; $\\mu_0$ is its initial value only if $g(0) = e$. "
-      "$\\Ad^*_{g^{-1}}$ is the dual of $\\Ad_{g^{-1}}$.");
+      "multiplication from the right: for a right-invariant Hamiltonian the body momentum is constant and "
+      "$\\mu(t)$ is the spatial one; $\\mu_0$ is its initial value only if $g(0) = e$. $\\Ad^*_{g^{-1}}$ "
+      "is the dual of $\\Ad_{g^{-1}}$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     Costate<SpannedGroup, S> const p{draw.template element<S>(group), draw.template momentum<S>(group)};

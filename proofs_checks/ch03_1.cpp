@@ -32,8 +32,8 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
   claim.corrected(R"(\mathbb S=\sum_{k=1}^{N}\mathbb L(g_k,g_{k+1}))",
                   R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb )"
                   R"(L(g_k,g_{k+1}))",
-                  "The configurations are $g_0,\\dots,g_N$ and the ends $g_0$ and $g_N$ are held, so the sum "
-                  "runs over the $N$ pairs between them; the printed range leaves $g_0$ out, needs a "
+                  "The configurations are $g_0,\\dots,g_N$ and the ends $g_0$ and $g_N$ are held, so the "
+                  "sum runs over the $N$ pairs between them; the printed range leaves $g_0$ out, needs a "
                   "configuration $g_{N+1}$, and its variation at $g_1$ is not (3.2).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // Configurations g_0, ..., g_N with N = 4, and g_5, which only the printed range asks for.
@@ -60,9 +60,9 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
 STATEMENT(claim_3_1_discrete_from_continuous,
           "a discrete Lagrangian from an approximate configuration and an approximate velocity") {
   claim.convention(
-      "For equal steps. The thesis leaves the step out as a factor, which divides the action and every "
-      "momentum by it; where steps differ the factor $h$ belongs there, and the library's discrete "
-      "Lagrangians carry it.");
+      "For equal steps. The thesis leaves the step out as a factor, which divides the action and "
+      "every momentum by it; where steps differ the factor $h$ belongs there, and the library's "
+      "discrete Lagrangians carry it.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 3);
@@ -108,11 +108,10 @@ STATEMENT(claim_3_1_discrete_from_continuous,
         steps.push_back(to_double(h));
         at_configuration.push_back(error(discretize_at_the_configuration(lagrangian, h), h));
         at_identity.push_back(error(discretize_at_the_identity(lagrangian, h, ratio<S>(1, 2)), h));
-        backwards.push_back(error(
-            [&](auto const& p, auto const& q) {
-          return discretize_at_the_configuration(lagrangian, h)(q, p);
-            },
-            h));
+        backwards.push_back(
+            error([&](auto const& p,
+                      auto const& q) { return discretize_at_the_configuration(lagrangian, h)(q, p); },
+                  h));
       }
       claim.order("half-way in a chart at the configuration", model, steps, at_configuration, 2);
       claim.order("half-way in a chart at the identity", model, steps, at_identity, 2);
@@ -125,9 +124,9 @@ STATEMENT(claim_3_1_discrete_from_continuous,
 STATEMENT(rem_3_1_1,
           "a discretization without origin inherits the symmetry; lifted and diagonal actions agree") {
   claim.holds(
-      "Instance: the half-way rule in Cayley's chart at the configuration, right- and left-invariant "
-      "Lagrangians. A chart at the identity, as accurate, does not inherit: the choice in the remark is "
-      "needed.");
+      "Instance: the half-way rule in Cayley's chart at the configuration, right- and "
+      "left-invariant Lagrangians. A chart at the identity, as accurate, does not inherit: the "
+      "choice in the remark is needed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     S const h = ratio<S>(1, 3);
@@ -358,11 +357,10 @@ STATEMENT(eq_3_4, "the two one-forms add up to the differential of the Lagrangia
     // Controls: the sign of the momentum in theta-, the slots exchanged.
     claim.differs("theta+ minus theta-", model, Vector<S>(plus - minus), dL);
     claim.differs("slots exchanged", model,
-                  on_each(
-                      w,
-                      [&](auto const& u) {
-      return S(pair(D1(L, g[0], g[1]), u.second) + pair(D2(L, g[0], g[1]), u.first));
-                      }),
+                  on_each(w,
+                          [&](auto const& u) {
+                            return S(pair(D1(L, g[0], g[1]), u.second) + pair(D2(L, g[0], g[1]), u.first));
+                          }),
                   dL);
   });
 }
@@ -394,10 +392,10 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
       R"(\,dg_k^i\wedge dg_{k+1}^j)",
       R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
       R"(\,dg_{k+1}^j\wedge dg_k^i)",
-      "The printed right side is $-d\\theta^- = d\\theta^+$ everywhere: the slip is in the "
-      "definition, for with $\\omega = d\\theta^+$ the coordinates, the chain for symplecticity, "
-      "the pull-back of $-d\\theta_0$ and Theorem 4.3.2 all hold as printed. The library has "
-      "$\\omega = d\\theta^-$, which is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of chapter 2.");
+      "The printed right side is $-d\\theta^- = d\\theta^+$ everywhere: the slip is in the definition, for "
+      "with $\\omega = d\\theta^+$ the coordinates, the chain for symplecticity, the pull-back of "
+      "$-d\\theta_0$ and Theorem 4.3.2 all hold as printed. The library has $\\omega = d\\theta^-$, which "
+      "is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -482,8 +480,8 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
   claim.corrected(R"(d\mathbb S=\theta^-_{\mathbb L}+F^*\theta^+_{\mathbb L})",
                   R"(d\mathbb S=\theta^-_{)"
                   R"(\mathbb L}+(\mathbb F^{N-1})^*\theta^+_{\mathbb L})",
-                  "The last of $N$ pairs is $N-1$ steps of the flow from the first; the printed single step "
-                  "is right for $N = 2$ only. $F$ is the flow, not the Legendre transformation.");
+                  "The last of $N$ pairs is $N-1$ steps of the flow from the first; the printed single "
+                  "step is right for $N = 2$ only. $F$ is the flow, not the Legendre transformation.");
   claim.maybe_scan();
   over_groups(groups_for_motions<S>(3), claim, [&](auto const& group, auto const& model) {
     // A motion of three pairs, and changes of its first pair mapped by the tangent of the flow.
@@ -572,8 +570,9 @@ STATEMENT(claim_3_1_flow_symplectic, "the discrete flow preserves the discrete t
 STATEMENT(claim_3_1_symplecticity_chain,
           "symplecticity from the vanishing second differential of the action") {
   claim.convention(
-      "With (3.5) put right, as $\\omega = d\\theta^+$. For the $\\omega = d\\theta^-$ of the definition the "
-      "first and the last sign are wrong and cancel; the middle equality, from $ddS = 0$, has no $\\omega$.");
+      "With (3.5) put right, as $\\omega = d\\theta^+$. For the $\\omega = d\\theta^-$ of "
+      "the definition the first and the last sign are wrong and cancel; the middle equality, "
+      "from $ddS = 0$, has no $\\omega$.");
   claim.same_slip_as("eq_3_5");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);

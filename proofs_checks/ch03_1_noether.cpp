@@ -70,44 +70,44 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
       "equivariant, which the step to (3.7) uses, at finite elements and in its tangent.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3, ratio<S>(1, 2));
-    over_sides(draw, g, model,
-               [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
-      // The action does not change along the symmetry.
-      auto const along = [&](auto const& generator) {
-        return rate(g, {generator(g[0]), generator(g[1]), generator(g[2])},
-                    [&](auto const& q) { return discrete_action(L, q); });
-      };
-      auto const first = [&](auto const& side_of) {
-        return over_basis<S>(group, [&](auto const& zeta) {
-          return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1]));
+    over_sides(
+        draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
+          // The action does not change along the symmetry.
+          auto const along = [&](auto const& generator) {
+            return rate(g, {generator(g[0]), generator(g[1]), generator(g[2])},
+                        [&](auto const& q) { return discrete_action(L, q); });
+          };
+          auto const first = [&](auto const& side_of) {
+            return over_basis<S>(group, [&](auto const& zeta) {
+              return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1]));
+            });
+          };
+          auto const last = [&](auto const& side_of) {
+            return over_basis<S>(group, [&](auto const& zeta) {
+              return discrete_one_form_plus(L, g[1], g[2], at_pair(side_of(zeta), g[1], g[2]));
+            });
+          };
+          claim.zero("the contraction of the symmetry with dS", side,
+                     over_basis<S>(group, [&](auto const& zeta) { return along(own(zeta)); }),
+                     size_of(first(own)));
+          // The flow is equivariant: its tangent takes the generator at a pair to the generator at the next.
+          auto const generator = own(draw.template velocity<S>(group));
+          auto const carried = discrete_flow_tangent(L, g[0], g[1], g[2], at_pair(generator, g[0], g[1]));
+          claim.equal("the tangent of the flow takes generator to generator", side, carried.second,
+                      generator(g[2]), flow_condition<S>(L, g[1], g[2]));
+          // So it is at a finite element: the translated configurations are a motion.
+          auto const k = draw.template element<S>(group, S(1));
+          auto const terms = size_of(D2(L, g[0], g[1]));
+          claim.zero("the flow takes translated pairs to translated pairs", side,
+                     equations_along(L, moved(own, g, k)), terms, 100);  // k is far from 1: its Ad magnifies
+          claim.refutes("pairs translated on the other side", side, equations_along(L, moved(other, g, k)),
+                        terms);
+          claim.equal("(3.7)", side, first(own), Vector<S>(-last(own)));
+          // Controls: no minus sign, a symmetry of the other side.
+          claim.differs("without the minus sign", side, first(own), last(own));
+          claim.differs("translations under which the Lagrangian is not invariant", side, first(other),
+                        Vector<S>(-last(other)));
         });
-      };
-      auto const last = [&](auto const& side_of) {
-        return over_basis<S>(group, [&](auto const& zeta) {
-          return discrete_one_form_plus(L, g[1], g[2], at_pair(side_of(zeta), g[1], g[2]));
-        });
-      };
-      claim.zero("the contraction of the symmetry with dS", side,
-                 over_basis<S>(group, [&](auto const& zeta) { return along(own(zeta)); }),
-                 size_of(first(own)));
-      // The flow is equivariant: its tangent takes the generator at a pair to the generator at the next.
-      auto const generator = own(draw.template velocity<S>(group));
-      auto const carried = discrete_flow_tangent(L, g[0], g[1], g[2], at_pair(generator, g[0], g[1]));
-      claim.equal("the tangent of the flow takes generator to generator", side, carried.second,
-                  generator(g[2]), flow_condition<S>(L, g[1], g[2]));
-      // So it is at a finite element: the translated configurations are a motion.
-      auto const k = draw.template element<S>(group, S(1));
-      auto const terms = size_of(D2(L, g[0], g[1]));
-      claim.zero("the flow takes translated pairs to translated pairs", side,
-                 equations_along(L, moved(own, g, k)), terms, 100);  // k is far from 1: its Ad magnifies
-      claim.refutes("pairs translated on the other side", side, equations_along(L, moved(other, g, k)),
-                    terms);
-      claim.equal("(3.7)", side, first(own), Vector<S>(-last(own)));
-      // Controls: no minus sign, a symmetry of the other side.
-      claim.differs("without the minus sign", side, first(own), last(own));
-      claim.differs("translations under which the Lagrangian is not invariant", side, first(other),
-                    Vector<S>(-last(other)));
-    });
   });
 }
 
@@ -144,31 +144,32 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     // Three pairs: with two a momentum of the wrong pair would pass.
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
-    over_sides(draw, g, model,
-               [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
-      auto const J = [&](int k, auto const& side_of) {
-        return over_basis<S>(
-            group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], side_of(zeta)); });
-      };
-      auto const minus = over_basis<S>(group, [&](auto const& zeta) {
-        return discrete_one_form_minus(L, g[1], g[2], at_pair(own(zeta), g[1], g[2]));
-      });
-      claim.equal("J is theta+ contracted with the generator", side, J(0, own),
-                  over_basis<S>(group, [&](auto const& zeta) {
-                    return discrete_one_form_plus(L, g[0], g[1], at_pair(own(zeta), g[0], g[1]));
-                  }));
-      claim.equal("after one step", side, J(1, own), J(0, own));
-      claim.equal("after two steps", side, J(2, own), J(0, own));
-      claim.equal("as minus theta-, at the next pair", side, Vector<S>(-minus), J(0, own));
-      // Controls: theta- with the sign of theta+, the momentum of the other side, configurations that are no
-      // motion.
-      claim.differs("theta- in place of theta+", side, minus, J(0, own));
-      claim.differs("momentum of translations on the other side", side, J(1, other), J(0, other));
-      claim.differs(
-          "a last configuration that is no motion", side,
-          over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[1], g[3], own(zeta)); }),
-          J(0, own));
-    });
+    over_sides(
+        draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
+          auto const J = [&](int k, auto const& side_of) {
+            return over_basis<S>(
+                group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], side_of(zeta)); });
+          };
+          auto const minus = over_basis<S>(group, [&](auto const& zeta) {
+            return discrete_one_form_minus(L, g[1], g[2], at_pair(own(zeta), g[1], g[2]));
+          });
+          claim.equal("J is theta+ contracted with the generator", side, J(0, own),
+                      over_basis<S>(group, [&](auto const& zeta) {
+                        return discrete_one_form_plus(L, g[0], g[1], at_pair(own(zeta), g[0], g[1]));
+                      }));
+          claim.equal("after one step", side, J(1, own), J(0, own));
+          claim.equal("after two steps", side, J(2, own), J(0, own));
+          claim.equal("as minus theta-, at the next pair", side, Vector<S>(-minus), J(0, own));
+          // Controls: theta- with the sign of theta+, the momentum of the other side, configurations that are
+          // no motion.
+          claim.differs("theta- in place of theta+", side, minus, J(0, own));
+          claim.differs("momentum of translations on the other side", side, J(1, other), J(0, other));
+          claim.differs(
+              "a last configuration that is no motion", side,
+              over_basis<S>(group,
+                            [&](auto const& zeta) { return discrete_momentum(L, g[1], g[3], own(zeta)); }),
+              J(0, own));
+        });
   });
 
   // Through the solver: eight steps of a system with a right-invariant Lagrangian that is not even.
@@ -203,8 +204,9 @@ inline constexpr auto class_lagrangian = [](auto const& g0, auto const& g1) {
 
 STATEMENT(rem_3_1_3, "a symmetry group smaller than $G$ conserves its own momentum and no other") {
   claim.holds(
-      "The remark sets this case aside for the rest of the chapter; Noether's theorem of this section covers "
-      "it. Instance: $K$ is the one-parameter group that fixes a vector, acting on $G$ from the right.");
+      "The remark sets this case aside for the rest of the chapter; Noether's theorem of "
+      "this section covers it. Instance: $K$ is the one-parameter group that fixes a "
+      "vector, acting on $G$ from the right.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const fixed = fixed_vector(group);
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));

@@ -105,11 +105,11 @@ Enclosure regular_near_diagonal(StatePolynomial<Number> const& lagrangian, Spann
   box << cube(d, places), cube(d, Number(1));
   return positive_on(
       [&](Vector<Number> const& x) {
-    auto const L =
-        discretize_at_the_configuration(seen_from(lagrangian, retracted(group, x.head(d))), short_step());
-    auto const m = mixed_derivative(L, identity<Number>(group),
-                                    retracted(group, Vector<Number>(x.tail(d) * short_step())));
-    return room_for_inverse(Matrix<Number>(m * short_step()));
+        auto const L =
+            discretize_at_the_configuration(seen_from(lagrangian, retracted(group, x.head(d))), short_step());
+        auto const m = mixed_derivative(L, identity<Number>(group),
+                                        retracted(group, Vector<Number>(x.tail(d) * short_step())));
+        return room_for_inverse(Matrix<Number>(m * short_step()));
       },
       box, most);
 }
@@ -120,7 +120,7 @@ Enclosure regular_at_relative_motions(Lagrangian const& L, SpannedGroup const& g
                                       Vector<Number> const& box, int most = 64) {
   return positive_on(
       [&](Vector<Number> const& x) {
-    return room_for_inverse(mixed_derivative(L, identity<Number>(group), retracted(group, x)));
+        return room_for_inverse(mixed_derivative(L, identity<Number>(group), retracted(group, x)));
       },
       box, most);
 }
@@ -136,10 +136,9 @@ STATEMENT(rem_3_1_2,
       "$\\mathrm{tr}(g_0g_1^{-1})$ on $\\SO(3)$ is nondegenerate in a whole neighbourhood of the diagonal "
       "and degenerate at quarter turns; the squared distance on the Heisenberg group is degenerate nowhere.");
   claim.leaves(
-      "Every regular Lagrangian: in balls one is drawn for each group, at one step and one retraction. For "
-      "the "
-      "others the page has the expansion in the step, whose coefficients are compared on the diagonal "
-      "alone.");
+      "Every regular Lagrangian: in balls one is drawn for each group, at one step and one "
+      "retraction. For the others the page has the expansion in the step, whose coefficients are "
+      "compared on the diagonal alone.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // On the diagonal h D2 D1 L is minus the fibre Hessian, plus h times a remainder that is affine in h: the
     // potential's second derivative comes with h.
@@ -264,19 +263,19 @@ Enclosure one_next_configuration(StatePolynomial<Number> const& lagrangian, Span
   box << cube(d, places), cube(d, speeds);
   return positive_on(
       [&](Vector<Number> const& p) {
-    NextVelocity const equation{seen_from(lagrangian, retracted(group, p.head(d))), group, p.tail(d)};
-    Number room(0);
-    try {
-      // Near the velocity before, which one Newton step improves.
-      Vector<Number> centre = p.tail(d).unaryExpr([](Number const& x) { return middle_of(x); });
-      auto const there = derivative(equation, centre);
-      centre -= solve_linear(there.matrix, there.value);
-      auto const found = one_zero_near(equation, centre, ratio<Number>(1, 2));
-      room = Number(found.margin);
-    } catch (Singular const&) {
-    }
-    if (!(room > Number(0))) throw Undecided("whether there is one next configuration");
-    return room;
+        NextVelocity const equation{seen_from(lagrangian, retracted(group, p.head(d))), group, p.tail(d)};
+        Number room(0);
+        try {
+          // Near the velocity before, which one Newton step improves.
+          Vector<Number> centre = p.tail(d).unaryExpr([](Number const& x) { return middle_of(x); });
+          auto const there = derivative(equation, centre);
+          centre -= solve_linear(there.matrix, there.value);
+          auto const found = one_zero_near(equation, centre, ratio<Number>(1, 2));
+          room = Number(found.margin);
+        } catch (Singular const&) {
+        }
+        if (!(room > Number(0))) throw Undecided("whether there is one next configuration");
+        return room;
       },
       box, most);
 }
@@ -291,8 +290,7 @@ STATEMENT(claim_3_1_discrete_flow_exists, "a regular discrete Lagrangian has one
       "Lagrangian $g_1$ is any. Farther away there may be a second one, as for $\\mathrm{tr}(g_0g_1^{-1})$.");
   claim.leaves(
       "Every regular Lagrangian: in balls one is drawn for each group, at one step and one retraction. For "
-      "the "
-      "others the theorem on implicit functions gives a neighbourhood, of a size that is not told.");
+      "the others the theorem on implicit functions gives a neighbourhood, of a size that is not told.");
   for (auto const& group : few_groups()) {
     claim.encloses("exactly one next configuration, at every pair near the diagonal", group.name(), [&] {
       return one_next_configuration(draw_kind(draw, group, Kind::general), group, ratio<Number>(1, 64),

@@ -58,8 +58,8 @@ STATEMENT(eq_3_9, "the quotient of pairs by right multiplication") {
 
 STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instead") {
   claim.holds(
-      "It serves as well, but the equations that follow exchange their sides: $L^*\\tilde\\ell'$ at the new "
-      "relative motion equals $R^*\\tilde\\ell'$ at the one before.");
+      "It serves as well, but the equations that follow exchange their sides: $L^*\\tilde\\ell'$ at the "
+      "new relative motion equals $R^*\\tilde\\ell'$ at the one before.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 4);
@@ -83,8 +83,8 @@ STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instea
 STATEMENT(claim_3_2_reduced_lagrangian,
           "an invariant discrete Lagrangian is a function of $f$, its action a sum over $f$") {
   claim.holds(
-      "The sum over $k = 0,\\dots,N-1$ that is printed here belongs to the configurations $g_0,\\dots,g_N$; "
-      "(3.1) prints $k = 1,\\dots,N$.");
+      "The sum over $k = 0,\\dots,N-1$ that is printed here belongs to the configurations "
+      "$g_0,\\dots,g_N$; (3.1) prints $k = 1,\\dots,N$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const invariant = lifted(l);
@@ -180,8 +180,9 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
 
 STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function of $N$ relative motions") {
   claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)",
-                  "$N+1$ configurations make $N$ relative motions, and any $N$: the quotient of $G^{N+1}$ is "
-                  "$G^N$, on which the action sum is a function. $N+1$ of them would have to multiply to 1.");
+                  "$N+1$ configurations make $N$ relative motions, and any $N$: the quotient "
+                  "of $G^{N+1}$ is $G^N$, on which the action sum is a function. $N+1$ of "
+                  "them would have to multiply to 1.");
   claim.same_slip_as("thm_3_2_1");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -345,8 +346,8 @@ STATEMENT(claim_3_2_dep_equivalence,
 
 STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum, line by line") {
   claim.holds(
-      "The terms $k = 0$ of the first sum and $r = N$ of the second are absent because the ends do not "
-      "vary.");
+      "The terms $k = 0$ of the first sum and $r = N$ of the second are "
+      "absent because the ends do not vary.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const n = 4;
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -534,7 +535,7 @@ STATEMENT(claim_3_2_projection_of_del,
     auto const l = solved_for(
         draw_reduced_lagrangian<S>(draw, group), f,
         [&](auto const& k, int i) {
-      return column(discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1]));
+          return column(discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1]));
         },
         [&](int i, int a) { return from_left(basis_velocity<S>(group, a), f[i]); });
     auto const scale = momenta_of(l, f);

@@ -189,8 +189,8 @@ STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
       R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi,\,h\circ\pi\}_{G\times G})",
       R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi_d,\,h\circ\pi_d\}_{G\times G})",
       "The algorithm preserves the bracket that the quotient map $\\pi_d$ induces; by (3.13) as printed, "
-      "with the projection on a configuration, all functions would commute. $\\mathbb L$ is right-invariant "
-      "and, for the bracket, regular; the hypothesis on the action is always true.");
+      "with the projection on a configuration, all functions would commute. $\\mathbb L$ is "
+      "right-invariant and, for the bracket, regular; the hypothesis on the action is always true.");
   claim.maybe_scan();
   claim.same_slip_as("eq_3_13");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
@@ -312,12 +312,12 @@ Enclosure bounded_by_images(Act const& act, Matrix<Number> const& points, Matrix
   for (Index i = 0; i < elements.size(); ++i) box[n + i] = elements(i);
   return positive_on(
       [&](Vector<Number> const& x) {
-    Matrix<Number> point = points, element = elements;
-    for (Index i = 0; i < n; ++i) point(i) = x[i];
-    for (Index i = 0; i < element.size(); ++i) element(i) = x[n + i];
-    Number const room = largest_at_least(act(point, element)) - ratio<Number>(1, 4);
-    if (!(room > Number(0))) throw Undecided("the size of an image");
-    return room;
+        Matrix<Number> point = points, element = elements;
+        for (Index i = 0; i < n; ++i) point(i) = x[i];
+        for (Index i = 0; i < element.size(); ++i) element(i) = x[n + i];
+        Number const room = largest_at_least(act(point, element)) - ratio<Number>(1, 4);
+        if (!(room > Number(0))) throw Undecided("the size of an image");
+        return room;
       },
       box, 64);
 }

@@ -117,8 +117,8 @@ STATEMENT(claim_3_2_dlp_chain, "the chain of equalities that leads to the update
       R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = )"
       R"(\mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}})"
       R"(\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
-      "Two inverses are missing, at $g_{k+1}$ and at $g_k$, where (3.16) is used; the second and the last "
-      "expression are right.");
+      "Two inverses are missing, at $g_{k+1}$ and at $g_k$, where (3.16) is used; the second and "
+      "the last expression are right.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g0 = draw.template element<S>(group), f = draw.template element<S>(group);
@@ -213,8 +213,8 @@ Matrix<S> poisson_defect(MapAt<S> const& map, Covector<S> const& mu) {
 STATEMENT(claim_3_2_coadjoint_lie_poisson,
           "the coadjoint action preserves orbits, their symplectic forms, and the Lie-Poisson brackets") {
   claim.corrected(R"(\mathcal O\subset\mathfrak g)", R"(\mathcal O\subset\mathfrak g^*)",
-                  "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. $\\Ad_g$ in "
-                  "the algebra does not preserve the brackets.");
+                  "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. $\\Ad_g$ "
+                  "in the algebra does not preserve the brackets.");
   claim.maybe_scan();
   claim.same_slip_as("claim_2_2_coadjoint_orbits");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -269,9 +269,9 @@ STATEMENT(claim_3_2_coadjoint_lie_poisson,
 
 STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of the dual algebra") {
   claim.holds(
-      "In both readings: along a fixed sequence of $f$, and with $f$ solved from $\\mu$, where the proof "
-      "needs the discrete Euler-Poincaré equations and not the orbits alone. The minus bracket is preserved "
-      "as well.");
+      "In both readings: along a fixed sequence of $f$, and with $f$ solved from $\\mu$, where "
+      "the proof needs the discrete Euler-Poincaré equations and not the orbits alone. The "
+      "minus bracket is preserved as well.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
@@ -351,8 +351,8 @@ STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries")
                   R"(\pi_0)",
                   R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k})"
                   R"(\pi_0)",
-                  "The definition of $\\Pi_k$ is right and contradicts the update as printed, (3.18), which "
-                  "lacks an inverse.");
+                  "The definition of $\\Pi_k$ is right and contradicts the update as printed, "
+                  "(3.18), which lacks an inverse.");
   claim.maybe_scan();
   claim.same_slip_as("eq_3_18");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -386,8 +386,8 @@ STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries")
 STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
   claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k)",
                   R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k)",
-                  "The inverse is missing: $f_{k+1,k}$ is $g_{k+1}^{-1}g_k$, and $\\Pi_k$ is $\\Ad^*$ of "
-                  "$g_k$, not of its inverse.");
+                  "The inverse is missing: $f_{k+1,k}$ is $g_{k+1}^{-1}g_k$, and $\\Pi_k$ is "
+                  "$\\Ad^*$ of $g_k$, not of its inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);

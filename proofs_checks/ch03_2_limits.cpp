@@ -59,12 +59,12 @@ State<SpannedGroup, S> draw_state(Draw& draw, SpannedGroup const& group) {
 }  // namespace
 
 STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the action") {
-  claim.corrected(
-      R"(\sum_k\mathbb L(g_k,g_{k+1})\to\int L\,dt,\quad \mathbb L(g_k,g_{k+1})=L(\kappa,\chi))",
-      R"(\sum_k\Delta t\,\mathbb L(g_k,g_{k+1})\to\int L\,dt)",
-      "The step is missing: a discrete Lagrangian that is $L$ at an approximate state, as defined in section "
-      "3.1 and (3.20), has the sum of $N$ values of $L$ for its action, which grows with the number of "
-      "steps. Times the step it is an energy times time and the sum converges, for steps of any lengths.");
+  claim.corrected(R"(\sum_k\mathbb L(g_k,g_{k+1})\to\int L\,dt,\quad \mathbb L(g_k,g_{k+1})=L(\kappa,\chi))",
+                  R"(\sum_k\Delta t\,\mathbb L(g_k,g_{k+1})\to\int L\,dt)",
+                  "The step is missing: a discrete Lagrangian that is $L$ at an approximate state, as "
+                  "defined in section 3.1 and (3.20), has the sum of $N$ values of $L$ for its action, which "
+                  "grows with the number of steps. Times the step it is an energy times time and the sum "
+                  "converges, for steps of any lengths.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
@@ -216,8 +216,8 @@ STATEMENT(
     claim_3_2_dep_limit,
     "the discrete Euler-Poincare algorithm, reconstructed, tends to the Euler-Poincare flow, reconstructed") {
   claim.holds(
-      "Read by means of reconstruction, or of the momentum: to second order, in two charts. The velocity of "
-      "a relative motion, taken for that at its earlier end, is right to first order only.");
+      "Read by means of reconstruction, or of the momentum: to second order, in two charts. The velocity "
+      "of a relative motion, taken for that at its earlier end, is right to first order only.");
   for (auto const& group : limit_groups()) {
     auto const judge = [&](std::string const& chart, Refinement const& fine, EndErrors const& errors) {
       claim.order("the configuration, " + chart, group.name(), fine.step_lengths(), errors.configurations, 2);
@@ -260,9 +260,9 @@ STATEMENT(
 STATEMENT(claim_3_2_legendre_limit, "the discrete Legendre transformation tends to the continuous one") {
   claim.corrected(
       R"(F\mathbb L=(g_k,\,D_1\mathbb L)\to FL)", R"((g_k,\,-\Delta t\,D_1\mathbb L)\to FL)",
-      "With the sign and the step that the printed one lacks: $D_1\\mathbb L$ of a discrete Lagrangian that "
-      "approximates $L$ is minus the momentum over the step. Along any curve to first order, along motions "
-      "to second; $D_2\\mathbb L$ at the later configuration likewise.");
+      "With the sign and the step that the printed one lacks: $D_1\\mathbb L$ of a discrete Lagrangian "
+      "that approximates $L$ is minus the momentum over the step. Along any curve to first order, along "
+      "motions to second; $D_2\\mathbb L$ at the later configuration likewise.");
   if (!claim.fits_orders() && !claim.fits_orders_in_digits()) return;
   for (auto const& group : limit_groups()) {
     auto const top = draw_top<S>(draw, group);
@@ -376,11 +376,11 @@ STATEMENT(claim_3_2_diagram_does_not_commute,
 }
 
 STATEMENT(claim_3_2_lie_poisson_integrator,
-          "solving the discrete Euler-Poincare equations and carrying the momentum makes a Lie-Poisson "
-          "integrator") {
+          "solving the discrete Euler-Poincare equations and carrying the momentum "
+          "makes a Lie-Poisson integrator") {
   claim.holds(
-      "It preserves the bracket because its relative motion solves those equations; that it preserves the "
-      "orbits is not enough.");
+      "It preserves the bracket because its relative motion solves those equations; that it "
+      "preserves the orbits is not enough.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // One step with f solved from mu0, wherever (3.10) has a solution: draw f, and mu0 is the momentum at its
     // start.

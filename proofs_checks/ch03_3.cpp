@@ -154,9 +154,9 @@ STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart
 
 STATEMENT(claim_3_3_quadratic_lie_algebra, "assumption of a regular quadratic Lie algebra") {
   claim.holds(
-      "The assumption is never used: the construction, its invariance and its reduction hold on $\\Aff(1)$, "
-      "$\\SE(2)$, the Heisenberg group and others, whose algebras carry no invariant nondegenerate form. "
-      "(That of $\\SE(3)$ does.)");
+      "The assumption is never used: the construction, its invariance and its reduction hold on "
+      "$\\Aff(1)$, $\\SE(2)$, the Heisenberg group and others, whose algebras carry no invariant "
+      "nondegenerate form. (That of $\\SE(3)$ does.)");
   // Invariant forms are linear in the coefficients that are drawn, their determinant of degree 6 at most; the
   // discrete Lagrangians as everywhere in this section.
   std::vector<SpannedGroup> without = {spanned("Heisenberg", Heisenberg{}), unitriangular(4)};
@@ -400,8 +400,8 @@ STATEMENT(claim_3_3_fibre_element_limit, "limit of the fibre element as the time
 STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logarithm") {
   claim.corrected(R"(\chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})",
                   R"(\chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
-                  "As the derivative of log that enters (3.26), read on $e^\\vartheta f$. The printed one is "
-                  "the derivative read on $f e^\\vartheta$.");
+                  "As the derivative of log that enters (3.26), read on $e^\\vartheta f$. The printed one "
+                  "is the derivative read on $f e^\\vartheta$.");
   claim.same_slip_as("claim_3_3_derivative_of_exponential");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const xi = draw_exponent<S>(draw, group, exact_arithmetic<S>() ? S(2) : ratio<S>(1, 2)),
@@ -486,8 +486,8 @@ Algebra<S> base_point_term(GroupElement<S> const& g, GroupElement<S> const& g1, 
 
 STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under the diagonal action") {
   claim.convention(
-      "The base point of the chart is equivariant, as the proof has it; with a fixed base point there is no "
-      "invariance. Charts of either side serve either invariance.");
+      "The base point of the chart is equivariant, as the proof has it; with a fixed base point there is "
+      "no invariance. Charts of either side serve either invariance.");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1),
@@ -537,8 +537,9 @@ STATEMENT(claim_3_3_inheritance_chain, "the four lines of the proof of Lemma 3.3
       R"((\psi_{g\bar g}^{-1})_*\Bigl[\frac{\psi_{g\bar g}(g_2\bar g)-\psi_{g\bar g}(g_1\bar g)}{\Delta t})"
       R"(\Bigr] )"
       R"(= T_qR_{\bar g}\cdot T_{g'}R_g\cdot T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta)(\zeta))",
-      "Two slips: the first line pushes forward by the chart in place of its inverse, which (3.20) has; and "
-      "the sign of (3.22). With both mended each line follows from the one before, and on the left as well.");
+      "Two slips: the first line pushes forward by the chart in place of its inverse, which "
+      "(3.20) has; and the sign of (3.22). With both mended each line follows from the one "
+      "before, and on the left as well.");
   claim.maybe_scan();
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -588,8 +589,8 @@ STATEMENT(claim_3_3_inheritance_chain, "the four lines of the proof of Lemma 3.3
 STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous reduced one") {
   claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))",
                   R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
-                  "The reduction holds where the base point is equivariant; the sign is that of (3.22). The "
-                  "library's carries the factor $h$.");
+                  "The reduction holds where the base point is equivariant; the sign is that of (3.22). "
+                  "The library's carries the factor $h$.");
   claim.same_slip_as("claim_3_3_derivative_of_exponential");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // l from L by translation to the identity.
@@ -776,8 +777,8 @@ STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the
       R"(\zeta = \frac1{\Delta t}\log(g_kg_{k+1}^{-1}))",
       R"(\zeta = -\frac1{\Delta t})"
       R"(\log(g_kg_{k+1}^{-1}) = \frac1{\Delta t}\log(g_{k+1}g_k^{-1}))",
-      "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart "
-      "of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
+      "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the "
+      "chart of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
   claim.maybe_scan();
   claim.same_slip_as("eq_3_24");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {

@@ -67,10 +67,10 @@ inline Enclosure one_solution(SpannedGroup const& group, Number const& h, Number
   Algebra<Number> const last{group, xi};
   return one_zero_near(
       [&]<class T>(Vector<T> const& next) {
-    auto const residual = algebra_euler_poincare_right(l, h, over<T>(last), Algebra<T>{group, next});
-    Vector<T> sum = residual.components;
-    for (Index a = 0; a < sum.size(); ++a) sum[a] = blurred(T(sum[a]));
-    return sum;
+        auto const residual = algebra_euler_poincare_right(l, h, over<T>(last), Algebra<T>{group, next});
+        Vector<T> sum = residual.components;
+        for (Index a = 0; a < sum.size(); ++a) sum[a] = blurred(T(sum[a]));
+        return sum;
       },
       xi, Number(h / 4));
 }
@@ -229,9 +229,9 @@ STATEMENT(eq_3_26, "implicit algorithm on the Lie algebra through the function c
 STATEMENT(claim_3_3_channell_scovel, "comparison with the Lie-Poisson integrators of Channell and Scovel") {
   claim.convention(
       "Both are (4.2) and (4.3) with a function of the logarithm in the role of $S$. Channell and Scovel "
-      "truncate the solution of (4.1) that begins with half of an invariant form; it generates the identity "
-      "at time 0 and needs a nondegenerate form. Read here to first and to second order in the step, the "
-      "truncation has order 1 and 2. (3.26) needs no form and has order 2.");
+      "truncate the solution of (4.1) that begins with half of an invariant form; it generates the "
+      "identity at time 0 and needs a nondegenerate form. Read here to first and to second order in the "
+      "step, the truncation has order 1 and 2. (3.26) needs no form and has order 2.");
   std::vector<SpannedGroup> const quadratic = {spanned("SO(3)", SO<3>{}), spanned("SL(2)", SL2{}),
                                                spanned("SO(4)", SO<4>{})};
   // The trace form of matrices, which is invariant.

@@ -118,8 +118,8 @@ STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connec
 
 STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its translates") {
   claim.holds(
-      "Right translation is an isometry of a metric translated on the right; it is not one of a metric "
-      "translated on the left.");
+      "Right translation is an isometry of a metric translated on the right; it is not one of a "
+      "metric translated on the left.");
   auto const aff1 = spanned("Aff(1)", Aff1{});
   // Of any two configurations: so of all that a set holds.
   over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
@@ -175,10 +175,10 @@ STATEMENT(claim_3_3_chart_condition,
   claim.corrected(R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))",
                   R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,)"
                   R"(\quad\text{where } U \text{ contains the ball of radius } r \text{ about } e)",
-                  "Two configurations nearer to each other than the diameter of $U$ may be further from the "
-                  "base point than $U$ reaches: with the base point at either end the radius counts, half "
-                  "the diameter of a ball. For a ball the printed bound is enough where the base point is "
-                  "half-way along a shortest geodesic.");
+                  "Two configurations nearer to each other than the diameter of $U$ may be further from "
+                  "the base point than $U$ reaches: with the base point at either end the radius counts, "
+                  "half the diameter of a ball. For a ball the printed bound is enough where the base "
+                  "point is half-way along a shortest geodesic.");
   // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by
   // nearly +- a right angle are nearly half a turn apart.
   auto const so3 = spanned("SO(3)", SO<3>{});
@@ -260,8 +260,8 @@ STATEMENT(claim_3_3_chart_condition,
 
 STATEMENT(claim_3_3_distance_restricts_step, "the domain of the chart restricts the time step") {
   claim.holds(
-      "A motion whose speed is at most $v$ stays within $v\\,\\Delta t$ of where a step began, so $\\Delta t "
-      "< r/v$ with the radius $r$ of the chart is enough. The bound depends on the motion: what is short "
+      "A motion whose speed is at most $v$ stays within $v\\,\\Delta t$ of where a step began, so $\\Delta "
+      "t < r/v$ with the radius $r$ of the chart is enough. The bound depends on the motion: what is short "
       "enough for one is too long for one twice as fast.");
   auto const so3 = spanned("SO(3)", SO<3>{});
   {
@@ -292,16 +292,16 @@ STATEMENT(claim_3_3_distance_restricts_step, "the domain of the chart restricts 
   claim.encloses("the distance is less than v h", "Aff(1), steps up to 1", [&] {
     return positive_along(
         [&](Number const& h) {
-      Number const a = x(h), b = Number(1) / 4;
-      return Number(Number(3) / 5 - (a * a + b * b) / (Number(1) + h / 4));
+          Number const a = x(h), b = Number(1) / 4;
+          return Number(Number(3) / 5 - (a * a + b * b) / (Number(1) + h / 4));
         },
         Number(0), Number(1));
   });
   claim.refutes_enclosure("the same bound for a motion twice as fast", "Aff(1), steps up to 1", [&] {
     return positive_along(
         [&](Number const& h) {
-      Number const a = x(Number(h * 2)) * 2, b = Number(1) / 2;
-      return Number(Number(3) / 5 - (a * a + b * b) / (Number(1) + h / 2));
+          Number const a = x(Number(h * 2)) * 2, b = Number(1) / 2;
+          return Number(Number(3) / 5 - (a * a + b * b) / (Number(1) + h / 2));
         },
         Number(0), Number(1));
   });

@@ -41,9 +41,9 @@ S first_slope(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> co
 
 STATEMENT(thm_4_3_1, "the Legendre maps commute with the quotient maps") {
   claim.holds(
-      "With the momentum $D_1\\mathbb L$ of (4.7) above and $R_f^*\\ell'$ below; physical momenta have the "
-      "other sign in both. Regularity is not needed for the square, only for the maps in it to be local "
-      "diffeomorphisms.");
+      "With the momentum $D_1\\mathbb L$ of (4.7) above and $R_f^*\\ell'$ below; physical momenta "
+      "have the other sign in both. Regularity is not needed for the square, only for the maps in "
+      "it to be local diffeomorphisms.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 3);
@@ -121,8 +121,8 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
                   R"(\partial\ell}{\partial f})",
                   R"(R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{)"
                   R"(\partial\ell}{\partial f})",
-                  "The inverse is missing in the term between; the sentence after the equation has it. Both "
-                  "ends are right, and the quotient map in the first term is that of pairs.");
+                  "The inverse is missing in the term between; the sentence after the equation has it. "
+                  "Both ends are right, and the quotient map in the first term is that of pairs.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -144,11 +144,10 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
 
 STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant system is f -> R*_f l'(f)") {
   claim.holds(
-      "As (4.7) and (4.8), with $p_k = \\partial\\mathbb L/\\partial g_k$: the groupoid's Legendre map at "
-      "the "
-      "source of an arrow. With $\\ell$ an action the physical momentum at the start of the step is minus "
-      "its "
-      "value. That of a left-invariant system, $L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
+      "As (4.7) and (4.8), with $p_k = \\partial\\mathbb L/\\partial g_k$: the groupoid's "
+      "Legendre map at the source of an arrow. With $\\ell$ an action the physical momentum at "
+      "the start of the step is minus its value. That of a left-invariant system, "
+      "$L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -280,10 +279,10 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
       R"(g^*\to T_g^*G)",
       R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ )"
       R"(\text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
-      "A fibre of $T^*G$ is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve "
-      "the momentum of the symmetry, the body momentum; then $g$ moves with $\\mu$. The row above holds with "
-      "$\\omega_{\\mathbb L}$ of (3.5) put right, as in Theorem 4.3.2: $d\\theta^+$ with the printed "
-      "$F\\mathbb L$, or the library's $d\\theta^-$ with $(g_k, -D_1\\mathbb L)$.");
+      "A fibre of $T^*G$ is Lagrangian: pulled back to it the canonical form is zero. The lift must "
+      "preserve the momentum of the symmetry, the body momentum; then $g$ moves with $\\mu$. The row above "
+      "holds with $\\omega_{\\mathbb L}$ of (3.5) put right, as in Theorem 4.3.2: $d\\theta^+$ with the "
+      "printed $F\\mathbb L$, or the library's $d\\theta^-$ with $(g_k, -D_1\\mathbb L)$.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -325,12 +324,9 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
 STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
   claim.convention(
       "With (3.5) put right, as in Theorem 4.3.2: along the printed $+R_f^*\\ell'$ it is the form of "
-      "$\\omega = "
-      "d\\theta^+$, along the physical momentum $-R_f^*\\ell'$ that of the library's $d\\theta^-$. The "
-      "leaves "
-      "are the components of the preimages of coadjoint orbits; the form is not degenerate, and goes with "
-      "the "
-      "bracket by reduction.");
+      "$\\omega = d\\theta^+$, along the physical momentum $-R_f^*\\ell'$ that of the library's "
+      "$d\\theta^-$. The leaves are the components of the preimages of coadjoint orbits; the form is not "
+      "degenerate, and goes with the bracket by reduction.");
   claim.same_slip_as("eq_3_5");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
@@ -373,8 +369,8 @@ STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
       R"(\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb )"
       R"(L^{-1}T\sigma\,TF\ell\,v\bigr))",
       "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as "
-      "printed, both sides on the right are zero. Here $F\\ell = -R_f^*\\ell'$ and $F\\mathbb L "
-      "= (g_k, -D_1\\mathbb L)$, with the library's $\\omega_{\\mathbb L}$; the printed ones go with "
+      "printed, both sides on the right are zero. Here $F\\ell = -R_f^*\\ell'$ and $F\\mathbb L = "
+      "(g_k, -D_1\\mathbb L)$, with the library's $\\omega_{\\mathbb L}$; the printed ones go with "
       "(3.5) put right as $d\\theta^+$.");
   claim.same_slip_as("eq_4_9");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
@@ -442,10 +438,10 @@ STATEMENT(claim_4_3_reduced_form_lifts,
 
 STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-back along the Legendre map") {
   claim.convention(
-      "With (3.5) put right. For $\\omega_{\\mathbb L} = d\\theta^+_{\\mathbb L}$, its printed coordinates, "
-      "the "
-      "theorem holds along the printed $R_f^*\\ell'$; for the library's $d\\theta^-_{\\mathbb L}$, along the "
-      "physical momentum $-R_f^*\\ell'$. One form with the other map gives minus the bracket.");
+      "With (3.5) put right. For $\\omega_{\\mathbb L} = d\\theta^+_{\\mathbb L}$, its printed "
+      "coordinates, the theorem holds along the printed $R_f^*\\ell'$; for the library's "
+      "$d\\theta^-_{\\mathbb L}$, along the physical momentum $-R_f^*\\ell'$. One form with the "
+      "other map gives minus the bracket.");
   claim.same_slip_as("eq_3_5");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
@@ -534,8 +530,8 @@ STATEMENT(cor_4_3_1,
       R"(F\mathbb L:\ (g_k, g_{k+1})\mapsto(g_k, D_1\mathbb L(g_k, g_{k+1})))",
       R"(F\mathbb L:\ (g_k, g_{k+1})\mapsto(g_k, -D_1\mathbb L(g_k, g_{k+1})),\quad \mathbb L\text{ an )"
       R"(action})",
-      "The image approximates the flow only with the minus, and with $h$ times the Lagrangian of the thesis. "
-      "As printed an even Lagrangian runs backwards in time, any other follows the flow in neither "
+      "The image approximates the flow only with the minus, and with $h$ times the Lagrangian of the "
+      "thesis. As printed an even Lagrangian runs backwards in time, any other follows the flow in neither "
       "direction. Configurations come by (3.14): the momenta alone do not tell them. The order is that of "
       "the discrete Lagrangian, here 2.");
   claim.same_slip_as("claim_3_2_legendre_limit");
@@ -658,16 +654,12 @@ STATEMENT(
     "the reduced motion stays on the symplectic leaves of the group, which correspond to coadjoint orbits") {
   claim.convention(
       "Locally, as the structure is. A motion stays in the preimage of one coadjoint orbit under $F\\ell$, "
-      "whose "
-      "components are the leaves, and the tangent map of a step takes the tangent spaces of leaves to those "
-      "of "
-      "leaves. Where a preimage has several components, which of them a step leads to is decided by which of "
-      "its "
-      "solutions is taken.");
+      "whose components are the leaves, and the tangent map of a step takes the tangent spaces of leaves "
+      "to those of leaves. Where a preimage has several components, which of them a step leads to is "
+      "decided by which of its solutions is taken.");
   claim.leaves(
       "That a step stays on the component on which it begins, for the solution near the last motion: shown "
-      "are "
-      "the preimage of the orbit and the tangent spaces.");
+      "are the preimage of the orbit and the tangent spaces.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     auto const other = draw_reduced_lagrangian<S>(draw, group);
@@ -816,11 +808,9 @@ Corner<S> draw_left_corner(Draw& draw, SpannedGroup const& group) {
 
 STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant systems") {
   claim.convention(
-      "The page prints no formula for them. They are analogous with (3.5), the sign of the physical momentum "
-      "and "
-      "the lift of (4.9) put right; here the lift keeps the spatial momentum. The bracket is the minus one, "
-      "and the order of the "
-      "factors in (3.14) and (3.17) changes as in (3.15) and (3.18).");
+      "The page prints no formula for them. They are analogous with (3.5), the sign of the physical "
+      "momentum and the lift of (4.9) put right; here the lift keeps the spatial momentum. The bracket is "
+      "the minus one, and the order of the factors in (3.14) and (3.17) changes as in (3.15) and (3.18).");
   claim.same_slip_as("eq_4_9");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_left_corner<S>(draw, group);

@@ -30,8 +30,8 @@ S moment(PointMasses<S> const& body, int i, int j) {
 
 STATEMENT(claim_5_0_inertia_operator, "symmetry and positivity of the generalised inertia operator") {
   claim.holds(
-      "Positive exactly where all sums $\\Lambda_i + \\Lambda_j$, $i \\ne j$, are: one $\\Lambda_i$ may be "
-      "negative itself.");
+      "Positive exactly where all sums $\\Lambda_i + \\Lambda_j$, $i \\ne j$, are: one "
+      "$\\Lambda_i$ may be negative itself.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);
@@ -81,8 +81,8 @@ STATEMENT(claim_5_0_principal_moments, "diagonal entries of Lambda and the princ
   claim.corrected(R"(\Lambda_i \text{ correspond to the sums of certain principal moments of inertia})",
                   R"(\Lambda_i + \Lambda_j = I_{ij}, \qquad \Lambda_i = \tfrac12(I_{ij} + I_{ik} - I_{jk}))",
                   "The moments are sums of the $\\Lambda_i$, not the other way round: $\\Lambda_i = \\int "
-                  "x_i^2\\,dm$, and $I_{ij}$ is the moment of inertia for turning in the plane $(i, j)$, in "
-                  "space $I_1 = \\Lambda_2 + \\Lambda_3$.");
+                  "x_i^2\\,dm$, and $I_{ij}$ is the moment of inertia for turning in the plane $(i, j)$, "
+                  "in space $I_1 = \\Lambda_2 + \\Lambda_3$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const body = draw_point_masses<S>(draw, n);
@@ -129,8 +129,8 @@ STATEMENT(claim_5_0_principal_moments, "diagonal entries of Lambda and the princ
 
 STATEMENT(eq_5_1, "rigid body Lagrangian as kinetic energy") {
   claim.convention(
-      "With matrices paired by $\\mathrm{Tr}(A^TB)$. The pairing of coordinates is half of that; with it the "
-      "factor is $\\tfrac12$.");
+      "With matrices paired by $\\mathrm{Tr}(A^TB)$. The pairing of coordinates is half of that; "
+      "with it the factor is $\\tfrac12$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const body = draw_point_masses<S>(draw, n);

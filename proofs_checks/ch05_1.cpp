@@ -110,8 +110,8 @@ STATEMENT(claim_5_1_velocity_element, "discrete velocity of the chart discretisa
   claim.corrected(R"(\zeta_{k+1k} = \frac1h\log(g_{k+1}^{-1}g_k))",
                   R"(\zeta_{k+1k} = -\frac1h)"
                   R"(\log(g_{k+1}^{-1}g_k) = \frac1h\log(g_k^{-1}g_{k+1}))",
-                  "The printed one leads from the later configuration to the earlier. The kinetic energy is "
-                  "even and does not depend on it; (5.4) goes with the printed sign.");
+                  "The printed one leads from the later configuration to the earlier. The kinetic energy "
+                  "is even and does not depend on it; (5.4) goes with the printed sign.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g0 = draw.template element<S>(group), g1 = draw_near(draw, g0),
                k = draw.template element<S>(group);
@@ -224,10 +224,10 @@ STATEMENT(eq_5_3, "reduced discrete rigid body Lagrangian through the logarithm"
 STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity") {
   claim.convention(
       "With $\\chi$ as (3.26) prints it, $\\chi(\\ad)\\,\\iex(-\\ad) = 1$, which is the one that left "
-      "translation needs, and $\\zeta$ as printed, from the later configuration to the earlier. With $\\chi$ "
-      "the inverse of $\\iex$ the factor $\\Ad^*$ is one too many; with $\\zeta$ the velocity all three "
-      "signs turn, and as printed the equation would run back in time. From two attitudes of the body the "
-      "equation approaches its flow forwards and to second order.");
+      "translation needs, and $\\zeta$ as printed, from the later configuration to the earlier. With "
+      "$\\chi$ the inverse of $\\iex$ the factor $\\Ad^*$ is one too many; with $\\zeta$ the velocity all "
+      "three signs turn, and as printed the equation would run back in time. From two attitudes of the "
+      "body the equation approaches its flow forwards and to second order.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     S const h = step_length<S>();
     auto const j = draw_inertia<S>(draw, group);

@@ -114,8 +114,8 @@ STATEMENT(eq_5_5, "difference approximation of the body angular velocity") {
 STATEMENT(claim_5_2_discrete_trace_lagrangian,
           "discrete Lagrangian obtained from the difference approximation") {
   claim.holds(
-      "The constant left out is $\\mathrm{Tr}\\,\\Lambda/h^2$. The library's has the factor $h$ and the "
-      "constant.");
+      "The constant left out is $\\mathrm{Tr}\\,\\Lambda/h^2$. The library's has "
+      "the factor $h$ and the constant.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     S const h = step<S>();
@@ -213,9 +213,9 @@ STATEMENT(claim_5_2_moser_veselov_multiple, "discrete Lagrangian compared with t
 
 STATEMENT(claim_5_2_reduced_trace_lagrangian, "reduced discrete Lagrangian as a trace") {
   claim.convention(
-      "Of the scaled Lagrangian $\\mathrm{Tr}(g_k\\Lambda g_{k+1}^T)$; the one printed before it has "
-      "$-1/h^2$ as well. The trace is the same for $f$ and $f^{-1}$: this Lagrangian does not depend on the "
-      "direction of time.");
+      "Of the scaled Lagrangian $\\mathrm{Tr}(g_k\\Lambda g_{k+1}^T)$; the one printed before it "
+      "has $-1/h^2$ as well. The trace is the same for $f$ and $f^{-1}$: this Lagrangian does not "
+      "depend on the direction of time.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);

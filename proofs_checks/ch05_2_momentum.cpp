@@ -95,8 +95,8 @@ STATEMENT(claim_5_2_update_by_adjoint, "momentum update written with an adjoint 
   claim.same_slip_as("eq_5_8");
   claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}_{f_{k+1k}^{-1}}\Pi_k)",
                   R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\Pi_k)",
-                  "On $\\so(n)$ the right form is the adjoint operator of $f$; the printed one, without a "
-                  "star, that of its inverse.");
+                  "On $\\so(n)$ the right form is the adjoint operator of $f$; the printed one, "
+                  "without a star, that of its inverse.");
   claim.maybe_scan();
   over_bodies(claim, [&](int n, auto const& model) {
     auto const f = draw_turn<S>(draw, n);
@@ -173,9 +173,10 @@ STATEMENT(claim_5_2_reconstruction, "reconstruction of the unreduced rigid body 
 STATEMENT(eq_5_9, "Moser-Veselov equations") {
   claim.corrected(std::string(first_line) + R"(,\quad M_k = \omega_k^T\Lambda - \Lambda\omega_k)",
                   std::string(first_line_right) + R"(,\quad M_k = \omega_k^T\Lambda - \Lambda\omega_k)",
-                  "The index of $\\omega$ in the first line is one too low: the step that carries $M_k$ to "
-                  "$M_{k+1}$ turns by $\\omega_k$. The second line is right. $M_k/h$ and the attitudes then "
-                  "approach the flow of the body to second order; as printed, by the step before, to first.");
+                  "The index of $\\omega$ in the first line is one too low: the step that "
+                  "carries $M_k$ to $M_{k+1}$ turns by $\\omega_k$. The second line is right. "
+                  "$M_k/h$ and the attitudes then approach the flow of the body to second order; "
+                  "as printed, by the step before, to first.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const motion = draw_motion<S>(draw, n);
     // The attitudes alone: omega_k and the momentum in space by their definitions.
@@ -427,8 +428,8 @@ STATEMENT(claim_5_2_momentum_by_substitution,
 
 STATEMENT(claim_5_2_dep_on_group, "spaces on which the two formulations evolve") {
   claim.convention(
-      "$M_k$ determines $\\omega_k$ only together with a branch: the one that grows out of the identity with "
-      "the step. A momentum has other relative motions as well.");
+      "$M_k$ determines $\\omega_k$ only together with a branch: the one that grows out of the identity "
+      "with the step. A momentum has other relative motions as well.");
   over_bodies(claim, [&](int n, auto const& model) {
     // On the group alone: the relative motion carries all of the state, and the momentum is a function of it.
     auto const motion = draw_motion<S>(draw, n);

@@ -52,8 +52,8 @@ S pull_of(Matrix<S> const& lambda) { return S(magnitude(lambda)) * static_cast<i
 
 STATEMENT(claim_5_2_skew_multiplier, "skew part of the matrix multiplier") {
   claim.holds(
-      "It contributes nothing anywhere, on the group or off it, and no equation determines it: it may be "
-      "taken to be zero.");
+      "It contributes nothing anywhere, on the group or off it, and no equation determines "
+      "it: it may be taken to be zero.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);
@@ -91,9 +91,10 @@ STATEMENT(claim_5_2_skew_multiplier, "skew part of the matrix multiplier") {
 
 STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
   claim.holds(
-      "For the scaled Lagrangian, without the factor $-1/h^2$. Its stationary sequences, the configurations "
-      "varied over all matrices, are those of the unconstrained sum varied over the group; each has one "
-      "symmetric multiplier at each configuration, $\\lambda_k = (g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
+      "For the scaled Lagrangian, without the factor $-1/h^2$. Its stationary sequences, the "
+      "configurations varied over all matrices, are those of the unconstrained sum varied over the "
+      "group; each has one symmetric multiplier at each configuration, $\\lambda_k = "
+      "(g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     // Off the group: the gradient, in all entries, of a sum over four configurations.
@@ -222,13 +223,13 @@ STATEMENT(claim_5_2_operator_equation, "operator equation from varying the const
       "the algebra; as products of matrices either order gives $f\\vartheta$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
-    auto const corrected =
-        [&](Matrix<S> const& lambda, Matrix<S> const& f10, Matrix<S> const& f21, Matrix<S> const& theta) {
+    auto const corrected = [&](Matrix<S> const& lambda, Matrix<S> const& f10, Matrix<S> const& f21,
+                               Matrix<S> const& theta) {
       return S(slope_of_trace(lambda, Matrix<S>(theta.transpose() * f10)) +
                slope_of_trace(lambda, Matrix<S>(f21 * theta * f21.transpose() * f21)));
     };
-    auto const printed =
-        [&](Matrix<S> const& lambda, Matrix<S> const& f10, Matrix<S> const& f21, Matrix<S> const& theta) {
+    auto const printed = [&](Matrix<S> const& lambda, Matrix<S> const& f10, Matrix<S> const& f21,
+                             Matrix<S> const& theta) {
       return S(-slope_of_trace(lambda, Matrix<S>(theta * f10)) +
                slope_of_trace(lambda, Matrix<S>(f21 * (theta * f21) * f21.transpose())));
     };
@@ -339,9 +340,9 @@ STATEMENT(claim_5_2_dep_with_multiplier, "reduced equation with the symmetric mu
 
 STATEMENT(eq_5_7, "reduced algorithm on the rotation group without multiplier") {
   claim.holds(
-      "It is (3.11) for $\\ell(f) = \\mathrm{Tr}(f\\Lambda)$. Solved for $f_{k+1k}$ from two attitudes of "
-      "the body it approaches the flow of the body, forwards in time and to second order; solved for "
-      "$f_{kk-1}$ it runs back.");
+      "It is (3.11) for $\\ell(f) = \\mathrm{Tr}(f\\Lambda)$. Solved for $f_{k+1k}$ from two "
+      "attitudes of the body it approaches the flow of the body, forwards in time and to second "
+      "order; solved for $f_{kk-1}$ it runs back.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);

@@ -181,14 +181,15 @@ Vector<S> midpoint_step(MovingBody<S> const& body, Vector<S> const& mu, S const&
 
 STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equation for the next motion") {
   claim.convention(
-      "For steps up to $h_{\\max}$, $1/h_{\\max} = \\max_{s>0} s\\,\\rho((s^2+\\Lambda^2)^{-1/2}\\,iM\\,"
-      "(s^2+\\Lambda^2)^{-1/2})$ with $M$ the body momentum, where no $\\Lambda_i$ is negative: with $X = "
-      "f^T\\Lambda$ any rotation $f$ that solves makes $s^2+\\Lambda^2+ishM$ a square $A^*A$ for all $s$, so "
-      "beyond there is none. Below there are several, at least four on $\\SO(3)$ for short steps, and the "
-      "one meant is that near $f_{kk-1}$, at a distance of second order in the step. For the body with "
-      "$\\Lambda = 1, 2, 4$ (and 8) exactly one root is there, for every momentum in a box on $\\SO(3)$, and "
-      "along growing steps up to $0.9\\,h_{\\max}$ on $\\SO(3)$ and $\\SO(4)$; the value of $h_{\\max}$, to "
-      "a thousandth, on $\\SO(3)$.");
+      "For steps up to $h_{\\max}$, $1/h_{\\max} = \\max_{s>0} "
+      "s\\,\\rho((s^2+\\Lambda^2)^{-1/2}\\,iM\\,(s^2+\\Lambda^2)^{-1/2})$ with $M$ the body "
+      "momentum, where no $\\Lambda_i$ is negative: with $X = f^T\\Lambda$ any rotation $f$ that "
+      "solves makes $s^2+\\Lambda^2+ishM$ a square $A^*A$ for all $s$, so beyond there is none. "
+      "Below there are several, at least four on $\\SO(3)$ for short steps, and the one meant is "
+      "that near $f_{kk-1}$, at a distance of second order in the step. For the body with $\\Lambda "
+      "= 1, 2, 4$ (and 8) exactly one root is there, for every momentum in a box on $\\SO(3)$, and "
+      "along growing steps up to $0.9\\,h_{\\max}$ on $\\SO(3)$ and $\\SO(4)$; the value of "
+      "$h_{\\max}$, to a thousandth, on $\\SO(3)$.");
   claim.leaves(
       "That the equation has exactly one solution near the last relative motion is enclosed for one body, "
       "with entries 1, 2, 4 (and 8) of $\\Lambda$: on $\\SO(3)$ for all momenta in a box, and along one "
@@ -472,10 +473,10 @@ STATEMENT(claim_5_2_manifest_preservation,
 
 STATEMENT(claim_5_0_long_run_behaviour, "energy and Casimirs of the schemes over many steps") {
   claim.holds(
-      "Over four thousand steps, in double: the scheme of Moser and Veselov keeps energy and Casimirs to "
-      "rounding; that of natural charts, on $\\SO(3)$, keeps the Casimirs to rounding, and its energy in a "
-      "band of second order in the step that does not widen. A rule of second order that is not variational "
-      "loses both.");
+      "Over four thousand steps, in double: the scheme of Moser and Veselov keeps energy and Casimirs "
+      "to rounding; that of natural charts, on $\\SO(3)$, keeps the Casimirs to rounding, and its "
+      "energy in a band of second order in the step that does not widen. A rule of second order that "
+      "is not variational loses both.");
   auto const energy = [](MovingBody<S> const& body, Vector<S> const& mu) {
     return S(mu.dot(mu.cwiseQuotient(body.inertia.moments)) / S(2));
   };

@@ -39,12 +39,12 @@ auto printed_casimir(Matrix<S> const& lambda) {
 }  // namespace
 
 STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its expression in R^3") {
-  claim.corrected(
-      R"(C_{\mathfrak{so}(3)^*}(y) = \|y\|^2)",
-      R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}()"
-      R"(\mu^2) = -2\|y\|^2)",
-      "Either is a Casimir, but they are not the same function: the square of a skew matrix has no positive "
-      "trace. Spheres and area form are right; the Kirillov-Kostant form is the area form over the radius.");
+  claim.corrected(R"(C_{\mathfrak{so}(3)^*}(y) = \|y\|^2)",
+                  R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}()"
+                  R"(\mu^2) = -2\|y\|^2)",
+                  "Either is a Casimir, but they are not the same function: the square of a skew matrix "
+                  "has no positive trace. Spheres and area form are right; the Kirillov-Kostant form is "
+                  "the area form over the radius.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     auto const mu = draw.template momentum<S>(group);
@@ -130,8 +130,8 @@ STATEMENT(eq_5_10, "Casimir function on the rotation group") {
   claim.convention(
       "Up to constant and sign it is the pull-back of $\\|y\\|^2$, in any dimension; from "
       "$\\mathrm{Tr}(\\mu^2)$, the other form that the thesis gives the Casimir, there is a factor 2 as "
-      "well. On $\\SO(4)$ and $\\SO(5)$ it is one of two; the other is the pull-back of the Pfaffian, or of "
-      "the coefficient of fourth degree.");
+      "well. On $\\SO(4)$ and $\\SO(5)$ it is one of two; the other is the pull-back of the Pfaffian, or "
+      "of the coefficient of fourth degree.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -166,9 +166,9 @@ STATEMENT(eq_5_10, "Casimir function on the rotation group") {
 STATEMENT(claim_5_3_pullback_value, "pull-back of the dual Casimir to the group") {
   claim.same_slip_as("eq_5_10");
   claim.convention(
-      "The Casimir pulled back is $\\|y\\|^2$: then the constant is $\\mathrm{Tr}\\Lambda^2$ and the sign "
-      "minus. From $\\mathrm{Tr}(\\mu^2)$ it is the constant $-2\\mathrm{Tr}\\Lambda^2$ and a factor 2, with "
-      "no change of sign.");
+      "The Casimir pulled back is $\\|y\\|^2$: then the constant is $\\mathrm{Tr}\\Lambda^2$ and the "
+      "sign minus. From $\\mathrm{Tr}(\\mu^2)$ it is the constant $-2\\mathrm{Tr}\\Lambda^2$ and a "
+      "factor 2, with no change of sign.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -370,9 +370,9 @@ void fills_its_component(Claim<S>& claim, Draw& draw) {
 STATEMENT(claim_5_3_invariant_manifolds,
           "level sets of the group Casimir and the reduced discrete dynamics") {
   claim.convention(
-      "For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own on the "
-      "group, and its own invariant manifolds. On $\\SO(4)$ and $\\SO(5)$ the leaves are the common level "
-      "sets of two functions.");
+      "For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own "
+      "on the group, and its own invariant manifolds. On $\\SO(4)$ and $\\SO(5)$ the leaves are the "
+      "common level sets of two functions.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const motion = draw_motion<S>(draw, n);
     TraceLagrangian<S> const l{motion.lambda};
@@ -526,9 +526,9 @@ STATEMENT(claim_5_3_dynamic_orbits, "dynamic orbits as intersections of two fami
   claim.convention(
       "On $\\so(3)$, away from the three axes and from the two curves through the middle one: by Euler's "
       "equations the flow stands still on the axes alone (in balls, with a bound on its speed, for moments "
-      "near 5/2, 2, 3/2 and momenta near the first and the last axis), so one orbit fills a component of the "
-      "intersection, once in a period that an elliptic integral gives. The discrete motion of Moser and "
-      "Veselov stays on the same intersections, that of a chart does not.");
+      "near 5/2, 2, 3/2 and momenta near the first and the last axis), so one orbit fills a component of "
+      "the intersection, once in a period that an elliptic integral gives. The discrete motion of Moser "
+      "and Veselov stays on the same intersections, that of a chart does not.");
   {
     Turns const group{3};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, 3));

@@ -147,13 +147,14 @@ STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its
 
 STATEMENT(claim_6_1_contracted_volume, "n-forms obtained from the volume form on space-time") {
   claim.corrected("d^nx_\\mu = \\partial_\\mu\\,d^{n+1}x", "d^nx_\\mu = \\partial_\\mu\\lrcorner\\,d^{n+1}x",
-                  "The hook between the two is not printed. Without it the line reads as a derivative of the "
-                  "volume form along $x^\\mu$, which is an $(n+1)$-form and zero; the forms of sections 6.1 "
-                  "and 6.2 need the contraction, into the first slot.");
+                  "The hook between the two is not printed. Without it the line reads as a derivative of "
+                  "the volume form along $x^\\mu$, which is an $(n+1)$-form and zero; the forms of "
+                  "sections 6.1 and 6.2 need the contraction, into the first slot.");
   claim.maybe_scan();
   // Determinants of up to four drawn columns.
-  over_points<S>(std::tuple<Dimensions<1, 1>, Dimensions<2, 2>, Dimensions<3, 3>>{},
-                 [&]<class D>(D, std::string const&) {
+  over_points<S>(std::tuple<Dimensions<1, 1>, Dimensions<2, 2>, Dimensions<3, 3>>{}, [&]<class D>(
+                                                                                         D,
+                                                                                         std::string const&) {
     constexpr int n = D::n;
     std::string const model = "n = " + std::to_string(n);
     auto const x = draw_event<S, n>(draw);
@@ -352,91 +353,93 @@ STATEMENT(claim_6_1_dual_jet_bundle_unique, "forms of the dual jet bundle are wr
       "Every $(n+1)$-form that two vertical vectors annihilate has one pair $\\Pi$, $p_a{}^\\mu$, and is "
       "known by its values on jets; equal coordinates in one chart are equal coordinates in all.");
   // Products of at most four drawn columns and a coefficient. An elimination in nine unknowns at most.
-  over_points<S>(std::tuple<Dimensions<1, 2>, Dimensions<2, 2>, Dimensions<3, 1>>{},
-                 [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, Y = n + 1 + N, all = coefficients<n, N>, affine = 1 + N * (n + 1);
-    using Point = Matrix<S, Y, 1>;
-    // Any (n+1)-form at a point of Y, by its coefficients; and the sets of its differentials.
-    auto const c = draw.vector<S, Matrix<S, all, 1>>(all);
-    auto const form = [](Matrix<S, all, 1> const& z) {
-      return [z]<class T, int E>(Matrix<T, E, 1> const& y, Tangents<T, E, n + 1> const& V) -> T {
-        Matrix<T, Y + all, 1> at;
-        at << y, z.template cast<T>();
-        return form_of_all<n, N>()(at, V);
-      };
-    };
-    auto j = draw_jet<S, n, N>(draw);
-    Point const point = point_of(j);
-    auto const sets = increasing<n + 1>(Y);
-    // v hook w hook z for all pairs of vertical coordinate vectors, as a linear map of z.
-    auto in_Z = c;
-    Matrix<S, Dynamic, Dynamic> conditions(all, all);
-    conditions.setZero();
-    for (int k = 0; k < all; ++k) {
-      Tangents<S, Y, n + 1> V = Tangents<S, Y, n + 1>::Zero();
-      for (int r = 0; r <= n; ++r) V(sets[k][n - r], r) = S(1);  // the vertical ones first
-      if (vertical_in<n>(sets[k]) < 2) continue;
-      in_Z[k] = S(0);
-      for (int z = 0; z < all; ++z) conditions(k, z) = form(Matrix<S, all, 1>::Unit(z))(point, V);
-    }
-    claim.fact("dimension 1 + N(n + 1) of what they annihilate", model,
-               all - matrix_rank(conditions) == affine);
-    claim.zero("the forms without two vertical differentials are those", model,
-               Matrix<S, Dynamic, 1>(conditions * in_Z), magnitude(c));
-    // Existence and uniqueness of the coordinates.
-    auto const V = draw_tangents<S, Y, n + 1>(draw);
-    auto const written = read_off<n, N, S>(form(in_Z), point), of_any = read_off<n, N, S>(form(c), point);
-    S const value = form(in_Z)(point, V);
-    claim.equal("z is Pi d^{n+1}x + p dy ^ d^nx", model, value,
-                affine_form<n, N>(written.p, written.Pi, point, V));
-    auto const q = draw.vector<S, Matrix<S, DualJet<S, n, N>::dimension, 1>>(DualJet<S, n, N>::dimension);
-    auto const other = dual_jet_at<n, N>(q);
-    auto const again = read_off<n, N, S>(
-        [&](Point const& y, Tangents<S, Y, n + 1> const& U) {
-      return affine_form<n, N>(other.p, other.Pi, y, U);
-        },
-        point);
-    claim.equal("the coordinates of such a sum are those it is made of", model, again.p, other.p);
-    claim.equal("and its Pi", model, again.Pi, other.Pi);
-    // From the values on as many jets as there are coordinates.
-    Matrix<S, affine, affine> jets;
-    Matrix<S, affine, 2> values;
-    for (int k = 0; k < affine; ++k) {
-      j.v = draw_tangents<S, N, n + 1>(draw);
-      jets(k, 0) = S(1);
-      for (int i = 0; i < N * (n + 1); ++i) jets(k, 1 + i) = j.v(i % N, i / N);
-      values(k, 0) = value_on(form(in_Z), j), values(k, 1) = value_on(form(c), j);
-    }
-    auto const solved = solve_linear(jets, values, "claim_6_1_dual_jet_bundle_unique");
-    Matrix<S, affine, 1> coordinates_of_z;
-    coordinates_of_z[0] = written.Pi;
-    for (int i = 0; i < N * (n + 1); ++i) coordinates_of_z[1 + i] = written.p(i % N, i / N);
-    // The condition of an elimination with drawn coefficients.
-    claim.equal("the affine map on jets has the same coordinates", model, Matrix<S, affine, 1>(solved.col(0)),
-                coordinates_of_z, 1000);
-    if constexpr (N > 1) {
-      claim.differs("a form with two vertical differentials as such a sum", model, form(c)(point, V),
-                    affine_form<n, N>(of_any.p, of_any.Pi, point, V));
-      claim.differs("a form with two vertical differentials is affine on jets", model,
-                    Matrix<S, affine, 1>(solved.col(1)), coordinates_of_z);
-    }
-    // In other charts: the form moved, the jet moved, and the volume of space-time between them.
-    BundleMap<S, n, N> change(draw);
-    auto const moved_form = pull_back([&](auto const& y) { return change.inverse(y); }, form(in_Z));
-    Point const there = change(point);
-    auto const in_charts = read_off<n, N, S>(moved_form, there);
-    claim.equal("such a sum in other charts as well", model, moved_form(there, V),
-                affine_form<n, N>(in_charts.p, in_charts.Pi, there, V), 10);
-    Tangents<S, Y, n + 1> gamma;
-    gamma << Matrix<S, n + 1, n + 1>::Identity(), j.v;
-    Tangents<S, Y, n + 1> const pushed_forward = pushed(change, point, gamma);
-    Matrix<S, n + 1, n + 1> const base = pushed_forward.template topRows<n + 1>();
-    auto moved_jet = j;
-    moved_jet.v = pushed_forward.template bottomRows<N>() * inverse_matrix(base);
-    S const there_value = pairing(in_charts, moved_jet), here_value = value_on(form(in_Z), j);
-    claim.equal("value on a jet in other charts", model, S(there_value * determinant(base)), here_value, 10);
-    claim.differs("without the volume of the new coordinates", model, there_value, here_value);
-  });
+  over_points<S>(
+      std::tuple<Dimensions<1, 2>, Dimensions<2, 2>, Dimensions<3, 1>>{},
+      [&]<class D>(D, std::string const& model) {
+        constexpr int n = D::n, N = D::N, Y = n + 1 + N, all = coefficients<n, N>, affine = 1 + N * (n + 1);
+        using Point = Matrix<S, Y, 1>;
+        // Any (n+1)-form at a point of Y, by its coefficients; and the sets of its differentials.
+        auto const c = draw.vector<S, Matrix<S, all, 1>>(all);
+        auto const form = [](Matrix<S, all, 1> const& z) {
+          return [z]<class T, int E>(Matrix<T, E, 1> const& y, Tangents<T, E, n + 1> const& V) -> T {
+            Matrix<T, Y + all, 1> at;
+            at << y, z.template cast<T>();
+            return form_of_all<n, N>()(at, V);
+          };
+        };
+        auto j = draw_jet<S, n, N>(draw);
+        Point const point = point_of(j);
+        auto const sets = increasing<n + 1>(Y);
+        // v hook w hook z for all pairs of vertical coordinate vectors, as a linear map of z.
+        auto in_Z = c;
+        Matrix<S, Dynamic, Dynamic> conditions(all, all);
+        conditions.setZero();
+        for (int k = 0; k < all; ++k) {
+          Tangents<S, Y, n + 1> V = Tangents<S, Y, n + 1>::Zero();
+          for (int r = 0; r <= n; ++r) V(sets[k][n - r], r) = S(1);  // the vertical ones first
+          if (vertical_in<n>(sets[k]) < 2) continue;
+          in_Z[k] = S(0);
+          for (int z = 0; z < all; ++z) conditions(k, z) = form(Matrix<S, all, 1>::Unit(z))(point, V);
+        }
+        claim.fact("dimension 1 + N(n + 1) of what they annihilate", model,
+                   all - matrix_rank(conditions) == affine);
+        claim.zero("the forms without two vertical differentials are those", model,
+                   Matrix<S, Dynamic, 1>(conditions * in_Z), magnitude(c));
+        // Existence and uniqueness of the coordinates.
+        auto const V = draw_tangents<S, Y, n + 1>(draw);
+        auto const written = read_off<n, N, S>(form(in_Z), point), of_any = read_off<n, N, S>(form(c), point);
+        S const value = form(in_Z)(point, V);
+        claim.equal("z is Pi d^{n+1}x + p dy ^ d^nx", model, value,
+                    affine_form<n, N>(written.p, written.Pi, point, V));
+        auto const q = draw.vector<S, Matrix<S, DualJet<S, n, N>::dimension, 1>>(DualJet<S, n, N>::dimension);
+        auto const other = dual_jet_at<n, N>(q);
+        auto const again = read_off<n, N, S>(
+            [&](Point const& y, Tangents<S, Y, n + 1> const& U) {
+              return affine_form<n, N>(other.p, other.Pi, y, U);
+            },
+            point);
+        claim.equal("the coordinates of such a sum are those it is made of", model, again.p, other.p);
+        claim.equal("and its Pi", model, again.Pi, other.Pi);
+        // From the values on as many jets as there are coordinates.
+        Matrix<S, affine, affine> jets;
+        Matrix<S, affine, 2> values;
+        for (int k = 0; k < affine; ++k) {
+          j.v = draw_tangents<S, N, n + 1>(draw);
+          jets(k, 0) = S(1);
+          for (int i = 0; i < N * (n + 1); ++i) jets(k, 1 + i) = j.v(i % N, i / N);
+          values(k, 0) = value_on(form(in_Z), j), values(k, 1) = value_on(form(c), j);
+        }
+        auto const solved = solve_linear(jets, values, "claim_6_1_dual_jet_bundle_unique");
+        Matrix<S, affine, 1> coordinates_of_z;
+        coordinates_of_z[0] = written.Pi;
+        for (int i = 0; i < N * (n + 1); ++i) coordinates_of_z[1 + i] = written.p(i % N, i / N);
+        // The condition of an elimination with drawn coefficients.
+        claim.equal("the affine map on jets has the same coordinates", model,
+                    Matrix<S, affine, 1>(solved.col(0)), coordinates_of_z, 1000);
+        if constexpr (N > 1) {
+          claim.differs("a form with two vertical differentials as such a sum", model, form(c)(point, V),
+                        affine_form<n, N>(of_any.p, of_any.Pi, point, V));
+          claim.differs("a form with two vertical differentials is affine on jets", model,
+                        Matrix<S, affine, 1>(solved.col(1)), coordinates_of_z);
+        }
+        // In other charts: the form moved, the jet moved, and the volume of space-time between them.
+        BundleMap<S, n, N> change(draw);
+        auto const moved_form = pull_back([&](auto const& y) { return change.inverse(y); }, form(in_Z));
+        Point const there = change(point);
+        auto const in_charts = read_off<n, N, S>(moved_form, there);
+        claim.equal("such a sum in other charts as well", model, moved_form(there, V),
+                    affine_form<n, N>(in_charts.p, in_charts.Pi, there, V), 10);
+        Tangents<S, Y, n + 1> gamma;
+        gamma << Matrix<S, n + 1, n + 1>::Identity(), j.v;
+        Tangents<S, Y, n + 1> const pushed_forward = pushed(change, point, gamma);
+        Matrix<S, n + 1, n + 1> const base = pushed_forward.template topRows<n + 1>();
+        auto moved_jet = j;
+        moved_jet.v = pushed_forward.template bottomRows<N>() * inverse_matrix(base);
+        S const there_value = pairing(in_charts, moved_jet), here_value = value_on(form(in_Z), j);
+        claim.equal("value on a jet in other charts", model, S(there_value * determinant(base)), here_value,
+                    10);
+        claim.differs("without the volume of the new coordinates", model, there_value, here_value);
+      });
 }
 
 // ----
@@ -547,56 +550,57 @@ STATEMENT(eq_6_2, "Green and Finger deformation tensors in coordinates") {
       "deformation is regular, $c$ where $n = N$ and $F$ has an inverse.");
   over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
                  [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    TwoMetrics<S, n, N> const m(draw);
-    Matrix<S, n, n> sum = Matrix<S, n, n>::Zero(), elsewhere = sum;
-    auto const there = m.space(Matrix<S, N, 1>(Matrix<S, N, 1>::Zero()));
-    for (int i = 0; i < n; ++i)
-      for (int k = 0; k < n; ++k)
-        for (int a = 0; a < N; ++a)
-          for (int b = 0; b < N; ++b) {
-            sum(i, k) += m.g(a, b) * m.F(a, i) * m.F(b, k);
-            elsewhere(i, k) += there(a, b) * m.F(a, i) * m.F(b, k);
-          }
-    claim.equal("C in coordinates", model, green_tensor(m.g, m.F), sum);
-    claim.differs("C with the metric of another place", model, green_tensor(m.g, m.F), elsewhere);
-    if constexpr (n == N) {
-      // c measures moved vectors as G measures them before: it needs no inverse to say so.
-      auto const c = inverse_finger_tensor(m.G, m.F);
-      // An inverse of F: the allowance is ten times that of plain evaluation.
-      claim.equal("c of moved vectors", model, pulled_back(c, m.F), m.G, 10);
-      Matrix<S, n, n> const inverse = inverse_matrix(m.F);
-      claim.differs("indices of the inverse exchanged", model, c,
-                    pulled_back(m.G, Matrix<S, n, n>(inverse.transpose())));
-      auto flat = m.F;
-      flat.col(n - 1) = flat.col(0);
-      claim.zero("C of a flat deformation has no inverse", model, determinant(green_tensor(m.g, flat)),
-                 determinant(m.g));
-      claim.template refuses<Singular>("c of a flat deformation", model,
-                                       [&] { inverse_finger_tensor(m.G, flat); });
-    }
-  });
+                   constexpr int n = D::n, N = D::N;
+                   TwoMetrics<S, n, N> const m(draw);
+                   Matrix<S, n, n> sum = Matrix<S, n, n>::Zero(), elsewhere = sum;
+                   auto const there = m.space(Matrix<S, N, 1>(Matrix<S, N, 1>::Zero()));
+                   for (int i = 0; i < n; ++i)
+                     for (int k = 0; k < n; ++k)
+                       for (int a = 0; a < N; ++a)
+                         for (int b = 0; b < N; ++b) {
+                           sum(i, k) += m.g(a, b) * m.F(a, i) * m.F(b, k);
+                           elsewhere(i, k) += there(a, b) * m.F(a, i) * m.F(b, k);
+                         }
+                   claim.equal("C in coordinates", model, green_tensor(m.g, m.F), sum);
+                   claim.differs("C with the metric of another place", model, green_tensor(m.g, m.F),
+                                 elsewhere);
+                   if constexpr (n == N) {
+                     // c measures moved vectors as G measures them before: it needs no inverse to say so.
+                     auto const c = inverse_finger_tensor(m.G, m.F);
+                     // An inverse of F: the allowance is ten times that of plain evaluation.
+                     claim.equal("c of moved vectors", model, pulled_back(c, m.F), m.G, 10);
+                     Matrix<S, n, n> const inverse = inverse_matrix(m.F);
+                     claim.differs("indices of the inverse exchanged", model, c,
+                                   pulled_back(m.G, Matrix<S, n, n>(inverse.transpose())));
+                     auto flat = m.F;
+                     flat.col(n - 1) = flat.col(0);
+                     claim.zero("C of a flat deformation has no inverse", model,
+                                determinant(green_tensor(m.g, flat)), determinant(m.g));
+                     claim.template refuses<Singular>("c of a flat deformation", model,
+                                                      [&] { inverse_finger_tensor(m.G, flat); });
+                   }
+                 });
 }
 
 STATEMENT(claim_6_1_green_tensor, "Green tensor as a pulled-back metric") {
   claim.holds();
   over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
                  [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    TwoMetrics<S, n, N> const m(draw);
-    auto const pulled = matrix_of(pull_back(m.deformation(), as_form(m.space)), m.x);
-    claim.equal("C equals the pull-back of g", model, green_tensor(m.g, m.F), pulled);
-    if constexpr (n == N)
-      claim.differs("F g F^T", model, Matrix<S, n, n>(m.F * m.g * m.F.transpose()), pulled);
-    // A measurement of lengths by the body's own metric is another tensor.
-    claim.differs("G in place of C", model, m.G, pulled);
-  });
+                   constexpr int n = D::n, N = D::N;
+                   TwoMetrics<S, n, N> const m(draw);
+                   auto const pulled = matrix_of(pull_back(m.deformation(), as_form(m.space)), m.x);
+                   claim.equal("C equals the pull-back of g", model, green_tensor(m.g, m.F), pulled);
+                   if constexpr (n == N)
+                     claim.differs("F g F^T", model, Matrix<S, n, n>(m.F * m.g * m.F.transpose()), pulled);
+                   // A measurement of lengths by the body's own metric is another tensor.
+                   claim.differs("G in place of C", model, m.G, pulled);
+                 });
 }
 
 STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward metric") {
   claim.holds(
-      "The inverse is that of mixed tensors, or of $c_{ab}$ and $b^{ab}$; lowering both indices of $b$ with "
-      "$g$ does not invert the matrix of $c$.");
+      "The inverse is that of mixed tensors, or of $c_{ab}$ and $b^{ab}$; lowering both indices of $b$ "
+      "with $g$ does not invert the matrix of $c$.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     // Draw the inverse of a deformation, which takes points of space to particles: the push-forward by the
@@ -619,8 +623,8 @@ STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward me
 
 STATEMENT(claim_6_1_sharp_of_pullback, "index raising and pull-back of the spatial metric compared") {
   claim.convention(
-      "They differ for a general deformation; they agree exactly where the deformation is an isometry, $C = "
-      "G$.");
+      "They differ for a general deformation; they agree exactly where the "
+      "deformation is an isometry, $C = G$.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using M = Matrix<S, n, n>;
@@ -644,8 +648,8 @@ STATEMENT(claim_6_1_sharp_of_pullback, "index raising and pull-back of the spati
 
 STATEMENT(claim_6_1_jacobian_scalar, "Jacobian of a section under coordinate changes") {
   claim.convention(
-      "Charts of body and space are to keep the orientation: a reflection changes the sign of $\\det F$ and "
-      "not of the roots.");
+      "Charts of body and space are to keep the orientation: a reflection changes the sign of "
+      "$\\det F$ and not of the roots.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using M = Matrix<S, n, n>;
@@ -793,9 +797,9 @@ void positive_jacobians(Claim<S>& claim, Draw const& draw) {
 STATEMENT(claim_6_1_initial_jacobian,
           "Jacobian of a regular motion at and after the identity configuration") {
   claim.corrected("J(x,0) = 1", "J(x,0) = \\sqrt{\\det g(x)/\\det G(x)}",
-                  "It is 1 where the two metrics have the same volume, as for a fluid in its container. That "
-                  "$J$ stays positive for a regular motion is right in either case: decided for all times of "
-                  "motions that turn by up to 150 degrees.");
+                  "It is 1 where the two metrics have the same volume, as for a fluid in its container. "
+                  "That $J$ stays positive for a regular motion is right in either case: decided for all "
+                  "times of motions that turn by up to 150 degrees.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     TwoMetrics<S, n, n> const m(draw);
@@ -824,9 +828,9 @@ STATEMENT(claim_6_1_initial_jacobian,
 STATEMENT(claim_6_1_metrics_cancel, "where the metrics of body and space may be left out") {
   claim.convention(
       "That $g(y)$ and $G(x)$ differ unless $y = x$ or the metric is constant is meant for motions in "
-      "general: where the metric does not depend on a coordinate, a motion along it has $g(y) = G(x)$ as "
-      "well. With a constant metric determinants and derivatives drop; indices move trivially where its "
-      "matrix is the identity.");
+      "general: where the metric does not depend on a coordinate, a motion along it has $g(y) = G(x)$ "
+      "as well. With a constant metric determinants and derivatives drop; indices move trivially "
+      "where its matrix is the identity.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using M = Matrix<S, n, n>;

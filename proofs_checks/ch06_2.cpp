@@ -142,8 +142,8 @@ STATEMENT(claim_6_2_energy_two_expressions, "the two expressions of the energy d
 
 STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms of the energy density") {
   claim.corrected("\\Pi = -p_a{}^jv^a{}_j - \\sqrt{\\det G}\\,e", "\\Pi = -p_a{}^jv^a{}_j - e",
-                  "The energy density of (6.5) already carries $\\sqrt{\\det G}$; the printed form is right "
-                  "where $\\det G = 1$.");
+                  "The energy density of (6.5) already carries $\\sqrt{\\det G}$; the printed "
+                  "form is right where $\\det G = 1$.");
   over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
     S const Pi = legendre(m.L, m.j).Pi, e = energy_density(m.L, m.j), sum = m.sum_of_spatial_momenta();

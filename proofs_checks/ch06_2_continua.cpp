@@ -112,8 +112,8 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
 
 STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") {
   claim.holds(
-      "The symmetric symbols under which the metric is parallel. That fixes them: solved for, all "
-      "$n^2(n+1)/2$ come out.");
+      "The symmetric symbols under which the metric is parallel. That fixes them: solved "
+      "for, all $n^2(n+1)/2$ come out.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric<S, n>(draw);
@@ -157,8 +157,8 @@ STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") 
 
 STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
   claim.holds(
-      "In coordinates in which $g$ and $G$ are constant; the mass density, which may vary, stays inside the "
-      "derivative.");
+      "In coordinates in which $g$ and $G$ are constant; the mass density, which may "
+      "vary, stays inside the derivative.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -189,8 +189,8 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
                   R"(\mathcal P_b{}^i\,\gamma^b_{ac}\,F_j{}^c)",
                   R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - )"
                   R"(\mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j)",
-                  "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence is "
-                  "fixed by Leibniz' rule with vector fields of space.");
+                  "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence "
+                  "is fixed by Leibniz' rule with vector fields of space.");
   claim.maybe_scan();
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -245,8 +245,8 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
 
 STATEMENT(claim_6_2_cancelling_terms, "the terms from the determinant and from the inverse gradient cancel") {
   claim.holds(
-      "Piola's identity. Each of the two terms alone is not zero; the section must be one: mixed derivatives "
-      "commute.");
+      "Piola's identity. Each of the two terms alone is not zero; the section must be "
+      "one: mixed derivatives commute.");
   // Determinant and inverse of a gradient of degree 2 in the body, n = 3.
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -330,8 +330,8 @@ STATEMENT(claim_6_2_piola_momenta, "the stress and the spatial momenta") {
 
 STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
   claim.convention(
-      "$W$ depends on $F$ and $g$ through the Green tensor alone (on $x$ and $G$ as it likes); the index is "
-      "lowered with $g$, and $F$ has an inverse. The solid has no symmetry.");
+      "$W$ depends on $F$ and $g$ through the Green tensor alone (on $x$ and $G$ as it likes); the index "
+      "is lowered with $g$, and $F$ has an inverse. The solid has no symmetry.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const solid = draw_medium<S, n>(draw, Kind::solid);
@@ -351,9 +351,9 @@ STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
 
 STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
   claim.convention(
-      "With the symmetric derivative in $g$ it is so by definition. The balance of moment of momentum, that "
-      "the Piola-Kirchhoff stress times $F$ is symmetric, needs a $W$ of the Green tensor, of a solid "
-      "without symmetry as well.");
+      "With the symmetric derivative in $g$ it is so by definition. The balance of moment of momentum, "
+      "that the Piola-Kirchhoff stress times $F$ is symmetric, needs a $W$ of the Green tensor, of a "
+      "solid without symmetry as well.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
@@ -388,9 +388,9 @@ STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
 
 STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
   claim.convention(
-      "The left side is a vector and the right a covector: one index is raised with $g$. $W$ is a function "
-      "of the Green tensor, the point of the body and $G$, without symmetry; bodies of fewer dimensions than "
-      "their space as well.");
+      "The left side is a vector and the right a covector: one index is raised with $g$. $W$ is a "
+      "function of the Green tensor, the point of the body and $G$, without symmetry; bodies of fewer "
+      "dimensions than their space as well.");
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const j = draw_second_jet<S, n, N>(draw);
@@ -496,8 +496,8 @@ STATEMENT(claim_6_2_barotropic_momenta, "the spatial momenta of a barotropic flu
 
 STATEMENT(eq_6_16, "the material pressure from the stored energy") {
   claim.holds(
-      "With the density of space $\\rho/J$ it is the pressure of thermodynamics, the square of that density "
-      "times the derivative of $W$ in it.");
+      "With the density of space $\\rho/J$ it is the pressure of thermodynamics, the square of that "
+      "density times the derivative of $W$ in it.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
@@ -553,8 +553,8 @@ STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid
 STATEMENT(claim_6_2_barotropic_spatial_form,
           "the barotropic equation with spatial density and spatial pressure") {
   claim.holds(
-      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ taken at the particle, and the "
-      "gradient is that of $g$.");
+      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ taken at the particle, "
+      "and the gradient is that of $g$.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
@@ -643,8 +643,8 @@ STATEMENT(eq_6_17, "the left side for a barotropic fluid, in three lines") {
       R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl()"
       R"(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\sqrt{\det[g]}}{)"
       R"(\partial x^k})",
-      "The last term of the middle line lacks the root over $\\det g$. The first and the last line are "
-      "right.");
+      "The last term of the middle line lacks the root over $\\det g$. The "
+      "first and the last line are right.");
   claim.maybe_scan();
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
@@ -778,8 +778,8 @@ void check_medium_equation(Claim<S>& claim, Medium const& medium, SecondJet<S, n
 
 STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
   claim.holds(
-      "The derivative in $x$ is the total one and acts on the mass density too; that in $g$ is the symmetric "
-      "one, summed over both indices. For bodies of fewer dimensions than their space as well.");
+      "The derivative in $x$ is the total one and acts on the mass density too; that in $g$ is the "
+      "symmetric one, summed over both indices. For bodies of fewer dimensions than their space as well.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3, and inverses of metrics.
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     auto const medium = draw_medium<S, D::n, D::N>(draw, Kind::any);
@@ -795,33 +795,33 @@ STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
   claim.convention(
       "$W$ is per unit mass, $\\rho$ the mass per volume of the body, and the derivative in $g$ the "
       "symmetric one. $J$ stays; it disappears where $\\rho/J$, the spatial density, is written.");
-  over_media<S>(draw,
-                [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const& fluid,
-                                                      SecondJet<S, n, n> const& j, std::string const& model) {
-    using T = Dual<S, n>;
-    using Matrix = actio::Matrix<S, n, n>;
-    Jet<S, n, n> const& first = j;
-    auto const at = point_of_medium(medium, first);
-    Matrix const any = draw_tangents<S, n, n>(draw), h = any + any.transpose();
-    // The energy on the way from g along h.
-    auto const moved = first.template cast<T>();
-    actio::Matrix<T, n, n> g = at.g.template cast<T>();
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; b < n; ++b) g(a, b).part[0] = h(a, b);
-    S const rate = medium.W(moved.particle(), medium.G(moved.particle()), g, moved.gradient()).part[0];
-    Matrix const sigma = cauchy_stress(medium, first);
-    S const power = sigma.cwiseProduct(h).sum();
-    claim.equal("power of the stress along a metric", model, power, S(rate * S(2) * at.rho / at.J));
-    claim.differs("without J", model, power, S(rate * S(2) * at.rho));
-    claim.differs("without the 2", model, power, S(rate * at.rho / at.J));
-    S upper(0);
-    for (int a = 0; a < n; ++a)
-      for (int b = a; b < n; ++b) upper += sigma(a, b) * h(a, b);
-    // Off the diagonal the derivative along one pair is twice as large.
-    claim.refutes("each pair of indices once", model, S(upper - power), magnitude(sigma));
-    Matrix const pressure = inverse_matrix(Matrix(fluid.g(j.y))) * S(-material_pressure(fluid, first));
-    claim.equal("of a fluid, the pressure", model, cauchy_stress(fluid, first), pressure);
-  });
+  over_media<S>(
+      draw, [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const& fluid,
+                                                  SecondJet<S, n, n> const& j, std::string const& model) {
+        using T = Dual<S, n>;
+        using Matrix = actio::Matrix<S, n, n>;
+        Jet<S, n, n> const& first = j;
+        auto const at = point_of_medium(medium, first);
+        Matrix const any = draw_tangents<S, n, n>(draw), h = any + any.transpose();
+        // The energy on the way from g along h.
+        auto const moved = first.template cast<T>();
+        actio::Matrix<T, n, n> g = at.g.template cast<T>();
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b) g(a, b).part[0] = h(a, b);
+        S const rate = medium.W(moved.particle(), medium.G(moved.particle()), g, moved.gradient()).part[0];
+        Matrix const sigma = cauchy_stress(medium, first);
+        S const power = sigma.cwiseProduct(h).sum();
+        claim.equal("power of the stress along a metric", model, power, S(rate * S(2) * at.rho / at.J));
+        claim.differs("without J", model, power, S(rate * S(2) * at.rho));
+        claim.differs("without the 2", model, power, S(rate * at.rho / at.J));
+        S upper(0);
+        for (int a = 0; a < n; ++a)
+          for (int b = a; b < n; ++b) upper += sigma(a, b) * h(a, b);
+        // Off the diagonal the derivative along one pair is twice as large.
+        claim.refutes("each pair of indices once", model, S(upper - power), magnitude(sigma));
+        Matrix const pressure = inverse_matrix(Matrix(fluid.g(j.y))) * S(-material_pressure(fluid, first));
+        claim.equal("of a fluid, the pressure", model, cauchy_stress(fluid, first), pressure);
+      });
 }
 
 STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
@@ -832,56 +832,57 @@ STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
       R"(\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a)",
       "The inverse gradient lacks its lower index $a$. Otherwise right, with a mass density that varies.");
   claim.maybe_scan();
-  over_media<S>(draw,
-                [&]<class Medium, class Fluid, int n>(Medium const&, Fluid const& fluid,
-                                                      SecondJet<S, n, n> const& j, std::string const& model) {
-    using Column = actio::Matrix<S, n, 1>;
-    Jet<S, n, n> const& first = j;
-    auto const at = point_of_medium(fluid, first);
-    Column const E = field_equations(fluid, j), slope = pressure_slopes(fluid, j),
-                 mass = inertial_force(fluid, j);
-    claim.equal("(6.18) and (6.12)", model, fluid_equation(fluid, j), E);
-    claim.differs("as printed, with the only index contracted", model,
-                  (mass + Column::Constant((at.inverse * slope).sum() * at.J)).eval(), E);
-    claim.differs("the inverse transposed", model, (mass + at.inverse * slope * at.J).eval(), E);
-    claim.differs("without J", model, (mass + at.inverse.transpose() * slope).eval(), E);
-    // The pressure of a fluid of constant mass density, that at the particle.
-    Fluid even = fluid;
-    even.rho.added.constant = at.rho - S(2);
-    for (auto* c : {&even.rho.added.a, &even.rho.added.b, &even.rho.added.d, &even.rho.added.e}) c->setZero();
-    Column const level = pressure_slopes(even, j);
-    claim.differs("the mass density outside the derivative", model,
-                  (mass + at.inverse.transpose() * level * at.J).eval(), E);
-  });
+  over_media<S>(
+      draw, [&]<class Medium, class Fluid, int n>(Medium const&, Fluid const& fluid,
+                                                  SecondJet<S, n, n> const& j, std::string const& model) {
+        using Column = actio::Matrix<S, n, 1>;
+        Jet<S, n, n> const& first = j;
+        auto const at = point_of_medium(fluid, first);
+        Column const E = field_equations(fluid, j), slope = pressure_slopes(fluid, j),
+                     mass = inertial_force(fluid, j);
+        claim.equal("(6.18) and (6.12)", model, fluid_equation(fluid, j), E);
+        claim.differs("as printed, with the only index contracted", model,
+                      (mass + Column::Constant((at.inverse * slope).sum() * at.J)).eval(), E);
+        claim.differs("the inverse transposed", model, (mass + at.inverse * slope * at.J).eval(), E);
+        claim.differs("without J", model, (mass + at.inverse.transpose() * slope).eval(), E);
+        // The pressure of a fluid of constant mass density, that at the particle.
+        Fluid even = fluid;
+        even.rho.added.constant = at.rho - S(2);
+        for (auto* c : {&even.rho.added.a, &even.rho.added.b, &even.rho.added.d, &even.rho.added.e})
+          c->setZero();
+        Column const level = pressure_slopes(even, j);
+        claim.differs("the mass density outside the derivative", model,
+                      (mass + at.inverse.transpose() * level * at.J).eval(), E);
+      });
 }
 
 STATEMENT(eq_6_20, "the equation of motion with stresses, general stored energy") {
   claim.holds("Read with the covariant divergence of its own row, claim_6_2_covariant_divergence.");
-  over_media<S>(draw,
-                [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&,
-                                                      SecondJet<S, n, n> const& j, std::string const& model) {
-    using Column = actio::Matrix<S, n, 1>;
-    Jet<S, n, n> const& first = j;
-    auto const at = point_of_medium(medium, first);
-    Column const E = field_equations(medium, j),
-                 balance = inertial_force(medium, j) - stress_divergence(medium, j);
-    claim.equal("(6.20) and (6.12)", model, stress_equation(medium, j), E);
-    claim.differs("without the symbols of space", model, balance, E);
-    auto const gamma = christoffel(medium.g, j.y);
-    actio::Matrix<S, n, n> const plus = first_piola_kirchhoff_stress(medium, first) * at.F.transpose() +
-                                        at.g * cauchy_stress(medium, first) * at.J;
-    Column added = balance;
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; b < n; ++b)
-        for (int c = 0; c < n; ++c) added[a] -= gamma[b](a, c) * plus(b, c);
-    claim.differs("the Cauchy stress with the other sign", model, added, E);
-  });
+  over_media<S>(
+      draw, [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&,
+                                                  SecondJet<S, n, n> const& j, std::string const& model) {
+        using Column = actio::Matrix<S, n, 1>;
+        Jet<S, n, n> const& first = j;
+        auto const at = point_of_medium(medium, first);
+        Column const E = field_equations(medium, j),
+                     balance = inertial_force(medium, j) - stress_divergence(medium, j);
+        claim.equal("(6.20) and (6.12)", model, stress_equation(medium, j), E);
+        claim.differs("without the symbols of space", model, balance, E);
+        auto const gamma = christoffel(medium.g, j.y);
+        actio::Matrix<S, n, n> const plus = first_piola_kirchhoff_stress(medium, first) * at.F.transpose() +
+                                            at.g * cauchy_stress(medium, first) * at.J;
+        Column added = balance;
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b)
+            for (int c = 0; c < n; ++c) added[a] -= gamma[b](a, c) * plus(b, c);
+        claim.differs("the Cauchy stress with the other sign", model, added, E);
+      });
 }
 
 STATEMENT(claim_6_2_pressure_definition, "the stress of a fluid defines its pressure") {
   claim.holds(
-      "All entries of the stress of a $W(J)$, and of a $W(J,x)$, give one number, and it is (6.16). With the "
-      "symmetric derivative in $g$. The stress of a solid gives a different number for each entry.");
+      "All entries of the stress of a $W(J)$, and of a $W(J,x)$, give one number, and it is (6.16). With "
+      "the symmetric derivative in $g$. The stress of a solid gives a different number for each entry.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
@@ -909,10 +910,10 @@ STATEMENT(claim_6_2_pressure_definition, "the stress of a fluid defines its pres
 
 STATEMENT(claim_6_2_isentropic_media, "isentropic media with a stored energy of Jacobian and entropy") {
   claim.convention(
-      "The entropy is a given function on the body, so that it is the dependence of $W$ on the point of the "
-      "body that takes it up, beside that on the deformation gradient; a $W$ of the Jacobian alone does so "
-      "only where the entropy is the same everywhere. The pressure is then (6.16) with the entropy of the "
-      "particle.");
+      "The entropy is a given function on the body, so that it is the dependence of $W$ on the "
+      "point of the body that takes it up, beside that on the deformation gradient; a $W$ of the "
+      "Jacobian alone does so only where the entropy is the same everywhere. The pressure is then "
+      "(6.16) with the entropy of the particle.");
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using Column = actio::Matrix<S, n, 1>;

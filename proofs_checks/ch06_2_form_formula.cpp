@@ -45,10 +45,10 @@ auto vertical_part_along(V const& field, Phi const& phi) {
 
 STATEMENT(thm_6_2_2, "multisymplectic form formula") {
   claim.holds(
-      "Off shell the divergence of the current is $V\\cdot\\delta_WE - W\\cdot\\delta_VE$ for vertical "
-      "variations, so both are to solve the linearised equations. Variations that move space-time add "
-      "$E\\cdot V\\,W^\\mu - E\\cdot W\\,V^\\mu$ to the current of their vertical parts, which is nothing on "
-      "a solution.");
+      "Off shell the divergence of the current is $V\\cdot\\delta_WE - W\\cdot\\delta_VE$ for "
+      "vertical variations, so both are to solve the linearised equations. Variations that move "
+      "space-time add $E\\cdot V\\,W^\\mu - E\\cdot W\\,V^\\mu$ to the current of their vertical "
+      "parts, which is nothing on a solution.");
   over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     // The linearised equations are to have a solution for the accelerations.
@@ -60,7 +60,7 @@ STATEMENT(thm_6_2_2, "multisymplectic form formula") {
     auto const divergence_of = [&](auto const& v, auto const& w) {
       return divergence(
           [&]<class T>(Event<T, n> const& x) {
-        return multisymplectic_current(L, first_jet(phi, x), first_jet(v, x), first_jet(w, x));
+            return multisymplectic_current(L, first_jet(phi, x), first_jet(v, x), first_jet(w, x));
           },
           at.x);
     };
@@ -199,8 +199,8 @@ void inhomogeneous_body(Claim<S>& claim, Draw& draw, std::string const& model) {
 STATEMENT(eq_6_11, "boundary integral of two first variations and the multisymplectic form") {
   claim.holds(
       "For variations that move space-time as well, the vertical parts are to solve the linearised "
-      "equations. On boxes, along uniform strain in a uniform body of any density, and along other solutions "
-      "in a body with a quadratic density that varies.");
+      "equations. On boxes, along uniform strain in a uniform body of any density, and along other "
+      "solutions in a body with a quadratic density that varies.");
   claim.leaves(
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");
@@ -305,9 +305,9 @@ struct BentMotion {
 STATEMENT(claim_6_2_time_slice_symplectic,
           "symplecticity in time as a case of the multisymplectic form formula") {
   claim.holds(
-      "For a body of no dimensions (6.11) on an interval says that the map from the state at one end to that "
-      "at the other preserves $dy^a\\wedge dp_a$: for a Lagrangian that depends on time and is not quadratic "
-      "in its coordinates.");
+      "For a body of no dimensions (6.11) on an interval says that the map from the state at one end "
+      "to that at the other preserves $dy^a\\wedge dp_a$: for a Lagrangian that depends on time and is "
+      "not quadratic in its coordinates.");
   over_points<S>(std::tuple<Dimensions<0, 2>, Dimensions<0, 3>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int N = D::N;
     using Curve = BentMotion<S, N>;
@@ -371,8 +371,8 @@ struct AnyTilted {
 
 STATEMENT(claim_6_2_induced_section, "action of bundle automorphisms on sections") {
   claim.holds(
-      "Composition acts on maps of $U$ into $Y$; on the sections that they make it is an action from the "
-      "left.");
+      "Composition acts on maps of $U$ into $Y$; on the sections that they make "
+      "it is an action from the left.");
   over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     using Base = Matrix<S, n + 1, n + 1>;
@@ -410,8 +410,9 @@ STATEMENT(claim_6_2_tangent_of_tilted_sections, "tangent vectors of the manifold
   claim.corrected(
       "\\mathcal V \\in C^\\infty(X, TY),\\ T\\pi_{XY}\\circ\\mathcal V = \\mathcal V_X",
       "\\mathcal V \\in C^\\infty(U, TY),\\ T\\pi_{XY}\\circ\\mathcal V = \\mathcal V_X\\circ\\varphi_X",
-      "$\\varphi$ is a map of $U$, and so is a vector along it; what it covers is a vector field on $U_X$ at "
-      "the point $\\varphi_X(u)$. As printed it is right for sections, where $\\varphi_X$ is the identity.");
+      "$\\varphi$ is a map of $U$, and so is a vector along it; what it covers is a vector "
+      "field on $U_X$ at the point $\\varphi_X(u)$. As printed it is right for sections, "
+      "where $\\varphi_X$ is the identity.");
   over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = n + 1 + N;
     BundleMap<S, n, N> const eta(draw);

@@ -95,8 +95,8 @@ DualJet<S, n, N> form_from_action(L const& density, Phi const& phi, Event<S, n> 
 
 STATEMENT(eq_6_7, "variation of the field action for arbitrary variations") {
   claim.convention(
-      "The derivative $D_{EL}\\mathcal L\\cdot V$ contracts $V$ into $dy^a\\wedge d^{n+1}x$ and pulls back: "
-      "it is $E_a(V^a - \\phi^a{}_{,\\mu}V^\\mu)$, and $E_aV^a$ for vertical variations alone.");
+      "The derivative $D_{EL}\\mathcal L\\cdot V$ contracts $V$ into $dy^a\\wedge d^{n+1}x$ and pulls "
+      "back: it is $E_a(V^a - \\phi^a{}_{,\\mu}V^\\mu)$, and $E_aV^a$ for vertical variations alone.");
   // A density of degree 33 in what is drawn, differentiated twice, times a field on Y of degree 21.
   over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -223,8 +223,8 @@ STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variati
       "D_{EL}\\mathcal L\\cdot\\mathcal V = -(j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]",
       "(6.7), (6.9) and (6.10) hold; (6.8) has the other sign with $\\Omega = -d\\Theta$. All coefficients "
       "of $D_{EL}\\mathcal L$ and of the boundary term are solved for from as many variations; the form is "
-      "unique among the $a_a{}^\\mu\\,dy^a\\wedge d^nx_\\mu + b\\,d^{n+1}x$, whose coefficients the boundary "
-      "term gives, and not among all forms: see claim_6_2_cartan_form_uniqueness.");
+      "unique among the $a_a{}^\\mu\\,dy^a\\wedge d^nx_\\mu + b\\,d^{n+1}x$, whose coefficients the "
+      "boundary term gives, and not among all forms: see claim_6_2_cartan_form_uniqueness.");
   claim.same_slip_as("eq_6_8");
   // Integrals of polynomials of degree 6 in x over a drawn box.
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
@@ -325,9 +325,9 @@ void determined_from_one_box(Claim<S>& claim, Draw& draw) {
     for (int c = 0; c < 6; ++c)
       products(r, c) = integral(
           [&](Event<S, n> const& x) {
-        Matrix<S, 4, 1> point = Matrix<S, 4, 1>::Zero();
-        point.template head<2>() = x;
-        return S(field(0)(point)[2] * Monomial{powers[c].first, powers[c].second, 0}(point)[2]);
+            Matrix<S, 4, 1> point = Matrix<S, 4, 1>::Zero();
+            point.template head<2>() = x;
+            return S(field(0)(point)[2] * Monomial{powers[c].first, powers[c].second, 0}(point)[2]);
           },
           box.low, box.high, degree);
   }
@@ -354,9 +354,9 @@ void determined_from_one_box(Claim<S>& claim, Draw& draw) {
 
 STATEMENT(claim_6_2_euler_lagrange_map_unique, "uniqueness of the Euler-Lagrange derivative") {
   claim.holds(
-      "Whatever boundary term (6.7) is written with: from variations that vanish on the boundary of one box, "
-      "and from all variations at a point. It is a function of second jets: sections with one second jet "
-      "have one $D_{EL}\\mathcal L$.");
+      "Whatever boundary term (6.7) is written with: from variations that vanish on the boundary of one "
+      "box, and from all variations at a point. It is a function of second jets: sections with one second "
+      "jet have one $D_{EL}\\mathcal L$.");
   claim.leaves(
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");
@@ -400,9 +400,9 @@ struct ForceAlong {
 
 STATEMENT(claim_6_2_critical_point, "critical points of the action and admissible variations") {
   claim.convention(
-      "Admissible variations vanish on the boundary of $U$; with all variations, natural boundary conditions "
-      "are imposed as well. Both directions: with $V$ a bump times $E$ the rate is the integral of the bump "
-      "times $|E|^2$.");
+      "Admissible variations vanish on the boundary of $U$; with all variations, natural boundary "
+      "conditions are imposed as well. Both directions: with $V$ a bump times $E$ the rate is the "
+      "integral of the bump times $|E|^2$.");
   claim.leaves(
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");
@@ -426,7 +426,7 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
     auto const over_box = [&](auto const& field) {
       return integral(
           [&](Event<S, n> const& x) {
-        return bulk(L, second_jet(other, x), Variation<S, n, N>(field(graph(other, x))));
+            return bulk(L, second_jet(other, x), Variation<S, n, N>(field(graph(other, x))));
           },
           box.low, box.high, 6);
     };
@@ -458,8 +458,8 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
 
 STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical variations only") {
   claim.holds(
-      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$. Vertical variations do not "
-      "determine it, and give the field equations and the other coefficients without it.");
+      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$. Vertical variations do "
+      "not determine it, and give the field equations and the other coefficients without it.");
   over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);

@@ -231,10 +231,10 @@ STATEMENT(claim_7_0_spatial_constraints,
           "constraints with spatial derivatives only, and restriction of the principle") {
   claim.convention(
       "Where the constrained sections are a submanifold, the boundary conditions included. Then Hamilton's "
-      "principle on them, the multiplier and virtual work leave the same equations, off shell and for every "
-      "variation; with derivatives in time the first two still agree, and virtual work does not. Shown where "
-      "one field is a function of the other and of its derivatives, on a string and on a membrane, and where "
-      "no field is, on plane curves that sweep area at a given rate.");
+      "principle on them, the multiplier and virtual work leave the same equations, off shell and for "
+      "every variation; with derivatives in time the first two still agree, and virtual work does not. "
+      "Shown where one field is a function of the other and of its derivatives, on a string and on a "
+      "membrane, and where no field is, on plane curves that sweep area at a given rate.");
   compare_on_graph<S, 1>(claim, draw);
   compare_on_graph<S, 2>(claim, draw);
   compare_on_curves(claim, draw);
@@ -250,12 +250,12 @@ STATEMENT(claim_7_0_spatial_constraints,
 STATEMENT(claim_7_0_vakonomic_differs,
           "equations of the restricted principle and of Lagrange and d'Alembert") {
   claim.convention(
-      "The constraint is one on velocities that does not integrate to one on configurations: for a holonomic "
-      "one, $g\\,df = 0$, both principles give the same motions, as the text says before. Hamilton's "
-      "principle on the curves that satisfy $\\omega\\cdot\\dot q = 0$ has the equations (7.2). Its reaction "
-      "has the part $-\\lambda\\,|\\dot q|^2\\,\\omega\\cdot\\mathrm{curl}\\,\\omega$ along the displacement "
-      "$\\omega\\times\\dot q$, which virtual work leaves free. Which of the two nature follows is a "
-      "question for experiments.");
+      "The constraint is one on velocities that does not integrate to one on configurations: for a "
+      "holonomic one, $g\\,df = 0$, both principles give the same motions, as the text says before. "
+      "Hamilton's principle on the curves that satisfy $\\omega\\cdot\\dot q = 0$ has the equations (7.2). "
+      "Its reaction has the part $-\\lambda\\,|\\dot q|^2\\,\\omega\\cdot\\mathrm{curl}\\,\\omega$ along "
+      "the displacement $\\omega\\times\\dot q$, which virtual work leaves free. Which of the two nature "
+      "follows is a question for experiments.");
   restrict_to_allowed_curves<S, 3, 1>(claim, draw, false, "any linear constraint in R^3");
   compare_any_linear(claim, draw, false);
   compare_any_linear(claim, draw, true);

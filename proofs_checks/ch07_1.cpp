@@ -309,10 +309,10 @@ void refute_without_regularity(Claim<S>& claim, Draw& draw) {
 STATEMENT(thm_7_1_1, "Lagrange multiplier theorem for sections of an inner product bundle") {
   claim.convention(
       "An extremum is a point where the derivative vanishes, and the derivative of $\\Psi$ is onto at "
-      "$\\varphi$; without the second hypothesis, which is not named, the first statement does not imply the "
-      "second, as the tip of a cusp shows. Shown for zeros in $\\R^4$ in two frames of the fibres, over the "
-      "projective plane for a line bundle that is not trivial, and for curves under a constraint at each of "
-      "their points, off shell for every functional of first order.");
+      "$\\varphi$; without the second hypothesis, which is not named, the first statement does not imply "
+      "the second, as the tip of a cusp shows. Shown for zeros in $\\R^4$ in two frames of the fibres, "
+      "over the projective plane for a line bundle that is not trivial, and for curves under a constraint "
+      "at each of their points, off shell for every functional of first order.");
   LevelModel<S> const model(draw);
   Numbers<S, 2> const lambda = draw.vector<S, Numbers<S, 2>>(2);
   Numbers<S, 4> const q = model.Psi.origin;
@@ -344,8 +344,8 @@ STATEMENT(claim_7_1_first_to_second, "from a constrained extremum to an extremum
   claim.convention(
       "The derivative of $\\Psi$ is onto at the point, and the second extremum is a point where the "
       "derivative vanishes: $\\bar h$ is affine in the multiplier and rises and falls near every point, so "
-      "it has no minimum or maximum there even where $h|_{\\mathcal N}$ has one. Shown for zeros in $\\R^4$ "
-      "and for curves under a constraint at each of their points; the multiplier is the only one.");
+      "it has no minimum or maximum there even where $h|_{\\mathcal N}$ has one. Shown for zeros in "
+      "$\\R^4$ and for curves under a constraint at each of their points; the multiplier is the only one.");
   {
     LevelModel<S> const model(draw);
     std::string const name = level_name;

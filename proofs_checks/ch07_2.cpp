@@ -132,8 +132,8 @@ auto less_paired(L const& density, Phi const& constraint, Lambda const& lambda) 
 
 STATEMENT(eq_7_1, "induced constraint function on sections") {
   claim.holds(
-      "The number of components of $\\Phi$ is the rank of $\\mathcal V$, which the thesis calls $n$; it need "
-      "not be the dimension of the body.");
+      "The number of components of $\\Phi$ is the rank of $\\mathcal V$, which the thesis calls $n$; it "
+      "need not be the dimension of the body.");
   over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
     constexpr int n = D::n;
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{draw_metric<S, n>(draw),
@@ -255,8 +255,8 @@ STATEMENT(eq_7_2, "constrained Euler-Lagrange equations") {
 STATEMENT(claim_7_2_augmented_lagrangian, "Lagrangian on the extended bundle and its field equations") {
   claim.corrected("L_\\Phi = L + \\langle\\lambda, \\Phi\\rangle",
                   "L_\\Phi = L - \\langle\\lambda, \\Phi\\rangle",
-                  "The equations of the printed density are (7.2) with $-\\lambda$ for $\\lambda$; chapter 8 "
-                  "keeps the printed density, whose multiplier is the pressure, positive in compression.");
+                  "The equations of the printed density are (7.2) with $-\\lambda$ for $\\lambda$; chapter "
+                  "8 keeps the printed density, whose multiplier is the pressure, positive in compression.");
   claim.maybe_scan();
   over_dimensions(ConstrainedDimensions{}, [&]<class D>(D, std::string const& name) {
     constexpr int n = D::n, N = D::N;
@@ -283,8 +283,8 @@ STATEMENT(claim_7_2_augmented_lagrangian, "Lagrangian on the extended bundle and
 STATEMENT(claim_7_2_constrained_hamilton,
           "critical points of the constrained action and of the action with multiplier") {
   claim.convention(
-      "An extremum is a critical point, and the constraint is regular as in Theorem 7.1.1. Shown off shell, "
-      "for any density and any variation: from the multiplier to the constrained sections for every "
+      "An extremum is a critical point, and the constraint is regular as in Theorem 7.1.1. Shown off "
+      "shell, for any density and any variation: from the multiplier to the constrained sections for every "
       "constraint with two components; the other way where one field is a function of the other and of its "
       "derivatives, on strings, membranes and solids, and where none is, on curves that sweep area at a "
       "given rate; for $J = 1$ see claim_7_2_incompressibility_fits.");

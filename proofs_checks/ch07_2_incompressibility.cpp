@@ -288,16 +288,15 @@ void free_pressures(Claim<S>& claim, Draw& draw, std::string const& name) {
 STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of the multiplier theorem") {
   claim.convention(
       "With a fixed boundary the total volume is fixed: the derivative of $J - 1$ reaches functions with "
-      "zero mean against $\\sqrt{\\det G}$ and no others, at each time. With these as the fibre the theorem "
-      "applies, and the multiplier is free up to $c(t)\\sqrt{\\det G}$. Counted at motions with $J = 1$ of "
-      "the unit ball in any metrics: displacements that vanish on the sphere, polynomials of degree $d + 1$ "
-      "over $\\sqrt{\\det G}$ in the coordinates of the body, reach all polynomials of degree $d$ with zero "
-      "mean ($d = 3$ in the plane, 2 in space), and what does no work on those of them that keep the volume "
-      "is the gradient of one such polynomial.");
+      "zero mean against $\\sqrt{\\det G}$ and no others, at each time. With these as the fibre the "
+      "theorem applies, and the multiplier is free up to $c(t)\\sqrt{\\det G}$. Counted at motions with $J "
+      "= 1$ of the unit ball in any metrics: displacements that vanish on the sphere, polynomials of "
+      "degree $d + 1$ over $\\sqrt{\\det G}$ in the coordinates of the body, reach all polynomials of "
+      "degree $d$ with zero mean ($d = 3$ in the plane, 2 in space), and what does no work on those of "
+      "them that keep the volume is the gradient of one such polynomial.");
   claim.leaves(
       "Other domains than the ball, functions that are no polynomials of these degrees, and spaces of them "
-      "that "
-      "are complete, where the theorem on multipliers asks that the derivative is onto.");
+      "that are complete, where the theorem on multipliers asks that the derivative is onto.");
   volume_changes<S, 2, 3>(claim, draw);
   volume_changes<S, 3, 2>(claim, draw);
   over_dimensions(PlaneAndSpace{},

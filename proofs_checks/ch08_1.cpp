@@ -108,9 +108,9 @@ Matrix<S, DualJet<S, n, M>::dimension, 1> coordinates_of(FormAtAPoint<S> const& 
 STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multiplier among the fields") {
   claim.corrected(
       "d^nx_\\mu = \\partial_\\mu\\,d^{n+1}x", "d^nx_\\mu = \\partial_\\mu\\lrcorner\\,d^{n+1}x",
-      "The hook is not printed here either. The canonical form is compared with what an element z of Z, any "
-      "form that vanishes on two vertical vectors, is on vectors projected to E. Its coordinates are its "
-      "values on coordinate vectors, so they are unique.");
+      "The hook is not printed here either. The canonical form is compared with what an element z of Z, "
+      "any form that vanishes on two vertical vectors, is on vectors projected to E. Its coordinates are "
+      "its values on coordinate vectors, so they are unique.");
   claim.maybe_scan();
   claim.same_slip_as("claim_6_1_contracted_volume");
   auto const at_dimensions = [&]<int n, int N>() {
@@ -158,9 +158,9 @@ STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multipli
 
 STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
   claim.convention(
-      "In the sense of section 8.2, which sets it to $\\mathfrak C = \\{\\pi^\\mu = 0\\}$: it belongs to the "
-      "multiplier of the constraint. Every jet is sent there, whatever its volume; $J = 1$ is no relation of "
-      "$\\mathfrak C$, but comes later, as the field equation of $\\lambda$.");
+      "In the sense of section 8.2, which sets it to $\\mathfrak C = \\{\\pi^\\mu = 0\\}$: it belongs to "
+      "the multiplier of the constraint. Every jet is sent there, whatever its volume; $J = 1$ is no "
+      "relation of $\\mathfrak C$, but comes later, as the field equation of $\\lambda$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
@@ -195,9 +195,8 @@ STATEMENT(claim_8_1_volume_preserving_placement,
           "the velocity has no divergence where the placement preserves volume") {
   claim.holds(
       "At each instant and in any metrics: along a motion the volume $J$ has the rate "
-      "$J\\,\\mathrm{div}\\,u$, so "
-      "that it is constant where the divergence vanishes, and the other way round. $J = 1$ needs a placement "
-      "that preserves volume at one instant.");
+      "$J\\,\\mathrm{div}\\,u$, so that it is constant where the divergence vanishes, and the other way "
+      "round. $J = 1$ needs a placement that preserves volume at one instant.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const body = draw_metric_of_volume<S, n>(draw), space = draw_metric_of_volume<S, n>(draw);

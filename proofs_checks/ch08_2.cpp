@@ -92,8 +92,8 @@ STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its t
       "\\text{restricted to }\\{\\pi^\\mu = 0\\}\\text{ it is non-degenerate}",
       "\\ker T\\mathbb{F}\\mathcal L_\\Phi \\supseteq \\mathrm{span}(\\partial/\\partial\\beta_\\mu)",
       "Restricting the target, all momenta $p$ nearby are reached where $\\partial^2L_\\Phi/\\partial "
-      "v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay in "
-      "its kernel. The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
+      "v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay "
+      "in its kernel. The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
@@ -272,8 +272,8 @@ STATEMENT(eq_8_6, "the field equation of the multiplier") {
 
 STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
   claim.holds(
-      "It holds off the constraint too: the Euler-Lagrange derivative is $-\\sqrt{\\det G}$ times it for "
-      "every $J$.");
+      "It holds off the constraint too: the Euler-Lagrange derivative is "
+      "$-\\sqrt{\\det G}$ times it for every $J$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
@@ -332,8 +332,8 @@ STATEMENT(claim_8_2_other_cancellations,
           "what else cancels where the momenta of the pressure are differentiated") {
   claim.holds(
       "Besides the metric of space: the derivatives of $\\det v$ and of $v^{-1}$ cancel each other (the "
-      "identity of Piola), and those of the root of $\\det G$ in $\\lambda$ cancel those of the root in $J$. "
-      "The derivative of $P$ remains.");
+      "identity of Piola), and those of the root of $\\det G$ in $\\lambda$ cancel those of the root in "
+      "$J$. The derivative of $P$ remains.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));

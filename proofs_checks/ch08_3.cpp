@@ -19,12 +19,13 @@ AnyFluidLaw<S> pressed_more(AnyFluidLaw<S> law, S const& c) {
 
 STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure") {
   claim.corrected(
-      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial P}{\\partial "
-      "x^k}\\,J(F^{-1})^k{}_a",
-      "\\rho(x)\\,g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial P}{\\partial "
-      "x^k}\\,J(F^{-1})^k{}_a",
-      "No other pressure takes the density in: $d(dP/\\rho) = dP\\wedge d\\rho/\\rho^2$ vanishes only where "
-      "$d\\rho\\wedge dP = 0$. Where $P$ is a function of $\\rho$ (and of time) another pressure does it.");
+      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial "
+      "P}{\\partial x^k}\\,J(F^{-1})^k{}_a",
+      "\\rho(x)\\,g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial "
+      "P}{\\partial x^k}\\,J(F^{-1})^k{}_a",
+      "No other pressure takes the density in: $d(dP/\\rho) = dP\\wedge d\\rho/\\rho^2$ "
+      "vanishes only where $d\\rho\\wedge dP = 0$. Where $P$ is a function of $\\rho$ (and of "
+      "time) another pressure does it.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const G = draw_any_metric<S, n>(draw), g = draw_any_metric<S, n>(draw);
@@ -74,8 +75,8 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
 
 STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
   claim.holds(
-      "The fluid is homogeneous and of density 1, as the text sets it just before. The equation holds off "
-      "the constraint too.");
+      "The fluid is homogeneous and of density 1, as the text sets it just before. The "
+      "equation holds off the constraint too.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = ideal_fluid<S, n>(draw_any_metric<S, n>(draw), draw_any_metric<S, n>(draw));
@@ -116,8 +117,7 @@ STATEMENT(claim_8_3_spatial_density,
           "the spatial density of an incompressible homogeneous fluid is constant") {
   claim.holds(
       "In space and in time; $\\rho_{\\mathrm{sp}} = \\rho/J$ has the rate "
-      "$-\\rho_{\\mathrm{sp}}\\,\\mathrm{div}\\,u$ "
-      "along any motion.");
+      "$-\\rho_{\\mathrm{sp}}\\,\\mathrm{div}\\,u$ along any motion.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const body = draw_metric_of_volume<S, n>(draw), space = draw_metric_of_volume<S, n>(draw);
@@ -154,8 +154,8 @@ STATEMENT(claim_8_3_spatial_density,
 
 STATEMENT(eq_8_11, "the equation with the pressure in space") {
   claim.holds(
-      "It uses $J = 1$, not that determinants are 1: off the constraint the gradient has the factor $J$ of "
-      "(8.9).");
+      "It uses $J = 1$, not that determinants are 1: off the constraint the "
+      "gradient has the factor $J$ of (8.9).");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid =
@@ -193,10 +193,10 @@ STATEMENT(eq_8_11, "the equation with the pressure in space") {
 
 STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two pressures") {
   claim.corrected(
-      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi^b}{Dt}\\Bigr)^b = -\\frac{\\partial(P_W + P_\\lambda)}{\\partial "
-      "x^k}\\,J(F^{-1})^k{}_a",
-      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial(P_W + P_\\lambda)}{\\partial "
-      "x^k}\\,J(F^{-1})^k{}_a",
+      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi^b}{Dt}\\Bigr)^b = -\\frac{\\partial(P_W + "
+      "P_\\lambda)}{\\partial x^k}\\,J(F^{-1})^k{}_a",
+      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial(P_W + "
+      "P_\\lambda)}{\\partial x^k}\\,J(F^{-1})^k{}_a",
       "A slip of an index: $\\dot\\phi$ is a vector, and its components differentiated as functions would "
       "lose the connection. The density is 1; otherwise $\\rho(x)$ stands before the acceleration.");
   claim.maybe_scan();
@@ -229,8 +229,8 @@ STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two
 
 STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
   claim.holds(
-      "The momenta and the field equations of the motion know the sum alone; the affine momentum, an energy, "
-      "tells the two apart.");
+      "The momenta and the field equations of the motion know the sum alone; the affine momentum, "
+      "an energy, tells the two apart.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_barotropic<S, n>(draw);
@@ -262,8 +262,8 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
 
 STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where the volume is held") {
   claim.holds(
-      "The fluid is homogeneous, as the text sets it. With mass that varies $P_W = -\\rho\\,W'(1)$ varies "
-      "with the particle.");
+      "The fluid is homogeneous, as the text sets it. With mass that varies $P_W = "
+      "-\\rho\\,W'(1)$ varies with the particle.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const law = draw_fluid<S>(draw);
@@ -318,8 +318,8 @@ AccelerationOf(Metric, Phi) -> AccelerationOf<Metric, Phi>;
 
 STATEMENT(eq_8_14, "the equation of the pressure") {
   claim.holds(
-      "With $\\mathrm{div}\\,u = 0$ at all times, as the line before has it, and covariant derivatives. On a "
-      "curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
+      "With $\\mathrm{div}\\,u = 0$ at all times, as the line before has it, and covariant derivatives. On "
+      "a curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_any_metric<S, n>(draw);
@@ -396,9 +396,9 @@ STATEMENT(claim_8_3_euler_equations, "the fluid in the spatial description") {
 STATEMENT(claim_8_3_two_descriptions_agree,
           "one fluid, seen from the body and as a curve of diffeomorphisms") {
   claim.holds(
-      "Under the identification that the section makes: body and space are one Riemannian manifold, mass is "
-      "1, "
-      "and the motion begins at the identity, so that $J = 1$ says that it stays in $\\mathcal D_\\mu$.");
+      "Under the identification that the section makes: body and space are one Riemannian "
+      "manifold, mass is 1, and the motion begins at the identity, so that $J = 1$ says that "
+      "it stays in $\\mathcal D_\\mu$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);
@@ -426,13 +426,15 @@ STATEMENT(claim_8_3_two_descriptions_agree,
         lowered(g(y), Matrix<S, n, 1>(material_acceleration(g, second_jet(phi, x)) + gradient(g, p, at))));
     claim.differs("a body with another volume", model, residual_on_body(draw_any_metric<S, n>(draw), x),
                   in_space);
-    claim.differs("the inverse motion for the motion", model, on_body,
-                  lowered(g(y), Matrix<S, n, 1>(material_acceleration(g, second_jet(
-                                                                             [&](auto const& event) {
-      return phi.particle(event).template tail<n>().eval();
-                                                                             },
-                                                                             at)) +
-                                                gradient(g, p, at))));
+    claim.differs(
+        "the inverse motion for the motion", model, on_body,
+        lowered(g(y), Matrix<S, n, 1>(
+                          material_acceleration(g, second_jet(
+                                                       [&](auto const& event) {
+                                                         return phi.particle(event).template tail<n>().eval();
+                                                       },
+                                                       at)) +
+                          gradient(g, p, at))));
   });
 }
 
@@ -440,8 +442,7 @@ STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the bod
   claim.convention(
       "With the divergence in space. (8.11) is an equation between vectors of space at points of the body: "
       "composed with $\\phi_t^{-1}$, or with $(F^{-1})^k{}_a\\,\\nabla_k$ on the body, both sides give "
-      "(8.14) at "
-      "the place of the particle. Differentiated in $x$ without $F^{-1}$ they give other numbers.");
+      "(8.14) at the place of the particle. Differentiated in $x$ without $F^{-1}$ they give other numbers.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);

@@ -155,8 +155,8 @@ FieldsInTime<S, n> acceleration_in_box(BoxMetric<S, n> const& g, FieldsInTime<S,
 STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the volume") {
   claim.holds(
       "Such fields along a wall of any form have such a bracket, and differentiating the adjoint action of "
-      "any motion of the group gives minus the bracket of Jacobi and Lie. The volume grows along the flow of "
-      "a field by its divergence, and so the flow stays in the group where there is none.");
+      "any motion of the group gives minus the bracket of Jacobi and Lie. The volume grows along the flow "
+      "of a field by its divergence, and so the flow stays in the group where there is none.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);
@@ -234,8 +234,8 @@ STATEMENT(claim_8_3_right_invariant_metric, "the metric on volume preserving map
   claim.holds(
       "Extended by right invariance the inner product of fields is $\\int g(\\eta(x))(\\dot\\eta, "
       "\\dot\\eta)\\,\\mu$, twice the kinetic energy of the particles, because $\\eta$ preserves $\\mu$; "
-      "translated from the left it is another metric. Integrands are compared for finite maps, integrals in "
-      "a box for fields along its walls.");
+      "translated from the left it is another metric. Integrands are compared for finite maps, integrals "
+      "in a box for fields along its walls.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);
@@ -315,11 +315,12 @@ STATEMENT(claim_8_3_right_invariant_metric, "the metric on volume preserving map
 
 STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms") {
   claim.convention(
-      "One metric on body and space, mass 1, variations along the walls that vanish at both ends. The action "
-      "varies by minus the work of the acceleration; a gradient does no work on such variations, and a "
-      "covector field that does none on any of them has no curl: along $\\partial_b(\\beta\\,\\omega^{ab})$, "
-      "with $\\omega$ its curl and $\\beta$ zero at the walls, it does the work $\\int\\beta|\\omega|^2$, "
-      "and where the body closes to a strip, fields around it find its period.");
+      "One metric on body and space, mass 1, variations along the walls that vanish at both ends. "
+      "The action varies by minus the work of the acceleration; a gradient does no work on such "
+      "variations, and a covector field that does none on any of them has no curl: along "
+      "$\\partial_b(\\beta\\,\\omega^{ab})$, with $\\omega$ its curl and $\\beta$ zero at the "
+      "walls, it does the work $\\int\\beta|\\omega|^2$, and where the body closes to a strip, "
+      "fields around it find its period.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_any_metric<S, n>(draw);

@@ -85,8 +85,8 @@ template <int N, class Map>
 auto of_space(Map const& map) {
   return Automorphism{[](auto const& x) { return x; },
                       [map](auto const& point) {
-    using T = ScalarOf<decltype(point)>;
-    return map(Matrix<T, N, 1>(point.template tail<N>()));
+                        using T = ScalarOf<decltype(point)>;
+                        return map(Matrix<T, N, 1>(point.template tail<N>()));
                       }};
 }
 /// A field on space, and no change of the pressure that comes after its coordinates.
@@ -186,10 +186,10 @@ struct Shift {
 template <class S, int N>
 auto shifted_time(S const& tau) {
   return Automorphism{[tau](auto const& x) {
-    using T = ScalarOf<decltype(x)>;
-    auto moved = x;
-    moved[0] += T(tau);
-    return moved;
+                        using T = ScalarOf<decltype(x)>;
+                        auto moved = x;
+                        moved[0] += T(tau);
+                        return moved;
                       },
                       FixedFibre<N>{}};
 }
@@ -198,10 +198,11 @@ auto shifted_time(S const& tau) {
 
 STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogeneous fluids") {
   claim.convention(
-      "A relabelling must take each level set of the density, and of the entropy, to itself: one that "
-      "exchanges level sets is no symmetry. The stored energy depends on the point of the body through these "
-      "alone. Among the fields that preserve the volume those along the level sets are all symmetries there "
-      "are: the rate of the Lagrangian is that of the density or the entropy, times what is not zero.");
+      "A relabelling must take each level set of the density, and of the entropy, to itself: one "
+      "that exchanges level sets is no symmetry. The stored energy depends on the point of the body "
+      "through these alone. Among the fields that preserve the volume those along the level sets "
+      "are all symmetries there are: the rate of the Lagrangian is that of the density or the "
+      "entropy, times what is not zero.");
   // The energy is of degree 24 in the coordinates after clearing denominators, the field of degree 12.
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -259,110 +260,115 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
 
 STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries") {
   claim.convention(
-      "The stored energy must depend on the metric of space and on the deformation through the Green tensor "
-      "alone (or be equivariant under isometries in another way), and the isometry must respect the boundary "
-      "conditions. Of a fluid, which knows the sign of $J$, an isometry that turns space inside out is none. "
-      "The solid has no symmetry of its own.");
+      "The stored energy must depend on the metric of space and on the deformation through the Green "
+      "tensor alone (or be equivariant under isometries in another way), and the isometry must respect the "
+      "boundary conditions. Of a fluid, which knows the sign of $J$, an isometry that turns space inside "
+      "out is none. The solid has no symmetry of its own.");
   // A cubic of the Green tensor, which is of degree 12 with the denominators of the sphere and the body.
-  over_points(claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
-              [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    StereographicSphere<S, N> const sphere{ratio<S>(1, 2)};
-    auto const j = draw_jet<S, n, N>(draw);
-    SphereRotation<S, N> const turning{draw_skew<S, N>(draw), draw.vector<S, Matrix<S, N, 1>>(N)};
-    claim.zero("the field is Killing", model, lie_derivative(sphere, turning, j.y), S(1));
-    // Roots of det g at the two ends of a finite map have one sign where 1 + |y|^2 and |y|^2 are positive.
-    draw_positive(S(j.y.dot(j.y) + 1)), draw_positive(S(j.y.dot(j.y)));
-    for (Kind const kind : kinds<D>()) {
-      std::string const what = model + (kind == Kind::solid ? ", solid" : ", fluid");
-      auto const medium = Continuum{draw_metric<S, n>(draw), sphere, draw_mass<S, n>(draw),
-                                    draw_energy_of<S, n, N>(draw, kind)};
-      // Ten more roundings: turned coordinates pass through the metrics. The terms of the rate: L once
-      // differentiated; L may be small beside them.
-      S const scale = medium(j) + inner(sphere(j.y), j.velocity(), j.velocity()) + S(1);
-      claim.zero("on a sphere: rate of equivariance", what,
-                 equivariance_rate(medium, motion_of_space<N>(turning), j), scale, 10);
-      auto const dilation = [](auto const& y) { return y; };
-      claim.refutes("dilation, which is not Killing", what,
-                    equivariance_rate(medium, motion_of_space<N>(dilation), j), scale);
-      claim.zero("finite rotation", what, equivariance_defect(medium, of_space<N>(Turn{}), j), scale, 10);
-      claim.zero("finite inversion and reflection", what,
-                 equivariance_defect(medium, of_space<N>(Inversion{true}), j), scale, 10);
-      S const inside_out = equivariance_defect(medium, of_space<N>(Inversion{}), j);
-      if (kind == Kind::solid)
-        claim.zero("finite inversion", what, inside_out, scale, 10);
-      else
-        claim.refutes("inversion, which turns inside out", what, inside_out, scale);
-    }
-    if constexpr (n == 2) {
-      auto const other = Continuum{draw_metric<S, n>(draw), sphere, draw_mass<S, n>(draw), Fibred{}};
-      claim.refutes("an energy that depends on more than the Green tensor", model,
-                    equivariance_rate(other, motion_of_space<N>(turning), j), other(j));
-    }
-  });
+  over_points(
+      claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
+      [&]<class D>(D, std::string const& model) {
+        constexpr int n = D::n, N = D::N;
+        StereographicSphere<S, N> const sphere{ratio<S>(1, 2)};
+        auto const j = draw_jet<S, n, N>(draw);
+        SphereRotation<S, N> const turning{draw_skew<S, N>(draw), draw.vector<S, Matrix<S, N, 1>>(N)};
+        claim.zero("the field is Killing", model, lie_derivative(sphere, turning, j.y), S(1));
+        // Roots of det g at the two ends of a finite map have one sign where 1 + |y|^2 and |y|^2 are
+        // positive.
+        draw_positive(S(j.y.dot(j.y) + 1)), draw_positive(S(j.y.dot(j.y)));
+        for (Kind const kind : kinds<D>()) {
+          std::string const what = model + (kind == Kind::solid ? ", solid" : ", fluid");
+          auto const medium = Continuum{draw_metric<S, n>(draw), sphere, draw_mass<S, n>(draw),
+                                        draw_energy_of<S, n, N>(draw, kind)};
+          // Ten more roundings: turned coordinates pass through the metrics. The terms of the rate: L once
+          // differentiated; L may be small beside them.
+          S const scale = medium(j) + inner(sphere(j.y), j.velocity(), j.velocity()) + S(1);
+          claim.zero("on a sphere: rate of equivariance", what,
+                     equivariance_rate(medium, motion_of_space<N>(turning), j), scale, 10);
+          auto const dilation = [](auto const& y) { return y; };
+          claim.refutes("dilation, which is not Killing", what,
+                        equivariance_rate(medium, motion_of_space<N>(dilation), j), scale);
+          claim.zero("finite rotation", what, equivariance_defect(medium, of_space<N>(Turn{}), j), scale, 10);
+          claim.zero("finite inversion and reflection", what,
+                     equivariance_defect(medium, of_space<N>(Inversion{true}), j), scale, 10);
+          S const inside_out = equivariance_defect(medium, of_space<N>(Inversion{}), j);
+          if (kind == Kind::solid)
+            claim.zero("finite inversion", what, inside_out, scale, 10);
+          else
+            claim.refutes("inversion, which turns inside out", what, inside_out, scale);
+        }
+        if constexpr (n == 2) {
+          auto const other = Continuum{draw_metric<S, n>(draw), sphere, draw_mass<S, n>(draw), Fibred{}};
+          claim.refutes("an energy that depends on more than the Green tensor", model,
+                        equivariance_rate(other, motion_of_space<N>(turning), j), other(j));
+        }
+      });
 }
 
 STATEMENT(claim_9_0_euclidean_isometries, "rotations and translations as symmetries in Euclidean space") {
   claim.convention(
-      "The stored energy is a function of the Green tensor or of $J$, as in the standard models. Fluids with "
-      "and without entropy, solids without symmetry, shells, incompressible fluids and solids. Momentum and "
-      "moment of momentum are the currents, closed along solutions of the media without a constraint.");
-  over_points(claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
-              [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    ConstantMetric<S, N> const flat{Matrix<S, N, N>::Identity()};
-    auto const off = draw_second_jet<S, n, N>(draw);
-    Jet<S, n, N> const& j = off;
-    RigidMotion<S, N> const motion{draw_skew<S, N>(draw), draw.vector<S, Matrix<S, N, 1>>(N)};
-    RigidMotion<S, N> const shear{draw_tangents<S, N, N>(draw), motion.shift};
-    FlatMotion<S, N> const finite{draw.element<S>(SO<N>{}).value, draw.vector<S, Matrix<S, N, 1>>(N)},
-        stretched{finite.R * S(2), finite.b};
-    for (Kind const kind : kinds<D>()) {
-      std::string const what = model + (kind == Kind::solid   ? ", solid"
-                                        : kind == Kind::fluid ? ", fluid"
-                                                              : ", fluid with entropy");
-      auto const medium = Continuum{draw_metric<S, n>(draw), flat, draw_mass<S, n>(draw),
-                                    draw_energy_of<S, n, N>(draw, kind)};
-      S const scale = medium(j) + j.velocity().dot(j.velocity()) + S(1);
-      // Ten more roundings: turned coordinates pass through the Green tensor. Along solutions a hundred: the
-      // acceleration is solved for from forces with second derivatives of the energy.
-      claim.zero("rates of rotation and translation", what,
-                 equivariance_rate(medium, motion_of_space<N>(motion), j), scale, 10);
-      claim.refutes("a rate that is not skew", what, equivariance_rate(medium, motion_of_space<N>(shear), j),
-                    scale);
-      claim.zero("finite rotation and translation", what, equivariance_defect(medium, of_space<N>(finite), j),
-                 scale, 10);
-      claim.refutes("a rotation that stretches", what, equivariance_defect(medium, of_space<N>(stretched), j),
-                    scale);
-      auto const closed = [&](auto const& at, auto const& field) {
-        return current_divergence(medium, motion_of_space<N>(field), at);
-      };
-      auto const on = of_a_solution(medium, off);
-      S const forces = closed(off, motion) + S(1);
-      claim.zero("momentum and moment of momentum along solutions", what, closed(on, motion), forces, 100);
-      claim.refutes("of a rate that is not skew", what, closed(on, shear), forces);
-      if constexpr (n == N) {
-        if (kind == Kind::isentropic) continue;
-        auto const density = incompressible(medium);
-        auto const extended = draw_jet<S, n, n + 1>(draw);
-        S const size = density(extended) + S(1);
-        auto const beside = [&](auto const& field) {
-          return equivariance_rate(
-              density, motion_of_space<n + 1>(BesidePressure<n, RigidMotion<S, n>>{field}), extended);
-        };
-        claim.zero("incompressible: rates", what, beside(motion), size, 10);
-        claim.refutes("incompressible: a rate that is not skew", what, beside(shear), size);
-      }
-    }
-  });
+      "The stored energy is a function of the Green tensor or of $J$, as in the standard models. "
+      "Fluids with and without entropy, solids without symmetry, shells, incompressible fluids "
+      "and solids. Momentum and moment of momentum are the currents, closed along solutions of "
+      "the media without a constraint.");
+  over_points(
+      claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
+      [&]<class D>(D, std::string const& model) {
+        constexpr int n = D::n, N = D::N;
+        ConstantMetric<S, N> const flat{Matrix<S, N, N>::Identity()};
+        auto const off = draw_second_jet<S, n, N>(draw);
+        Jet<S, n, N> const& j = off;
+        RigidMotion<S, N> const motion{draw_skew<S, N>(draw), draw.vector<S, Matrix<S, N, 1>>(N)};
+        RigidMotion<S, N> const shear{draw_tangents<S, N, N>(draw), motion.shift};
+        FlatMotion<S, N> const finite{draw.element<S>(SO<N>{}).value, draw.vector<S, Matrix<S, N, 1>>(N)},
+            stretched{finite.R * S(2), finite.b};
+        for (Kind const kind : kinds<D>()) {
+          std::string const what = model + (kind == Kind::solid   ? ", solid"
+                                            : kind == Kind::fluid ? ", fluid"
+                                                                  : ", fluid with entropy");
+          auto const medium = Continuum{draw_metric<S, n>(draw), flat, draw_mass<S, n>(draw),
+                                        draw_energy_of<S, n, N>(draw, kind)};
+          S const scale = medium(j) + j.velocity().dot(j.velocity()) + S(1);
+          // Ten more roundings: turned coordinates pass through the Green tensor. Along solutions a hundred:
+          // the acceleration is solved for from forces with second derivatives of the energy.
+          claim.zero("rates of rotation and translation", what,
+                     equivariance_rate(medium, motion_of_space<N>(motion), j), scale, 10);
+          claim.refutes("a rate that is not skew", what,
+                        equivariance_rate(medium, motion_of_space<N>(shear), j), scale);
+          claim.zero("finite rotation and translation", what,
+                     equivariance_defect(medium, of_space<N>(finite), j), scale, 10);
+          claim.refutes("a rotation that stretches", what,
+                        equivariance_defect(medium, of_space<N>(stretched), j), scale);
+          auto const closed = [&](auto const& at, auto const& field) {
+            return current_divergence(medium, motion_of_space<N>(field), at);
+          };
+          auto const on = of_a_solution(medium, off);
+          S const forces = closed(off, motion) + S(1);
+          claim.zero("momentum and moment of momentum along solutions", what, closed(on, motion), forces,
+                     100);
+          claim.refutes("of a rate that is not skew", what, closed(on, shear), forces);
+          if constexpr (n == N) {
+            if (kind == Kind::isentropic) continue;
+            auto const density = incompressible(medium);
+            auto const extended = draw_jet<S, n, n + 1>(draw);
+            S const size = density(extended) + S(1);
+            auto const beside = [&](auto const& field) {
+              return equivariance_rate(
+                  density, motion_of_space<n + 1>(BesidePressure<n, RigidMotion<S, n>>{field}), extended);
+            };
+            claim.zero("incompressible: rates", what, beside(motion), size, 10);
+            claim.refutes("incompressible: a rate that is not skew", what, beside(shear), size);
+          }
+        }
+      });
 }
 
 STATEMENT(claim_9_0_time_translation, "translation of time as the symmetry that all media share") {
   claim.holds(
-      "Of media whose mass, metrics and stored energy are functions of the body and of space. Fields that "
-      "are to first order at a point symmetries of all of them have there no part but a constant one along "
-      "time, so that fields which are everywhere are multiples of the translation of time: it is the only "
-      "one.");
+      "Of media whose mass, metrics and stored energy are functions of the body and of space. "
+      "Fields that are to first order at a point symmetries of all of them have there no part but a "
+      "constant one along time, so that fields which are everywhere are multiples of the "
+      "translation of time: it is the only one.");
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const j = draw_jet<S, n, N>(draw);

@@ -46,11 +46,11 @@ template <class Theta, class Eta>
 auto composed(Theta const& theta, Eta const& eta) {
   return Automorphism{[theta, eta](auto const& x) { return theta.base(eta.base(x)); },
                       [theta, eta]<class T, int rows>(Matrix<T, rows, 1> const& point) {
-    auto const y = eta.fibre(point);
-    constexpr int N = std::remove_cvref_t<decltype(y)>::RowsAtCompileTime;
-    Matrix<T, rows, 1> moved;
-    moved << eta.base(Matrix<T, rows - N, 1>(point.template head<rows - N>())), y;
-    return theta.fibre(moved);
+                        auto const y = eta.fibre(point);
+                        constexpr int N = std::remove_cvref_t<decltype(y)>::RowsAtCompileTime;
+                        Matrix<T, rows, 1> moved;
+                        moved << eta.base(Matrix<T, rows - N, 1>(point.template head<rows - N>())), y;
+                        return theta.fibre(moved);
                       }};
 }
 /// The bracket \f$[X, Y] = DY\cdot X - DX\cdot Y\f$ of two fields on the same coordinates.
@@ -68,8 +68,8 @@ STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
   claim.corrected(
       "\\eta_E=(y^a,\\lambda)", "\\eta_E=\\bigl(y^a,\\lambda/\\det\\partial\\eta\\bigr)",
       "By (8.2) $\\lambda=\\sqrt{\\det G}\\,P$ is a density, and the lift must take it along as one: then "
-      "$P$ stays, and the incompressible fluid is symmetric. The printed lift, which leaves $\\lambda$ as it "
-      "is, agrees with it only in coordinates in which $\\det G$ is constant.");
+      "$P$ stays, and the incompressible fluid is symmetric. The printed lift, which leaves $\\lambda$ as "
+      "it is, agrees with it only in coordinates in which $\\det G$ is constant.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -116,28 +116,30 @@ STATEMENT(eq_9_2, "prolongation of bundle automorphisms to jets") {
 
 STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
   claim.holds(
-      "Prolongation takes compositions to compositions, the identity to itself and inverses to inverses, and "
-      "brackets of fields to brackets; where space-time is time alone and stays, it is the tangent map on "
-      "velocities.");
+      "Prolongation takes compositions to compositions, the identity to itself and inverses to "
+      "inverses, and brackets of fields to brackets; where space-time is time alone and stays, it is "
+      "the tangent map on velocities.");
   over_points(std::tuple<Dimensions<1, 2>, Dimensions<3, 1>, Dimensions<2, 2>>{},
               [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw)),
-               theta = as_automorphism(draw_automorphism<S, n, N>(draw));
-    auto const j = draw_jet<S, n, N>(draw);
-    auto const one_after_the_other = prolongation(theta, prolongation(eta, j));
-    // Two inverses, of tangent maps with determinants near one.
-    claim.equal("theta after eta", model, prolongation(composed(theta, eta), j).v, one_after_the_other.v, 10);
-    claim.differs("in the other order", model, prolongation(composed(eta, theta), j).v,
-                  one_after_the_other.v);
-    Automorphism const identity{[](auto const& x) { return x; }, FixedFibre<N>{}};
-    claim.equal("the identity", model, prolongation(identity, j).v, j.v);
-    auto const map = draw_map_at<S, n>(j.particle(), draw);
-    auto back = map;
-    back.from = map.to, back.to = map.from, back.slope = inverse_matrix(map.slope);
-    claim.equal("the inverse", model,
-                prolongation(relabelling<N>(back), prolongation(relabelling<N>(map), j)).v, j.v, 10);
-  });
+                constexpr int n = D::n, N = D::N;
+                auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw)),
+                           theta = as_automorphism(draw_automorphism<S, n, N>(draw));
+                auto const j = draw_jet<S, n, N>(draw);
+                auto const one_after_the_other = prolongation(theta, prolongation(eta, j));
+                // Two inverses, of tangent maps with determinants near one.
+                claim.equal("theta after eta", model, prolongation(composed(theta, eta), j).v,
+                            one_after_the_other.v, 10);
+                claim.differs("in the other order", model, prolongation(composed(eta, theta), j).v,
+                              one_after_the_other.v);
+                Automorphism const identity{[](auto const& x) { return x; }, FixedFibre<N>{}};
+                claim.equal("the identity", model, prolongation(identity, j).v, j.v);
+                auto const map = draw_map_at<S, n>(j.particle(), draw);
+                auto back = map;
+                back.from = map.to, back.to = map.from, back.slope = inverse_matrix(map.slope);
+                claim.equal("the inverse", model,
+                            prolongation(relabelling<N>(back), prolongation(relabelling<N>(map), j)).v, j.v,
+                            10);
+              });
   over_points(std::tuple<Dimensions<1, 1>, Dimensions<1, 2>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const xi = draw_field<S, n, N>(draw), zeta = draw_field<S, n, N>(draw);
@@ -151,10 +153,11 @@ STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
     Jet<S, 0, N> const motion{Event<S, 0>(draw.number<S>()), draw.vector<S, Matrix<S, N, 1>>(N),
                               draw.vector<S, Matrix<S, N, 1>>(N)};
     auto const places = draw_section<S, N - 1, N>(draw);
-    Automorphism const of_space{[](auto const& x) { return x; },
-                                [places](auto const& point) {
-      return places(Matrix<ScalarOf<decltype(point)>, N, 1>(point.template tail<N>()));
-                                }};
+    Automorphism const of_space{
+        [](auto const& x) { return x; },
+        [places](auto const& point) {
+          return places(Matrix<ScalarOf<decltype(point)>, N, 1>(point.template tail<N>()));
+        }};
     auto const [place, pushed_velocity] = derivative_along(places, motion.y, Matrix<S, N, 1>(motion.v));
     claim.equal("mechanics: the tangent map", "n = 0, N = " + std::to_string(N),
                 Matrix<S, N, 1>(prolongation(of_space, motion).v), pushed_velocity);
@@ -163,9 +166,9 @@ STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
 
 STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinates") {
   claim.convention(
-      "For the lift (9.1) as it stands, and any map of the body, whether it preserves volume or not. With "
-      "(9.1) "
-      "put right it holds in coordinates in which $\\det G$ is constant, for maps that preserve volume.");
+      "For the lift (9.1) as it stands, and any map of the body, whether it preserves volume "
+      "or not. With (9.1) put right it holds in coordinates in which $\\det G$ is constant, "
+      "for maps that preserve volume.");
   claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
@@ -294,10 +297,11 @@ auto action_gained(AnyDensity<S, 1, 2> const& L, Eta const& eta, Phi const& phi,
 
 STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a group") {
   claim.convention(
-      "Equivalent to invariance of the action over every region, which moves with $\\eta_X$: the action "
-      "gained over a box has the defect of equivariance at its corner as its mixed derivative by the corner. "
-      "Invariance up to what happens at the boundary would allow a divergence: a Galilean boost adds one to "
-      "the density of a medium in flat space, which is not equivariant, and its action over a box changes.");
+      "Equivalent to invariance of the action over every region, which moves with $\\eta_X$: the "
+      "action gained over a box has the defect of equivariance at its corner as its mixed derivative "
+      "by the corner. Invariance up to what happens at the boundary would allow a divergence: a "
+      "Galilean boost adds one to the density of a medium in flat space, which is not equivariant, and "
+      "its action over a box changes.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -383,14 +387,14 @@ STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a 
 
 STATEMENT(prop_9_1_1, "equivariance of the two fluid Lagrangians under relabelling") {
   claim.corrected(
-      "\\mathcal L(\\eta_{J^1E}(\\bar\\gamma))=(\\eta_X^{-1})^*\\mathcal L(\\bar\\gamma)\\ \\text{for}\\ "
-      "\\eta_E=(y^a,\\lambda)",
+      "\\mathcal L(\\eta_{J^1E}(\\bar\\gamma))=(\\eta_X^{-1})^*\\mathcal L(\\bar\\gamma)\\ "
+      "\\text{for}\\ \\eta_E=(y^a,\\lambda)",
       "\\mathcal L(\\eta_{J^1E}(\\bar\\gamma))=(\\eta_X^{-1})^*\\mathcal L(\\bar\\gamma)\\ \\text{for}\\ "
       "\\eta_E=\\bigl(y^a,\\lambda/\\det\\partial\\eta\\bigr)",
-      "The barotropic fluid is equivariant as printed, for every metric of the body; the incompressible one "
-      "is with a multiplier that goes over as a density, and with the printed lift only where $\\det G$ is "
-      "constant. A finite relabelling enters at a jet through its image and its tangent map alone, and all "
-      "of them are drawn.");
+      "The barotropic fluid is equivariant as printed, for every metric of the body; the incompressible "
+      "one is with a multiplier that goes over as a density, and with the printed lift only where "
+      "$\\det G$ is constant. A finite relabelling enters at a jet through its image and its tangent "
+      "map alone, and all of them are drawn.");
   claim.same_slip_as("eq_9_1");
   // Each density is of degree some 24 with its denominators, a field 12.
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
@@ -448,9 +452,9 @@ STATEMENT(claim_9_1_incompressible_equivariance,
           "equivariance of the incompressible Lagrangian under relabelling") {
   claim.corrected(
       "\\eta_E=(y^a,\\lambda)", "\\eta_E=\\bigl(y^a,\\lambda/\\det\\partial\\eta\\bigr)",
-      "With the multiplier left as it is, as (9.1) has it, only in coordinates with constant $\\det G$, and "
-      "elsewhere at jets with $J=1$ alone; at all jets with $\\lambda=\\sqrt{\\det G}\\,P$ transformed as a "
-      "density, $P$ fixed.");
+      "With the multiplier left as it is, as (9.1) has it, only in coordinates with constant $\\det G$, "
+      "and elsewhere at jets with $J=1$ alone; at all jets with $\\lambda=\\sqrt{\\det G}\\,P$ "
+      "transformed as a density, $P$ fixed.");
   claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
@@ -484,11 +488,11 @@ STATEMENT(claim_9_1_jacobian_functions, "functions of the Jacobian and the deter
       "\\det\\partial_i\\eta^j=1,\\quad f(J(\\eta_{J^1E}(\\bar\\gamma)))\\,d^{m+1}x=(\\eta_X^{-1})^*"
       "\\bigl(f(J(\\bar\\gamma))\\,d^{m+1}x\\bigr)",
       "\\det\\partial_i\\eta^j=\\sqrt{\\det G}/(\\sqrt{\\det G}\\circ\\eta),\\quad "
-      "f(J(\\eta_{J^1E}(\\bar\\gamma)))\\sqrt{\\det G}\\,d^{n+1}x=(\\eta_X^{-1})^*"
-      "\\bigl(f(J(\\bar\\gamma))\\sqrt{\\det G}\\,d^{n+1}x\\bigr)",
-      "The printed forms need coordinates in which $\\det G$ is constant, while (6.1) and (6.3) are written "
-      "for any. That $J$ is the same before and after holds in all of them. The degree is printed $m+1$, as "
-      "in (6.3).");
+      "f(J(\\eta_{J^1E}(\\bar\\gamma)))\\sqrt{\\det "
+      "G}\\,d^{n+1}x=(\\eta_X^{-1})^*\\bigl(f(J(\\bar\\gamma))\\sqrt{\\det G}\\,d^{n+1}x\\bigr)",
+      "The printed forms need coordinates in which $\\det G$ is constant, while (6.1) and (6.3) "
+      "are written for any. That $J$ is the same before and after holds in all of them. The degree "
+      "is printed $m+1$, as in (6.3).");
   claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

@@ -189,46 +189,47 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
   claim.corrected(
       "\\eta_{J^1Y}^*\\Theta_{\\mathcal L}=\\Theta_{\\mathcal L}\\ \\text{for every lifted}\\ \\eta_{J^1Y}",
       "\\eta_{J^1Y}^*\\Theta_{\\mathcal L}=\\Theta_{\\eta^*\\mathcal L}",
-      "Every lift to the dual jet bundle preserves the canonical $\\Theta$. A prolongation to $J^1Y$ takes "
-      "$\\Theta_{\\mathcal L}$ to the Cartan form of the pulled-back density: it is preserved where "
-      "$\\mathcal L$ is equivariant, and only there. Galileo's boost of a medium in flat space preserves "
-      "$\\Omega$ and not $\\Theta$.");
-  over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<3, 1>>{},
-              [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension, duals = DualJet<S, n, N>::dimension;
-    auto const L = draw_density<S, n, N>(draw);
-    auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw));
-    auto const j = draw_jet<S, n, N>(draw);
-    auto const at = coordinates(j);
-    auto const V = draw_tangents<S, jets, n + 1>(draw);
-    auto const theta = cartan_form<n, N>(L);
-    S const pulled = pull_back(on_coordinates<n, N>(eta), theta)(at, V);
-    claim.equal("any density, any automorphism: the Cartan form of the pulled-back density", model, pulled,
-                S(cartan_form<n, N>(PulledBackDensity{L, eta})(at, V)), 10);
-    claim.differs("printed: preserved by every lift", model, pulled, S(theta(at, V)));
-    // On vectors that a section has: the forms differ there by the defect, so only equivariance preserves
-    // them.
-    Tangents<S, jets, n + 1> of_section = draw_tangents<S, jets, n + 1>(draw);
-    of_section.template topRows<n + 1>().setIdentity();
-    of_section.template middleRows<N>(n + 1) = j.v;
-    claim.equal("what changes on vectors of a section: the defect of equivariance", model,
-                S(pull_back(on_coordinates<n, N>(eta), theta)(at, of_section) - theta(at, of_section)),
-                equivariance_defect(L, eta, j), 100);
+      "Every lift to the dual jet bundle preserves the canonical $\\Theta$. A prolongation to $J^1Y$ "
+      "takes $\\Theta_{\\mathcal L}$ to the Cartan form of the pulled-back density: it is preserved "
+      "where $\\mathcal L$ is equivariant, and only there. Galileo's boost of a medium in flat space "
+      "preserves $\\Omega$ and not $\\Theta$.");
+  over_points(
+      std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<3, 1>>{},
+      [&]<class D>(D, std::string const& model) {
+        constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension, duals = DualJet<S, n, N>::dimension;
+        auto const L = draw_density<S, n, N>(draw);
+        auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw));
+        auto const j = draw_jet<S, n, N>(draw);
+        auto const at = coordinates(j);
+        auto const V = draw_tangents<S, jets, n + 1>(draw);
+        auto const theta = cartan_form<n, N>(L);
+        S const pulled = pull_back(on_coordinates<n, N>(eta), theta)(at, V);
+        claim.equal("any density, any automorphism: the Cartan form of the pulled-back density", model,
+                    pulled, S(cartan_form<n, N>(PulledBackDensity{L, eta})(at, V)), 10);
+        claim.differs("printed: preserved by every lift", model, pulled, S(theta(at, V)));
+        // On vectors that a section has: the forms differ there by the defect, so only equivariance preserves
+        // them.
+        Tangents<S, jets, n + 1> of_section = draw_tangents<S, jets, n + 1>(draw);
+        of_section.template topRows<n + 1>().setIdentity();
+        of_section.template middleRows<N>(n + 1) = j.v;
+        claim.equal("what changes on vectors of a section: the defect of equivariance", model,
+                    S(pull_back(on_coordinates<n, N>(eta), theta)(at, of_section) - theta(at, of_section)),
+                    equivariance_defect(L, eta, j), 100);
 
-    DualJet<S, n, N> z{draw_event<S, n>(draw), draw.vector<S, Matrix<S, N, 1>>(N), draw.number<S>(), {}};
-    for (int mu = 0; mu <= n; ++mu) z.p.col(mu) = draw.vector<S, Matrix<S, N, 1>>(N);
-    auto const U = draw_tangents<S, duals, n + 1>(draw);
-    auto const lift = [&](auto const& c) {
-      return coordinates(dual_prolongation(eta, dual_jet_at<n, N>(c)));
-    };
-    claim.equal("any automorphism: the canonical form of the dual bundle is preserved", model,
-                S(pull_back(lift, canonical_form<n, N>())(coordinates(z), U)),
-                S(canonical_form<n, N>()(coordinates(z), U)), 10);
-    // The proof: the Legendre transformations before and after.
-    claim.equal("the lift of the momenta of the pulled-back density", model,
-                coordinates(dual_prolongation(eta, legendre(PulledBackDensity{L, eta}, j))),
-                coordinates(legendre(L, prolongation(eta, j))), 10);
-  });
+        DualJet<S, n, N> z{draw_event<S, n>(draw), draw.vector<S, Matrix<S, N, 1>>(N), draw.number<S>(), {}};
+        for (int mu = 0; mu <= n; ++mu) z.p.col(mu) = draw.vector<S, Matrix<S, N, 1>>(N);
+        auto const U = draw_tangents<S, duals, n + 1>(draw);
+        auto const lift = [&](auto const& c) {
+          return coordinates(dual_prolongation(eta, dual_jet_at<n, N>(c)));
+        };
+        claim.equal("any automorphism: the canonical form of the dual bundle is preserved", model,
+                    S(pull_back(lift, canonical_form<n, N>())(coordinates(z), U)),
+                    S(canonical_form<n, N>()(coordinates(z), U)), 10);
+        // The proof: the Legendre transformations before and after.
+        claim.equal("the lift of the momenta of the pulled-back density", model,
+                    coordinates(dual_prolongation(eta, legendre(PulledBackDensity{L, eta}, j))),
+                    coordinates(legendre(L, prolongation(eta, j))), 10);
+      });
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, jets = Jet<S, n, n>::dimension;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -259,8 +260,8 @@ STATEMENT(eq_9_7, "momentum map from the Cartan form") {
       "under a field with a part along space-time, and for fields that leave it alone. For others the form "
       "is there, and its differential is not the contraction.");
   claim.leaves(
-      "Bodies of dimension three are not tried: forms on a jet bundle over four dimensions cost much, and no "
-      "coefficient here depends on the dimension.");
+      "Bodies of dimension three are not tried: forms on a jet bundle over four dimensions cost much, and "
+      "no coefficient here depends on the dimension.");
   // A symmetry of any kind, straightened: every field without zeros on space-time is one, seen through a map.
   over_points(std::tuple<Dimensions<1, 1>, Dimensions<1, 2>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension;

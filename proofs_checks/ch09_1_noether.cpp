@@ -32,15 +32,15 @@ auto isometry_and_time(AnyMetric<S, n> const& flat, Draw& draw) {
   auto const shift = draw.vector<S, Matrix<S, n, 1>>(n);
   S const later = draw.number<S>();
   return Automorphism{[later](auto const& x) {
-    auto moved = x.eval();
-    moved[0] += ScalarOf<decltype(moved)>(later);
-    return moved;
+                        auto moved = x.eval();
+                        moved[0] += ScalarOf<decltype(moved)>(later);
+                        return moved;
                       },
                       [R, shift](auto const& point) {
-    using T = ScalarOf<decltype(point)>;
-    Matrix<T, n, 1> const y = point.template tail<n>();
-    return Matrix<T, n, 1>(R.template cast<T>() * y + shift.template cast<T>());
-  }};
+                        using T = ScalarOf<decltype(point)>;
+                        Matrix<T, n, 1> const y = point.template tail<n>();
+                        return Matrix<T, n, 1>(R.template cast<T>() * y + shift.template cast<T>());
+                      }};
 }
 /// The field of isometries of a flat space: a rotation in the frame of its metric, with a shift.
 template <class S, int n>
@@ -95,11 +95,11 @@ STATEMENT(eq_9_6, "invariance of the action under a group") {
 
 STATEMENT(claim_9_1_symmetries_of_solutions, "symmetries take solutions to solutions") {
   claim.holds(
-      "For any density and any automorphism the field equations of $\\mathcal L$ along the moved section are "
-      "those of $\\eta^*\\mathcal L$ along the section, times an invertible matrix; so solutions go to "
-      "solutions where $\\eta^*\\mathcal L=\\mathcal L$. Exact motions are moved, and the generator is a "
-      "first variation of them. The converse is not claimed: Galileo's boost takes solutions to solutions as "
-      "well.");
+      "For any density and any automorphism the field equations of $\\mathcal L$ along the moved "
+      "section are those of $\\eta^*\\mathcal L$ along the section, times an invertible matrix; so "
+      "solutions go to solutions where $\\eta^*\\mathcal L=\\mathcal L$. Exact motions are moved, and "
+      "the generator is a first variation of them. The converse is not claimed: Galileo's boost takes "
+      "solutions to solutions as well.");
   over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
@@ -293,10 +293,10 @@ STATEMENT(claim_9_1_vertical_variations, "vertical variations and spatial symmet
     // The vertical field on Y that is the vertical part along phi, whatever y.
     auto const vertical =
         [along = vertical_along(field, phi)]<class T, int rows>(Matrix<T, rows, 1> const& point) {
-      Matrix<T, rows, 1> rate = Matrix<T, rows, 1>::Zero();
-      rate.template tail<n>() = along(Event<T, n>(point.template head<n + 1>()));
-      return rate;
-    };
+          Matrix<T, rows, 1> rate = Matrix<T, rows, 1>::Zero();
+          rate.template tail<n>() = along(Event<T, n>(point.template head<n + 1>()));
+          return rate;
+        };
     S const rate = equivariance_rate(fluid, vertical, first(j));
     S carried(0);
     for (int mu = 1; mu <= n; ++mu)
@@ -512,8 +512,8 @@ STATEMENT(claim_9_1_barotropic_current_differential,
       "x^k}\\,J\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
       "The density is missing: the printed form holds for $\\rho=1$. The differential is $-\\sqrt{\\det "
       "G}\\,\\xi^k\\bigl(\\rho\\,g_{ab}(D_g\\dot\\phi/Dt)^b\\phi^a{}_{,k}+J\\,\\partial_kP\\bigr)d^{n+1}x$; "
-      "closed at a point for all divergence-free fields it gives back the field equations there, since $F$ "
-      "is invertible.");
+      "closed at a point for all divergence-free fields it gives back the field equations "
+      "there, since $F$ is invertible.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
@@ -579,8 +579,8 @@ STATEMENT(claim_9_1_incompressible_current_differential,
       "x^k}\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
       "\\rho\\,g_{ab}\\left(\\frac{D_g\\dot\\phi}{Dt}\\right)^b=-\\frac{\\partial P}{\\partial "
       "x^k}\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
-      "The density is missing: the printed form holds for $\\rho=1$. That there is no $J$ is right, "
-      "constraint or not.");
+      "The density is missing: the printed form holds for $\\rho=1$. That there is no "
+      "$J$ is right, constraint or not.");
   claim.same_slip_as("claim_9_1_barotropic_current_differential");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -609,8 +609,8 @@ STATEMENT(claim_9_1_incompressible_current_differential,
 
 STATEMENT(claim_9_1_constraint_from_current, "constraint and the vanishing of the current differential") {
   claim.holds(
-      "A motion whose volumes change has closed currents for all fields once its acceleration fits the "
-      "pressure.");
+      "A motion whose volumes change has closed currents for all fields once its "
+      "acceleration fits the pressure.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> flow(draw);

@@ -229,30 +229,32 @@ STATEMENT(claim_9_2_energy_incompressible, "energy continuity of incompressible 
 
 STATEMENT(claim_9_2_energy_converse, "consequence of requiring a closed time-translation current") {
   claim.holds(
-      "It is the one equation $\\dot\\phi^aE_a=0$, the energy continuity: it does not give back the field "
-      "equations.");
+      "It is the one equation $\\dot\\phi^aE_a=0$, the energy continuity: it does not "
+      "give back the field equations.");
   over_points(claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
               [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    auto const medium = draw_medium<S, n, N>(draw, Kind::any);
-    auto j = draw_second_jet<S, n, N>(draw);
-    Matrix<S, N, 1> const E = euler_lagrange(medium, j), v = j.velocity();
-    S const divergence = current_divergence(medium, TimeTranslation{}, j);
-    // A hundred more roundings: second derivatives of the energy, summed in different orders.
-    claim.equal("differential of the current, off shell", model, divergence, S(v.dot(E)), 100);
-    S const inflow = weighted_divergence(medium.G, j, power_of_stress(medium));
-    claim.equal("it is the energy continuity", model, divergence, S(inflow - energy_rate(medium, j)), 100);
-    // Add to a solution an acceleration across the velocity: the current stays closed, and nothing is solved.
-    auto const solved = of_a_solution(medium, j);
-    Matrix<S, N, 1> across = draw.vector<S, Matrix<S, N, 1>>(N);
-    auto const g = medium.g(j.y);
-    across -= v * S(inner(g, across, v) / inner(g, v, v));
-    j.w[0].col(0) = solved.w[0].col(0) + across;
-    claim.zero("closed, with a force across the velocity", model,
-               current_divergence(medium, TimeTranslation{}, j), S(v.dot(E)), 100);
-    claim.refutes("closed, therefore a solution", model, euler_lagrange(medium, j), magnitude(E));
-    j.w[0].col(0) = solved.w[0].col(0) + v;
-    claim.refutes("with a force along the velocity", model, current_divergence(medium, TimeTranslation{}, j),
-                  S(v.dot(E)));
-  });
+                constexpr int n = D::n, N = D::N;
+                auto const medium = draw_medium<S, n, N>(draw, Kind::any);
+                auto j = draw_second_jet<S, n, N>(draw);
+                Matrix<S, N, 1> const E = euler_lagrange(medium, j), v = j.velocity();
+                S const divergence = current_divergence(medium, TimeTranslation{}, j);
+                // A hundred more roundings: second derivatives of the energy, summed in different orders.
+                claim.equal("differential of the current, off shell", model, divergence, S(v.dot(E)), 100);
+                S const inflow = weighted_divergence(medium.G, j, power_of_stress(medium));
+                claim.equal("it is the energy continuity", model, divergence,
+                            S(inflow - energy_rate(medium, j)), 100);
+                // Add to a solution an acceleration across the velocity: the current stays closed, and
+                // nothing is solved.
+                auto const solved = of_a_solution(medium, j);
+                Matrix<S, N, 1> across = draw.vector<S, Matrix<S, N, 1>>(N);
+                auto const g = medium.g(j.y);
+                across -= v * S(inner(g, across, v) / inner(g, v, v));
+                j.w[0].col(0) = solved.w[0].col(0) + across;
+                claim.zero("closed, with a force across the velocity", model,
+                           current_divergence(medium, TimeTranslation{}, j), S(v.dot(E)), 100);
+                claim.refutes("closed, therefore a solution", model, euler_lagrange(medium, j), magnitude(E));
+                j.w[0].col(0) = solved.w[0].col(0) + v;
+                claim.refutes("with a force along the velocity", model,
+                              current_divergence(medium, TimeTranslation{}, j), S(v.dot(E)));
+              });
 }

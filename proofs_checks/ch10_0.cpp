@@ -140,13 +140,13 @@ struct Cubics {
 
 STATEMENT(claim_10_0_rods_and_shells, "rod and shell models within the constrained formalism") {
   claim.holds(
-      "For a rod with a director of unit length and a shell whose director is the unit normal, and any "
-      "strain energy that does not depend on where space is turned to: the field equations of the extended "
-      "bundle are the balance of momentum and, the multiplier of the length dropping out, that of moment of "
-      "momentum.");
+      "For a rod with a director of unit length and a shell whose director is the unit normal, and "
+      "any strain energy that does not depend on where space is turned to: the field equations of "
+      "the extended bundle are the balance of momentum and, the multiplier of the length dropping "
+      "out, that of moment of momentum.");
   // A cubic in scalar products of cubics, differentiated twice, and a product with places.
-  auto const model =
-      [&]<int n, class Phi>(std::integral_constant<int, n>, Phi const& constraint, std::string const& name) {
+  auto const model = [&]<int n, class Phi>(std::integral_constant<int, n>, Phi const& constraint,
+                                           std::string const& name) {
     constexpr int k = Phi::components;
     DirectedBody<S, StrainEnergy<S, n>> const body{draw.number<S>() + S(2),
                                                    draw.number<S>() + S(2),

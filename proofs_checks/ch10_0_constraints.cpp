@@ -89,14 +89,14 @@ void weigh_a_particle(Claim<S>& claim, Draw& draw) {
 STATEMENT(claim_10_0_nonholonomic_constraints,
           "restricted Hamilton principle and constraints on velocities") {
   claim.holds(
-      "With time as the only coordinate of the base, (7.2) is the equation of vakonomic mechanics, and it is "
-      "not that of Lagrange and d'Alembert, which the text takes to be right: position and velocity do not "
-      "determine its motion, and no multiplier lets a particle with weight under $dz = y\\,dx$ follow the "
-      "motion by virtual work. Shown off shell for constraints linear and affine in the velocities. For "
-      "fields virtual work depends on which coordinate is held: a constraint with a derivative in that "
-      "coordinate tells the two principles apart, any other does not. Whether the restriction is right for "
-      "relativistic fields, where no coordinate is singled out, the text leaves open, and there is nothing "
-      "to compute.");
+      "With time as the only coordinate of the base, (7.2) is the equation of vakonomic mechanics, and "
+      "it is not that of Lagrange and d'Alembert, which the text takes to be right: position and "
+      "velocity do not determine its motion, and no multiplier lets a particle with weight under $dz = "
+      "y\\,dx$ follow the motion by virtual work. Shown off shell for constraints linear and affine in "
+      "the velocities. For fields virtual work depends on which coordinate is held: a constraint with a "
+      "derivative in that coordinate tells the two principles apart, any other does not. Whether the "
+      "restriction is right for relativistic fields, where no coordinate is singled out, the text leaves "
+      "open, and there is nothing to compute.");
   restrict_to_allowed_curves<S, 3, 1>(claim, draw, false, "one linear constraint in R^3");
   restrict_to_allowed_curves<S, 5, 2>(claim, draw, true, "two affine constraints in R^5");
   compare_accelerations<S, 3, 1>(claim, draw, false, "one linear constraint in R^3");

@@ -49,11 +49,11 @@ STATEMENT(claim_10_0_variational_discretisation,
           "space-time variational discretisation: discrete form and momentum maps") {
   claim.holds(
       "On meshes of space-time with bodies of one and two dimensions, curved cells, steps of different "
-      "length and free, fixed and periodic sides, for any density of first jets by the trapezoidal rule: the "
-      "discrete multisymplectic form formula on any box of cells, the form preserved from time to time, and "
-      "the momentum maps of the symmetries that the discrete Lagrangian has: rigid motions, and where the "
-      "events of the mesh move shifts of time, labels and space. The discrete field equations are those of "
-      "the density to second order.");
+      "length and free, fixed and periodic sides, for any density of first jets by the trapezoidal rule: "
+      "the discrete multisymplectic form formula on any box of cells, the form preserved from time to "
+      "time, and the momentum maps of the symmetries that the discrete Lagrangian has: rigid motions, and "
+      "where the events of the mesh move shifts of time, labels and space. The discrete field equations "
+      "are those of the density to second order.");
   auto const balances = [&](auto const& field, auto const& V, std::string const& model, double condition) {
     auto const box = draw_cell_box(draw, field.mesh);
     auto const sum = field.form_on(box, V), whole = field.form_on(field.whole(), V);
@@ -135,8 +135,8 @@ STATEMENT(claim_10_0_variational_discretisation,
 STATEMENT(claim_10_0_discrete_noether_sum, "integral discrete Noether theorem over a set of nodes") {
   claim.holds(
       "The set of nodes is the boundary of any box of cells; the sum is that of the momenta of its cells. "
-      "Shown for rigid motions of the plane and of space, for a sheet and a string, and for shifts of time, "
-      "labels and space where the events of the mesh move.");
+      "Shown for rigid motions of the plane and of space, for a sheet and a string, and for shifts of "
+      "time, labels and space where the events of the mesh move.");
   auto const sums = [&](auto const& field, auto const& xi, std::string const& model) {
     auto const box = draw_cell_box(draw, field.mesh);
     auto const some = field.momenta_on(box, xi), whole = field.momenta_on(field.whole(), xi);

@@ -414,90 +414,94 @@ FormFormula<S> form_formula(Matrix<S, size, size> const& M, S const& h, Variatio
 
 STATEMENT(claim_10_0_betti_reciprocity, "multisymplectic form formula and reciprocity in elasticity") {
   claim.holds(
-      "Of increments at rest of a strained hyperelastic body, without symmetry: the time's component of the "
-      "form vanishes, and through the faces flows the work of the one tractions in the other displacements "
-      "less the converse. With forces on the body their work is added on both sides. Increments of second "
-      "degree of a state of uniform strain in a homogeneous body, on boxes; shells as well.");
-  over_models(claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
-              [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    using Place = Matrix<S, n, 1>;
-    auto const medium = draw_homogeneous_solid<S, n, N>(draw);
-    auto strained = draw_section<S, n, N>(draw);
-    for (auto& c : strained.added) c.b.setZero(), c.d.setZero(), c.e.setZero(), c.a[0] = S(0);
-    Event<S, n> const origin = Event<S, n>::Zero();
-    auto const j = second_jet(strained, origin);
-    Place const low = draw.vector<S, Place>(n) * ratio<S>(1, 5), high = low + Place::Ones();
-    S const root = volume<S>(medium.G(j.particle()));
-    auto const stress_of = [&](auto const& u) {
-      return [&](Event<S, n> const& x) {
-        Jet<S, n, N> const here = first_jet(strained, x);
-        return Matrix<S, N, n>(
-            rate_of(first_piola_kirchhoff_stress(medium, varied(here, Jet<S, n, N>(first_jet(u, x))))) *
-            root);
-      };
-    };
-    auto const work = [&](auto const& stress, auto const& u) { return work_on_faces(low, high, stress, u); };
-    auto const any = draw_increment<S, n, N>(draw), other = draw_increment<S, n, N>(draw);
-    auto const u = balanced(medium, j, any), w = balanced(medium, j, other);
+      "Of increments at rest of a strained hyperelastic body, without symmetry: the time's "
+      "component of the form vanishes, and through the faces flows the work of the one tractions "
+      "in the other displacements less the converse. With forces on the body their work is added "
+      "on both sides. Increments of second degree of a state of uniform strain in a homogeneous "
+      "body, on boxes; shells as well.");
+  over_models(
+      claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
+      [&]<class D>(D, std::string const& model) {
+        constexpr int n = D::n, N = D::N;
+        using Place = Matrix<S, n, 1>;
+        auto const medium = draw_homogeneous_solid<S, n, N>(draw);
+        auto strained = draw_section<S, n, N>(draw);
+        for (auto& c : strained.added) c.b.setZero(), c.d.setZero(), c.e.setZero(), c.a[0] = S(0);
+        Event<S, n> const origin = Event<S, n>::Zero();
+        auto const j = second_jet(strained, origin);
+        Place const low = draw.vector<S, Place>(n) * ratio<S>(1, 5), high = low + Place::Ones();
+        S const root = volume<S>(medium.G(j.particle()));
+        auto const stress_of = [&](auto const& u) {
+          return [&](Event<S, n> const& x) {
+            Jet<S, n, N> const here = first_jet(strained, x);
+            return Matrix<S, N, n>(
+                rate_of(first_piola_kirchhoff_stress(medium, varied(here, Jet<S, n, N>(first_jet(u, x))))) *
+                root);
+          };
+        };
+        auto const work = [&](auto const& stress, auto const& u) {
+          return work_on_faces(low, high, stress, u);
+        };
+        auto const any = draw_increment<S, n, N>(draw), other = draw_increment<S, n, N>(draw);
+        auto const u = balanced(medium, j, any), w = balanced(medium, j, other);
 
-    Event<S, n> at = origin;
-    at.template tail<n>() = low;
-    Event<S, n> const flow =
-        multisymplectic_current(medium, Jet<S, n, N>(first_jet(strained, at)), Jet<S, n, N>(first_jet(u, at)),
-                                Jet<S, n, N>(first_jet(w, at)));
-    Place const betti = stress_of(w)(at).transpose() * u(at) - stress_of(u)(at).transpose() * w(at);
-    claim.equal("the form through a face", model, Place(flow.template tail<n>()), betti, 10);
-    claim.zero("and through an instant", model, flow[0], magnitude(betti));
-    claim.differs("the form with both works added", model, Place(flow.template tail<n>()),
-                  Place(stress_of(w)(at).transpose() * u(at) + stress_of(u)(at).transpose() * w(at)));
+        Event<S, n> at = origin;
+        at.template tail<n>() = low;
+        Event<S, n> const flow =
+            multisymplectic_current(medium, Jet<S, n, N>(first_jet(strained, at)),
+                                    Jet<S, n, N>(first_jet(u, at)), Jet<S, n, N>(first_jet(w, at)));
+        Place const betti = stress_of(w)(at).transpose() * u(at) - stress_of(u)(at).transpose() * w(at);
+        claim.equal("the form through a face", model, Place(flow.template tail<n>()), betti, 10);
+        claim.zero("and through an instant", model, flow[0], magnitude(betti));
+        claim.differs("the form with both works added", model, Place(flow.template tail<n>()),
+                      Place(stress_of(w)(at).transpose() * u(at) + stress_of(u)(at).transpose() * w(at)));
 
-    S const one = work(stress_of(u), w), two = work(stress_of(w), u);
-    // The faces' works nearly cancel, and k comes from an elimination.
-    S const scale = magnitude(one) + magnitude(two) + S(1);
-    claim.zero("Betti's reciprocity", model, S(one - two), scale, 100);
-    auto const load = [&](auto const& of, auto const& through) {
-      Matrix<S, N, 1> const b = forces_of(medium, j, of);
-      return S(simpson(low, high, [&](Event<S, n> const& x) { return S(b.dot(through(x))); }));
-    };
-    S const loaded = work(stress_of(any), other), converse = work(stress_of(other), any);
-    claim.zero("with forces on the body", model, S(loaded + load(any, other) - converse - load(other, any)),
-               scale, 100);
-    claim.refutes("without their work", model, S(loaded - converse), scale);
-    claim.refutes("their work the other way", model,
-                  S(loaded - load(any, other) - converse + load(other, any)), scale);
-    // Moduli that no stored energy has: a stress of the first row of the strain alone, twice.
-    auto const bent = [&](auto const& of) {
-      return [&](Event<S, n> const& x) {
-        Matrix<S, N, n> stress = stress_of(of)(x);
-        stress.col(0) += stress.col(1) * ratio<S>(1, 2);
-        return stress;
-      };
-    };
-    auto const linear = draw_increment<S, n, N>(draw);
-    auto straight = [](auto c) {
-      for (auto& added : c.u.added) added.b.setZero(), added.d.setZero();
-      c.k.setZero();
-      return c;
-    };
-    claim.refutes("moduli of no stored energy", model,
-                  S(work(bent(straight(linear)), straight(u)) - work(bent(straight(u)), straight(linear))),
-                  scale);
-    claim.zero(
-        "the same increments, of a stored energy", model,
-        S(work(stress_of(straight(linear)), straight(w)) - work(stress_of(straight(w)), straight(linear))),
-        scale, 100);
-  });
+        S const one = work(stress_of(u), w), two = work(stress_of(w), u);
+        // The faces' works nearly cancel, and k comes from an elimination.
+        S const scale = magnitude(one) + magnitude(two) + S(1);
+        claim.zero("Betti's reciprocity", model, S(one - two), scale, 100);
+        auto const load = [&](auto const& of, auto const& through) {
+          Matrix<S, N, 1> const b = forces_of(medium, j, of);
+          return S(simpson(low, high, [&](Event<S, n> const& x) { return S(b.dot(through(x))); }));
+        };
+        S const loaded = work(stress_of(any), other), converse = work(stress_of(other), any);
+        claim.zero("with forces on the body", model,
+                   S(loaded + load(any, other) - converse - load(other, any)), scale, 100);
+        claim.refutes("without their work", model, S(loaded - converse), scale);
+        claim.refutes("their work the other way", model,
+                      S(loaded - load(any, other) - converse + load(other, any)), scale);
+        // Moduli that no stored energy has: a stress of the first row of the strain alone, twice.
+        auto const bent = [&](auto const& of) {
+          return [&](Event<S, n> const& x) {
+            Matrix<S, N, n> stress = stress_of(of)(x);
+            stress.col(0) += stress.col(1) * ratio<S>(1, 2);
+            return stress;
+          };
+        };
+        auto const linear = draw_increment<S, n, N>(draw);
+        auto straight = [](auto c) {
+          for (auto& added : c.u.added) added.b.setZero(), added.d.setZero();
+          c.k.setZero();
+          return c;
+        };
+        claim.refutes(
+            "moduli of no stored energy", model,
+            S(work(bent(straight(linear)), straight(u)) - work(bent(straight(u)), straight(linear))), scale);
+        claim.zero("the same increments, of a stored energy", model,
+                   S(work(stress_of(straight(linear)), straight(w)) -
+                     work(stress_of(straight(w)), straight(linear))),
+                   scale, 100);
+      });
 }
 
 STATEMENT(claim_10_0_static_fem,
           "finite elements for static elasticity and the discrete multisymplectic form") {
   claim.convention(
       "In the sense of Veselov's discretization: the forms of an element's action sum to zero over its "
-      "corners, and for two first variations over the outer nodes of a patch. For elements whose forces come "
-      "from the stored energy, here linear simplices with one point of evaluation each, an anisotropic solid "
-      "in curved metrics and dead loads on the nodes. Test functions that differ from the shape functions "
-      "lose it.");
+      "corners, and for two first variations over the outer nodes of a patch. For elements whose "
+      "forces come from the stored energy, here linear simplices with one point of evaluation each, an "
+      "anisotropic solid in curved metrics and dead loads on the nodes. Test functions that differ "
+      "from the shape functions lose it.");
   over_models(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     Patch<S, n> const patch(draw, draw_medium<S, n>(draw, Kind::solid));
@@ -548,11 +552,11 @@ STATEMENT(claim_10_0_static_fem,
 
 STATEMENT(claim_10_0_newmark, "finite elements with Newmark time stepping") {
   claim.convention(
-      "For $\\gamma=\\frac12$ and any $\\beta$, with masses in the nodes or those of the shape functions, in "
-      "a space of constant metric. The discrete Lagrangian and the form are those of the shifted positions "
-      "$z = q - \\beta h^2a$, the positions themselves for $\\beta = 0$; other $\\gamma$ lose the form. On a "
-      "patch of an anisotropic solid the form gains from time to time what the loads bring through the outer "
-      "nodes.");
+      "For $\\gamma=\\frac12$ and any $\\beta$, with masses in the nodes or those of the shape "
+      "functions, in a space of constant metric. The discrete Lagrangian and the form are those of the "
+      "shifted positions $z = q - \\beta h^2a$, the positions themselves for $\\beta = 0$; other "
+      "$\\gamma$ lose the form. On a patch of an anisotropic solid the form gains from time to time what "
+      "the loads bring through the outer nodes.");
   over_models(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
     constexpr int n = D::n;
     using Stepping = Newmark<S, n>;

@@ -293,8 +293,8 @@ void camassa_holm(Claim<S>& claim, Draw& draw) {
 
 STATEMENT(claim_10_0_higher_order, "averaged Euler equations as a higher-order field theory") {
   claim.holds(
-      "The methods do carry over to densities on second jets: the variational principle with variations that "
-      "move space-time gives field equations and a Cartan form on third jets, with symmetric "
+      "The methods do carry over to densities on second jets: the variational principle with variations "
+      "that move space-time gives field equations and a Cartan form on third jets, with symmetric "
       "$p_a{}^{\\mu\\nu}$, and the form formula holds off shell, for vertical variations tried at $n = 1$, "
       "$N = 2$ and $n = 2$, $N = 1$. Instances: the equation of Camassa and Holm, and averaged Euler "
       "equations in the plane and in space with the constraint $J = 1$.");

@@ -339,14 +339,12 @@ STATEMENT(claim_10_0_reduced_hydrodynamics, "reduced hydrodynamic schemes and kn
       "conjugates by a Cayley map conserves the Casimirs. The discrete Lie-Poisson step of chapter 3 "
       "conserves the angular momentum and is a Poisson map; its energy is within $O(h^2)$. With the stream "
       "function of the mean vorticity the energy is conserved, and the angular momentum and the Poisson "
-      "property are given up. With a displacement that moves along the orbit all of them are conserved, and "
-      "the Poisson property is given up.");
+      "property are given up. With a displacement that moves along the orbit all of them are conserved, "
+      "and the Poisson property is given up.");
   claim.leaves(
       "Fluids in space, where the helicity is a first integral, and on other surfaces than the sphere; one "
-      "step "
-      "that keeps all integrals and is a Poisson map. That the matrices tend to the fluid as $N\\to\\infty$ "
-      "is "
-      "cited on the page, and that a step has a solution is shown where one is found.");
+      "step that keeps all integrals and is a Poisson map. That the matrices tend to the fluid as "
+      "$N\\to\\infty$ is cited on the page, and that a step has a solution is shown where one is found.");
   // The sizes bound the sums of products, so that plain evaluation is what remains.
   double const sums = 1;
   for (int const n : {4, 5}) {
@@ -536,14 +534,12 @@ STATEMENT(claim_10_0_vorticity_preservation, "discrete vorticity preservation fo
       R"(preserved})",
       R"(g_k^{-1}W_kg_k = W_0\quad\text{for } g_{k+1} = \mathrm{cay}(A_k)\,g_k \text{ in a group of )"
       R"(relabellings})",
-      "Nodes and cells have no relabellings left: for six triangles about a node no linear map of the labels "
-      "but 0 keeps the kinetic energy and the areas, so there is no momentum to be preserved, and the "
-      "circulation around the six nodes changes at a rate. A cell alone has one such map, and its "
-      "circulation "
-      "is constant. With $\\SU(N)$ in the place of the area-preserving maps of the sphere the momentum map "
-      "of the "
-      "relabellings is the vorticity carried back to the labels, the same at every step: $W_0$ and $W_1$ are "
-      "the two discrete Legendre images of a Lagrangian on the group.");
+      "Nodes and cells have no relabellings left: for six triangles about a node no linear map of the "
+      "labels but 0 keeps the kinetic energy and the areas, so there is no momentum to be preserved, and "
+      "the circulation around the six nodes changes at a rate. A cell alone has one such map, and its "
+      "circulation is constant. With $\\SU(N)$ in the place of the area-preserving maps of the sphere the "
+      "momentum map of the relabellings is the vorticity carried back to the labels, the same at every "
+      "step: $W_0$ and $W_1$ are the two discrete Legendre images of a Lagrangian on the group.");
   claim.leaves("Other discretizations of a fluid by nodes than triangles whose areas are held.");
   relabellings_of_nodes(claim, draw);
   for (int const n : {3, 4}) {

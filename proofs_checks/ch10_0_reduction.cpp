@@ -174,8 +174,8 @@ STATEMENT(claim_10_0_reduced_pair_space,
       for (int a = 0; a < d; ++a)
         columns.push_back(slopes(
             [&](auto const& p, auto const& q) {
-          using T = typename std::decay_t<decltype(p)>::Scalar;
-          return T(D1(L, p, q).components[a] * T(sign));
+              using T = typename std::decay_t<decltype(p)>::Scalar;
+              return T(D1(L, p, q).components[a] * T(sign));
             },
             g[0], g[1]));
       for (int i = 0; i < 2; ++i)

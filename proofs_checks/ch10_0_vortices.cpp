@@ -197,10 +197,11 @@ std::array<S, 3> decaying(S const& x) {
 
 STATEMENT(claim_10_0_vortex_methods, "vortex blob method and averaged fluid equations") {
   claim.holds(
-      "Blobs of one shape, whatever it is, move as a Hamiltonian system whose bracket is that of Lie and "
-      "Poisson on vorticities. With the shape $K_0(r/\\alpha)/(2\\pi\\alpha^2)$ their velocity is that of "
-      "point vortices of the averaged equations $\\partial_tv + u\\cdot\\nabla v + (\\nabla u)^Tv = -\\nabla "
-      "p$, $v = u - \\alpha^2\\Delta u$, which are the geodesics of $\\int|u|^2 + \\alpha^2|\\nabla u|^2$.");
+      "Blobs of one shape, whatever it is, move as a Hamiltonian system whose bracket is that of Lie "
+      "and Poisson on vorticities. With the shape $K_0(r/\\alpha)/(2\\pi\\alpha^2)$ their velocity "
+      "is that of point vortices of the averaged equations $\\partial_tv + u\\cdot\\nabla v + "
+      "(\\nabla u)^Tv = -\\nabla p$, $v = u - \\alpha^2\\Delta u$, which are the geodesics of "
+      "$\\int|u|^2 + \\alpha^2|\\nabla u|^2$.");
   {
     auto const blobs = draw_blobs<S>(draw);
     constexpr int dim = 2 * Blobs<S>::count;

@@ -311,7 +311,7 @@ MotionPolynomial<S> with_motions_right(MotionPolynomial<S> const& l, GroupElemen
   return solved_for(
       l, f,
       [&](auto const& k, int i) {
-    return reduced_residual_right(k, GroupElements<S>{f[i - 1], f[i]});
+        return reduced_residual_right(k, GroupElements<S>{f[i - 1], f[i]});
       },
       [&](int i, int a) { return from_left(basis_velocity<S>(f[i].group, a), f[i]); });
 }
@@ -320,7 +320,7 @@ MotionPolynomial<S> with_motions_left(MotionPolynomial<S> const& l, GroupElement
   return solved_for(
       l, f,
       [&](auto const& k, int i) {
-    return reduced_residual_left(k, GroupElements<S>{f[i - 1], f[i]});
+        return reduced_residual_left(k, GroupElements<S>{f[i - 1], f[i]});
       },
       [&](int i, int a) { return from_right(f[i], basis_velocity<S>(f[i].group, a)); });
 }

@@ -297,10 +297,10 @@ template <int N, class S>
 auto galilean_boost(Matrix<S, N, 1> const& b) {
   return Automorphism{[](auto const& x) { return x; },
                       [b](auto const& point) {
-    using T = ScalarOf<decltype(point)>;
-    Matrix<T, N, 1> y = point.template tail<N>();
-    for (int a = 0; a < N; ++a) y[a] += point[0] * T(b[a]);
-    return y;
+                        using T = ScalarOf<decltype(point)>;
+                        Matrix<T, N, 1> y = point.template tail<N>();
+                        for (int a = 0; a < N; ++a) y[a] += point[0] * T(b[a]);
+                        return y;
                       }};
 }
 

@@ -155,24 +155,24 @@ auto gathered(Stress const& stress, Box const& box, double dt, Points const& x, 
   };
   each([&](int d) { return box.cells[d]; },
        [&](std::array<int, n> const& at) {
-    typename Medium::Cell cell;
-    for (int k = 0; k < Medium::corners; ++k) {
-      auto const to = static_cast<std::size_t>(k);
-      cell.node[to] = 0, cell.shift[to].setZero();
-      for (int d = n - 1; d >= 0; --d) {
-        int const i = at[d] + (k >> d & 1);
-        cell.node[to] = cell.node[to] * box.nodes(d) + i % box.nodes(d);
-        if (i == box.nodes(d)) cell.shift[to] += period(d);
-      }
-    }
-    out.cells.push_back(cell);
-  });
+         typename Medium::Cell cell;
+         for (int k = 0; k < Medium::corners; ++k) {
+           auto const to = static_cast<std::size_t>(k);
+           cell.node[to] = 0, cell.shift[to].setZero();
+           for (int d = n - 1; d >= 0; --d) {
+             int const i = at[d] + (k >> d & 1);
+             cell.node[to] = cell.node[to] * box.nodes(d) + i % box.nodes(d);
+             if (i == box.nodes(d)) cell.shift[to] += period(d);
+           }
+         }
+         out.cells.push_back(cell);
+       });
   each([&](int d) { return box.nodes(d); },
        [&](std::array<int, n> const& at) {
-    Vector response;
-    for (int c = 0; c < n; ++c) response[c] = box.response(at, c);
-    out.response.push_back(response);
-  });
+         Vector response;
+         for (int c = 0; c < n; ++c) response[c] = box.response(at, c);
+         out.response.push_back(response);
+       });
   for (std::size_t k = 0; k < x.size(); ++k) out.x.emplace_back(x[k].data()), out.v.emplace_back(v[k].data());
   out.kick(-0.5);
   return out;

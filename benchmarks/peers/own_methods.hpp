@@ -67,8 +67,8 @@ inline Method exact_compensated() {
 inline Method moser_veselov_once(int order) {
   return {"Moser-Veselov, order " + std::to_string(order) + ", twist once",
           [order](Task const& task, double h) {
-    auto const body = free_body(task);
-    return half_turns(body, body.moser_veselov_parameters(h, order));
+            auto const body = free_body(task);
+            return half_turns(body, body.moser_veselov_parameters(h, order));
           }};
 }
 
@@ -103,11 +103,11 @@ class TwistEachStep {
 inline Method moser_veselov_each_step(int order) {
   return {"Moser-Veselov, order " + std::to_string(order) + ", twist each step",
           [order](Task const& task, double h) {
-    // The moments of this task are in ascending order, so the axes of the steps are those of the
-    // body.
-    auto const body = free_body(task);
-    return stepper(body.start(), TwistEachStep(body, task, h, order),
-                   [body](actio::FrameState<double> const& p) { return seven(body.state(p)); });
+            // The moments of this task are in ascending order, so the axes of the steps are those of the
+            // body.
+            auto const body = free_body(task);
+            return stepper(body.start(), TwistEachStep(body, task, h, order),
+                           [body](actio::FrameState<double> const& p) { return seven(body.state(p)); });
           }};
 }
 

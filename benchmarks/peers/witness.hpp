@@ -77,15 +77,15 @@ inline Exact witness_by_library(Task const& task, double time) {
   for (int i = 0; i < 3; ++i) J[i] = 1 / dec50(task.I[i]);
   y = actio::taylor_reference<dec50, 7>(
       [J](auto const& s) {
-    using T = typename std::decay_t<decltype(s)>::Scalar;
-    T const a = s[0] * T(J[0]), b = s[1] * T(J[1]), c = s[2] * T(J[2]), half = T(dec50(1) / 2);
-    return Eigen::Matrix<T, 7, 1>{s[1] * c - s[2] * b,
-                                  s[2] * a - s[0] * c,
-                                  s[0] * b - s[1] * a,
-                                  -half * (s[4] * a + s[5] * b + s[6] * c),
-                                  half * (s[3] * a + s[5] * c - s[6] * b),
-                                  half * (s[3] * b + s[6] * a - s[4] * c),
-                                  half * (s[3] * c + s[4] * b - s[5] * a)};
+        using T = typename std::decay_t<decltype(s)>::Scalar;
+        T const a = s[0] * T(J[0]), b = s[1] * T(J[1]), c = s[2] * T(J[2]), half = T(dec50(1) / 2);
+        return Eigen::Matrix<T, 7, 1>{s[1] * c - s[2] * b,
+                                      s[2] * a - s[0] * c,
+                                      s[0] * b - s[1] * a,
+                                      -half * (s[4] * a + s[5] * b + s[6] * c),
+                                      half * (s[3] * a + s[5] * c - s[6] * b),
+                                      half * (s[3] * b + s[6] * a - s[4] * c),
+                                      half * (s[3] * c + s[4] * b - s[5] * a)};
       },
       y, dec50(time));
   Exact out;

@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
   }
   program.picture("precession", sphere.svg(),
                   "The momentum of the charged ball in the spatial frame, for five starts with the same "
-                  "amount of momentum: each goes round the field on a circle, a level line of the energy on "
-                  "the coadjoint orbit.");
+                  "amount of momentum: each goes round the field on a circle, a level line of the "
+                  "energy on the coadjoint orbit.");
   program.figure("apart", apart, "attitude against its closed form, largest distance");
   program.figure("body", body, "largest change of the body momentum, relative");
   program.figure("around", around, "largest change of the spatial momentum, relative");

@@ -90,12 +90,12 @@ int main(int argc, char** argv) {
   double const grown = let_time_pass(
       euler, [](auto const& v, double step) { return explicit_euler(swing, v, step); }, 0.2);
   program.picture("flow", flow.svg(),
-                  "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is "
-                  "sheared and bent; "
-                  "but the flow preserves the area, which is the same all the time.");
+                  "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud "
+                  "is sheared and bent; but the flow preserves the area, which is the same all the time.");
   program.picture("euler", euler.svg(),
-                  "The same cloud under explicit Euler with steps of 0.2. Its area grows, and part of it has "
-                  "crossed the dashed line, which no state ever does: those pendulums will go over the top.");
+                  "The same cloud under explicit Euler with steps of 0.2. Its area grows, and "
+                  "part of it has crossed the dashed line, which no state ever does: those "
+                  "pendulums will go over the top.");
   program.figure("kept", preserved, "largest change of the area, relative");
   program.figure("grown", grown, "the same under explicit Euler");
 

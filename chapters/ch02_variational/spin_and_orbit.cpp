@@ -114,8 +114,8 @@ Throw throw_about_all_axes(book::Program& program) {
   draw({0.01, 1, 0.01}, "thrown about the middle axis", 4);
   program.picture("orbit", sphere.svg(),
                   "The momentum of a thrown book in the body frame: five throws with the same amount of "
-                  "momentum, so all on one sphere, the coadjoint orbit. Each follows a level of the energy. "
-                  "About the middle axis nothing stays near: that book turns over.");
+                  "momentum, so all on one sphere, the coadjoint orbit. Each follows a level of the "
+                  "energy. About the middle axis nothing stays near: that book turns over.");
   return worst;
 }
 
@@ -146,8 +146,8 @@ Compared throw_about_the_middle(book::Program& program) {
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "a spinning book: its momentum runs round a sphere as seen from the book, and stands "
-                        "still as seen from space");
+                        "a spinning book: its momentum runs round a sphere as seen from the book, and "
+                        "stands still as seen from space");
   program.say("moments of inertia, kg m^2: ", I[0], ", ", I[1], ", ", I[2]);
   Throw const worst = throw_about_all_axes(program);
   auto const [right, whole, wrong, apart, lowest] = throw_about_the_middle(program);

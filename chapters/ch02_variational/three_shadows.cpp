@@ -95,9 +95,9 @@ void draw(book::Program& program, Areas const& areas, Rim euler_drift) {
     plot.curve(areas.time, areas.each[i], planes[i], {.colour = i + 1, .width = i == 3 ? 2.4 : 1.6});
   plot.curve(euler_time, euler_sum, "sum under explicit Euler", {.colour = 4, .dashed = true});
   program.picture("shadows", plot.svg(),
-                  "A cloud of a flat body adrift in still water, in three coordinates and three momenta, has "
-                  "a shadow in each of three "
-                  "planes. Area goes from one shadow to the others; the sum stays.");
+                  "A cloud of a flat body adrift in still water, in three coordinates and "
+                  "three momenta, has a shadow in each of three planes. Area goes from one "
+                  "shadow to the others; the sum stays.");
 }
 
 int main(int argc, char** argv) {

@@ -120,10 +120,9 @@ double order_of_the_attitude(book::Program& program) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(
-      argc, argv,
-      "a charged ball photographed in a magnetic field: (3.10) from (3.2), and the precession "
-      "of its momentum");
+  book::Program program(argc, argv,
+                        "a charged ball photographed in a magnetic field: (3.10) from (3.2), and "
+                        "the precession of its momentum");
   double const rounding = show_the_theorem(program);
   double const order = order_of_the_attitude(program);
 

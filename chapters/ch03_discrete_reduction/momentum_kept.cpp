@@ -120,18 +120,17 @@ Record follow(Moving const& start) {
 void draw(book::Program& program, Record const& r) {
   program.picture(
       "path", book::Sphere(30, -50).curve(r.trace, "where the long axis points").svg(),
-      "Where the board points in the first 19 seconds, seen from below, straight from step to step. Turn the "
-      "whole picture about the vertical, and it is that of another motion: this is the symmetry, and there "
-      "is "
-      "no other.");
+      "Where the board points in the first 19 seconds, seen from below, straight from step to step. "
+      "Turn the whole picture about the vertical, and it is that of another motion: this is the "
+      "symmetry, and there is no other.");
   program.picture("energy",
                   book::Plot("time, s", "error of the energy, %")
                       .curve(r.time, r.energy_classical, "Runge-Kutta", {.colour = 2})
                       .curve(r.time, r.energy_discrete, "discrete Euler-Lagrange", {.colour = 1, .width = 1})
                       .svg(),
-                  "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that comes and goes "
-                  "with the swing and does not add up; that of Runge-Kutta only grows: the method drives the "
-                  "board.");
+                  "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that "
+                  "comes and goes with the swing and does not add up; that of Runge-Kutta only "
+                  "grows: the method drives the board.");
 }
 
 // 6. The energy by quarters of the time: what is bounded is as large in each.
@@ -171,8 +170,8 @@ void check(book::Program& program, Record const& r, std::vector<double> const& w
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "a board hung by one end and thrown round: what its one symmetry conserves, and what "
-                        "happens to the energy");
+                        "a board hung by one end and thrown round: what its one symmetry conserves, "
+                        "and what happens to the energy");
   Record const r = follow(throw_round());
   draw(program, r);
   check(program, r, tabulate_quarters(program, r));

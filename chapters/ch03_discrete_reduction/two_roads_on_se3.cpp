@@ -106,9 +106,8 @@ void draw_the_path(book::Program& program, Roads const& roads) {
       draw(dots, "unreduced steps, every fourth", {.colour = 2, .dots = true, .radius = 2.2});
   program.picture("path", plot.svg(),
                   "A submarine cast off ahead (from the left), turning slowly, and left alone for 48 "
-                  "seconds; three of its sections every 4.8 "
-                  "seconds. It soon lies across its path and tumbles: a long body that glides ahead is not "
-                  "stable in an ideal fluid. The line comes "
+                  "seconds; three of its sections every 4.8 seconds. It soon lies across its path and "
+                  "tumbles: a long body that glides ahead is not stable in an ideal fluid. The line comes "
                   "from the reduced equation and reconstruction, the dots from the unreduced one.");
 }
 

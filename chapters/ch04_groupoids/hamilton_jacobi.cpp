@@ -111,8 +111,8 @@ void let_the_step_shrink(book::Program& program, Throw const& thrown, std::vecto
                   "the order is " + std::to_string(orders[i]));
   }
   program.picture("errors", errors.svg(),
-                  "Error of the body momentum after one second with one, two and three terms of the "
-                  "generating function.");
+                  "Error of the body momentum after one second with one, two and three "
+                  "terms of the generating function.");
   program.table("errors", {"step, s", "one term", "two terms", "three terms"}, rows, "The same in numbers.");
   double const gain = misses[0].back() / misses[2].back();
   program.figure("gain", gain, "error with one term over that with three, at the smallest step");
@@ -123,8 +123,8 @@ void let_the_step_shrink(book::Program& program, Throw const& thrown, std::vecto
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "a book turns over: generating functions from the Hamilton-Jacobi equation make "
-                        "integrators of orders 2, 4, 6");
+                        "a book turns over: generating functions from the Hamilton-Jacobi equation "
+                        "make integrators of orders 2, 4, 6");
   Throw const thrown;
   auto const series = generating_functions(thrown);
   program.say("the corrections are polynomials of ", series[2].sigma[2].terms.size(), " and ",

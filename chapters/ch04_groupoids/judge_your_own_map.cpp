@@ -107,9 +107,8 @@ int judge_both(book::Program& program) {
   draw(sphere, winding, "back on the sphere", 2), draw(sphere, closed, "three turns", 1);
   program.picture("paths", sphere.svg(),
                   "The direction of the momentum: once round at the start, and after 1200, 2400, 3600 and "
-                  "4800 steps. The true motion is one closed "
-                  "curve. The three turns stay on theirs; what is put back on the sphere after every step "
-                  "winds away, and never leaves the sphere.");
+                  "4800 steps. The true motion is one closed curve. The three turns stay on theirs; what "
+                  "is put back on the sphere after every step winds away, and never leaves the sphere.");
   program.figure("poisson_first", first.poisson, "Poisson defect of the map that is put back on the sphere");
   program.figure("poisson_second", second.poisson, "Poisson defect of the three turns");
   program.figure("energy_first", 100 * lost.at_the_end, percent(lost.at_the_end),

@@ -67,19 +67,17 @@ Defects worst_defects(Trial const& trial, rivals::Rival<SO<3>> const& rival) {
       .leaf = worst(trial.momenta,
                     [&](auto const& x) { return leaf_defect(body_momenta, rival.on_momenta, h, x); }),
       .orbit = worst(trial.momenta, [&](auto const& x) { return orbit_defect(step, x); }),
-      .in_space = worst(
-          trial.costates,
-          [&](auto const& x) {
-    return worst(std::vector{0, 1, 2}, [&](int axis) {
-      return momentum_defect(cotangent_bundle, lifted, x,
-                             left_translation(basis_velocity<double>(SO<3>{}, axis)));
-    });
-          }),
-      .energy = worst(
-          trial.momenta,
-          [&](auto const& x) {
-    return std::abs(kinetic_energy(trial, step(x)) / kinetic_energy(trial, x) - 1);
-          }),
+      .in_space = worst(trial.costates,
+                        [&](auto const& x) {
+                          return worst(std::vector{0, 1, 2}, [&](int axis) {
+                            return momentum_defect(cotangent_bundle, lifted, x,
+                                                   left_translation(basis_velocity<double>(SO<3>{}, axis)));
+                          });
+                        }),
+      .energy = worst(trial.momenta,
+                      [&](auto const& x) {
+                        return std::abs(kinetic_energy(trial, step(x)) / kinetic_energy(trial, x) - 1);
+                      }),
       .back = worst(trial.momenta, [&](auto const& x) {
         return self_adjointness_defect(body_momenta, rival.on_momenta, h, x);
       })};
@@ -126,11 +124,9 @@ std::pair<std::string, double> judge_all(book::Program& program, Trial const& tr
   program.table("rotations",
                 {"map", "order", "symplectic", "Poisson", "leaf", "momentum", "energy", "way back"}, rows,
                 "Defects of one step of 0.2 s on SO(3), at their worst over eight motions; 0 (...) is "
-                "rounding. Symplectic and momentum: of attitude "
-                "and momentum together. "
-                "Leaf: the share of the motion that points out of the coadjoint orbit. Energy: its relative "
-                "change. Way back: what is "
-                "missing after a step of opposite sign.");
+                "rounding. Symplectic and momentum: of attitude and momentum together. Leaf: the share of "
+                "the motion that points out of the coadjoint orbit. Energy: its relative change. Way back: "
+                "what is missing after a step of opposite sign.");
   return headline;
 }
 
@@ -176,13 +172,11 @@ void let_the_step_grow(book::Program& program, Trial const& trial) {
   program.picture(
       "keeping", chart.svg(),
       "Each map at steps of 0.025, 0.05, 0.1, 0.2 and 0.4 s, the largest on top. On the left they preserve "
-      "their orbit, at the "
-      "bottom the bracket. Being on the left does not take a map "
-      "to the bottom: there are the maps that come from a discrete Lagrangian or from exact flows.");
+      "their orbit, at the bottom the bracket. Being on the left does not take a map to the bottom: there "
+      "are the maps that come from a discrete Lagrangian or from exact flows.");
   program.picture("growth", growth.svg(),
                   "The Poisson defect of one step against its length. What is not Poisson is so to a power "
-                  "of the step; the others have "
-                  "rounding at every step.");
+                  "of the step; the others have rounding at every step.");
 }
 
 int main(int argc, char** argv) {

@@ -59,11 +59,10 @@ int main(int argc, char** argv) {
   }
   program.table("under_water", {"map", "order", "Poisson", "leaf", "Casimirs", "orbit", "way back"},
                 under_water,
-                "Defects of one step of 0.2 s on SE(3), for a body that glides and turns under water, at "
-                "their worst over eight motions. "
-                "Three ways to ask whether it preserves its coadjoint orbit: by the direction of the step, "
-                "by the Casimir functions "
-                "|P|² and Π·P, by the distance from the orbit.");
+                "Defects of one step of 0.2 s on SE(3), for a body that glides and turns under water, "
+                "at their worst over eight motions. Three ways to ask whether it preserves its "
+                "coadjoint orbit: by the direction of the step, by the Casimir functions |P|² and Π·P, "
+                "by the distance from the orbit.");
   program.headline(headline.first, headline.second);
   return program.finish();
 }

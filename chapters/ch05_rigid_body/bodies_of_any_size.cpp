@@ -117,13 +117,13 @@ void show_drifts(book::Program& program, Kept& kept) {
       "kept",
       {"body", "moments", "steps", "Casimir", "momentum in space", "energy", "growth", "longest step, rad"},
       kept.rows,
-      "Largest relative changes with steps of 0.1 rad; the exponent with which the change of the momentum in "
-      "space grows; and the longest step there is a solution for.");
+      "Largest relative changes with steps of 0.1 rad; the exponent with which the change of the momentum "
+      "in space grows; and the longest step there is a solution for.");
   std::vector<double> const walk_steps{100, 100000}, walk{1e-15, 1e-15 * std::sqrt(1000.0)};
   kept.plot.curve(walk_steps, walk, "square root of the number of steps", {.colour = 6, .dashed = true});
   program.picture("drift", kept.plot.svg(),
-                  "The momentum in space changes like a random walk of rounding errors, for a molecule as "
-                  "for a space station.");
+                  "The momentum in space changes like a random walk of rounding errors, for a "
+                  "molecule as for a space station.");
   program.figure("casimir", kept.casimir, "largest change of the Casimir, all bodies");
   program.figure("spatial", kept.spatial, "largest change of the momentum in space, all bodies");
   program.figure("magnitudes", std::log10(kept.largest / kept.smallest),
@@ -133,8 +133,8 @@ void show_drifts(book::Program& program, Kept& kept) {
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum "
-                        "conserved to rounding");
+                        "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and "
+                        "momentum conserved to rounding");
   unsigned const seed = 20;
   Kept kept;
   add_catalogue(kept);

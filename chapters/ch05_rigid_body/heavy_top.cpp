@@ -56,8 +56,8 @@ double loops_cusps_and_waves(book::Program& program) {
     sphere.curve(trace, name);
   }
   program.picture("loops", sphere.svg(),
-                  "Where the axis of the toy points in a second and a half. All three spin at 90 rad/s; what "
-                  "differs is how they are let go.");
+                  "Where the axis of the toy points in a second and a half. All three spin at 90 rad/s; "
+                  "what differs is how they are let go.");
   // Let go, the axis falls from height u0 to the root of b (1 - u^2) = a^2 (u0 - u), with a = Pi_3/I_1 and
   // b = 2p/I_1.
   double const a = toy.inertia.moments[2] * fast / toy.inertia.moments[0],
@@ -131,8 +131,8 @@ void what_must_be_so(book::Program& program, double gap, std::array<double, 2> c
   program.claim(book::measured(most[0]) < 4 && book::measured(most[1]) > 20,
                 "above the critical spin the top sleeps, below it wakes");
   program.claim(book::measured(casimirs_and_axis) < walk && book::measured(drifts[3]) < 0.01,
-                "both Casimirs and the momentum about the axis are conserved to rounding, and the energy "
-                "does not run away");
+                "both Casimirs and the momentum about the axis are conserved to rounding, "
+                "and the energy does not run away");
   program.headline("both Casimirs and the momentum about the axis to " + book::number(casimirs_and_axis, 2),
                    casimirs_and_axis);
 }

@@ -88,8 +88,8 @@ void draw_first_flips(book::Program& program, Body const& handle) {
   flips.curve(time, component[1], "middle axis, the stem", {.colour = 4, .width = 2.2});
   flips.curve(time, component[2], "axis of the largest moment", {.colour = 1});
   program.picture("flip", flips.svg(),
-                  "Body velocity of the T-handle. It rests, so it seems, on its middle axis, and then turns "
-                  "over within a second.");
+                  "Body velocity of the T-handle. It rests, so it seems, on its middle axis, and "
+                  "then turns over within a second.");
 }
 
 // 4. The book of the running example, thrown at two turns a second about its middle axis: its attitude at

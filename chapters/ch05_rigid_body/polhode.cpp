@@ -152,8 +152,8 @@ Errors errors_of_periods(book::Program& program, Body const& apophis) {
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "two tumbling asteroids: the steps of the scheme on the exact curve, and the periods "
-                        "that astronomers measured");
+                        "two tumbling asteroids: the steps of the scheme on the exact curve, and the "
+                        "periods that astronomers measured");
   Body const apophis = read_body(ACTIO_DATA "/bodies.toml", "apophis"),
              toutatis = read_body(ACTIO_DATA "/bodies.toml", "toutatis");
   double farthest = steps_on_polhode(program, apophis, 2.0, 50);

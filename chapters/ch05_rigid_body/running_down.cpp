@@ -90,7 +90,7 @@ Run follow_runge_kutta(Body const& handle, std::string const& name, double step)
       handle, name, step, start, [&](Vector7 const& y) { return runge_kutta(I, y, step); },
       [](Vector7 const& y) { return Vector3d(y.head<3>()); },
       [](Vector7 const& y) {
-    return Vector3d(Eigen::Quaterniond(y[3], y[4], y[5], y[6]).toRotationMatrix() * y.head<3>());
+        return Vector3d(Eigen::Quaterniond(y[3], y[4], y[5], y[6]).toRotationMatrix() * y.head<3>());
       });
 }
 
@@ -135,11 +135,11 @@ void show_what_was_kept(book::Program& program, Runs const& runs) {
       "kept",
       {"method", "step, s", "energy", "amount of momentum", "momentum in space", "time between flips, s"},
       conserved,
-      "Largest relative changes over 5000 s, about 2000 flips, and the time between flips at the start and "
-      "at the end.");
+      "Largest relative changes over 5000 s, about 2000 flips, and the time between "
+      "flips at the start and at the end.");
   program.picture("drift", drift.svg(),
-                  "What the methods do to the energy. Runge-Kutta takes it away, a little every step and "
-                  "always in the same direction.");
+                  "What the methods do to the energy. Runge-Kutta takes it away, a little every step "
+                  "and always in the same direction.");
   program.figure("cost", runs.cost, "running time of a Moser-Veselov step in Runge-Kutta steps");
 }
 

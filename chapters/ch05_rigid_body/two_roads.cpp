@@ -63,8 +63,8 @@ Apart two_roads(book::Program& program, Body const& brick) {
       book::Plot("time, s", "distance of the two roads so far").log_y().size(660, 320).y_range(1e-17, 1e-10);
   roads.curve(time, history_chart, "natural charts").curve(time, history_mv, "Moser-Veselov");
   program.picture("roads", roads.svg(),
-                  "The attitude from pairs of configurations and from relative motions with reconstruction: "
-                  "what lies between them is rounding.");
+                  "The attitude from pairs of configurations and from relative motions with "
+                  "reconstruction: what lies between them is rounding.");
   return {chart, mv};
 }
 
@@ -116,8 +116,8 @@ Errors check_case(book::Program& program, Body const& brick, Vector3d const& tru
   row("NASA's reference tool", nasa, book::number((nasa - truth).norm()));
   row("converged", truth, "");
   program.table("check_case", {"method", "p", "q", "r", "error"}, rows,
-                "Body rates of the tumbling brick after 30 s, degrees per second. Converged: rk8pd of the "
-                "GNU Scientific Library.");
+                "Body rates of the tumbling brick after 30 s, degrees per second. Converged: rk8pd "
+                "of the GNU Scientific Library.");
   auto plot = book::Plot("step, s", "error of the body rates after 30 s, degrees per second").log_x().log_y();
   plot.curve(errors.steps, errors.chart, "natural charts", {.dots = true})
       .curve(errors.steps, errors.mv, "Moser-Veselov", {.dots = true});

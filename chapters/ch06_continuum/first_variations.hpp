@@ -33,8 +33,8 @@ double flux(Medium const& medium, Phi const& phi, FieldV const& V, FieldW const&
     jet.x.setZero();
     return coordinates(jet);
   };
-  auto const pulled_back_form =
-      [&](actio::Event<double, 2> const& x, actio::Tangents<double, 3, 2> const& sides) {
+  auto const pulled_back_form = [&](actio::Event<double, 2> const& x,
+                                    actio::Tangents<double, 3, 2> const& sides) {
     actio::Tangents<double, 11, 4> T;
     // W is contracted first, so it stands in the first slot.
     T << lifted(W, x), lifted(V, x), pushed(actio::jet_extension(phi), x, sides);

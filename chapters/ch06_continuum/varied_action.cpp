@@ -105,8 +105,8 @@ void show_quadrature(book::Program& program, double scale) {
   auto plot = book::Plot("nodes of Gauss's rule along a side", "relative difference").log_y();
   plot.curve(counts, misses, "derivative of the action less boundary integral", {.width = 1.8});
   program.picture("nodes", plot.svg(),
-                  "Both sides of the theorem are integrals: they meet as the rule of quadrature gets better, "
-                  "to rounding.");
+                  "Both sides of the theorem are integrals: they meet as the rule of "
+                  "quadrature gets better, to rounding.");
 }
 
 // 6. The flux of a first variation and of another field through the boundary of the box.

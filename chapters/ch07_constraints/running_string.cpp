@@ -78,8 +78,7 @@ double show_equations(book::Program& program) {
                  {"loop with half the tension", cell(slack), "–"},
                  {"chain that runs, with the tension of rest", cell(forgotten), "–"}},
                 "Residual of the field equations, over the largest force in them, and the relative error "
-                "of the tension found at single points. "
-                "The last two are controls.");
+                "of the tension found at single points. The last two are controls.");
   program.claim(book::measured(std::max({left[0], left[1], left[2]})) < 1e-12,
                 "the field equations and the constraint hold to rounding");
   program.claim(book::measured(std::max({error[0], error[1], error[2]})) < 1e-10,

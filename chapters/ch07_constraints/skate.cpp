@@ -123,8 +123,8 @@ int main(int argc, char** argv) {
                 {"", "Lagrange-d'Alembert equations", "vakonomic equations", "down the slope, m"},
                 {{"cycloid", book::number(left, 2), book::number(missing, 2), book::number(deepest)},
                  {"vakonomic motion", "–", book::number(worst, 2), book::number(other.x)}},
-                "What the two motions leave of the equations, over the force down the slope, and how far "
-                "down they get in " +
+                "What the two motions leave of the equations, over the force down the "
+                "slope, and how far down they get in " +
                     book::number(end) + " s.");
   program.figure("deepest", deepest, book::number(100 * deepest) + " cm", "how far down the cycloid gets");
   program.figure("far", other.x, book::number(other.x) + " m", "how far down the other one is at the end");

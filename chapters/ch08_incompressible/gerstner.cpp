@@ -104,8 +104,8 @@ void draw_wave(book::Program& program) {
         .curve(orbit_x, orbit_y, b == -0.1 ? "paths of particles" : "", {.colour = 6, .width = 1});
   }
   program.picture("wave", plot.svg(),
-                  "Gerstner's wave: every line of particles is a trochoid on which the pressure is the same, "
-                  "every path is a circle.");
+                  "Gerstner's wave: every line of particles is a trochoid on which the pressure is "
+                  "the same, every path is a circle.");
 }
 void report_motion(book::Program& program) {
   double const period = 2 * M_PI / (k * c);
@@ -132,8 +132,8 @@ void report_motion(book::Program& program) {
 // 6. The claims: the field equations of the extended bundle, and both pressures beside each other.
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "Gerstner's wave: an exact motion with a free surface, its pressure as the "
-                        "multiplier of the constraint");
+                        "Gerstner's wave: an exact motion with a free surface, its pressure as "
+                        "the multiplier of the constraint");
   draw_wave(program);
   report_motion(program);
 

@@ -62,8 +62,8 @@ void show_paths(book::Program& program) {
   double const worst = draw_paths(plot);
   draw_isobars(plot);
   program.picture("paths", plot.svg(),
-                  "One cell: particles on their paths, and the lines of equal pressure, which is highest in "
-                  "the corners and lowest in the middle.");
+                  "One cell: particles on their paths, and the lines of equal pressure, which is highest "
+                  "in the corners and lowest in the middle.");
   program.figure("path_error", worst, "largest distance of a particle from its place by elliptic functions");
   program.claim(book::measured(worst) < 1e-10, "particles are where elliptic functions have them");
 }
@@ -86,8 +86,8 @@ void show_dye(book::Program& program) {
     plot.curve(x, y, "t = " + book::number(t));
   }
   program.picture("dye", plot.svg(),
-                  "The edge of a patch of dye at four times: the constraint keeps its area, and nothing "
-                  "keeps its shape.");
+                  "The edge of a patch of dye at four times: the constraint keeps its "
+                  "area, and nothing keeps its shape.");
   program.figure("volume", worst, "largest deviation of J from 1 around the patch");
   program.claim(book::measured(worst) < 1e-9, "the motion preserves areas");
 }
@@ -128,8 +128,8 @@ void compare_pressures(book::Program& program) {
     }
   program.table("pressures", {"t", "particle", "pressure", "error by the multiplier", "error by (8.14)"},
                 rows,
-                "Pressure of a particle less that of the particle (0.7, 1.2): on the body by the multiplier, "
-                "in space by the equation of the pressure.");
+                "Pressure of a particle less that of the particle (0.7, 1.2): on the body by the "
+                "multiplier, in space by the equation of the pressure.");
   program.figure("by_multiplier", by_multiplier, "largest error of the pressure by the multiplier");
   program.figure("by_poisson", by_poisson, "largest error of the pressure by (8.14)");
   program.claim(book::measured(by_multiplier) < 1e-7 && book::measured(by_poisson) < 1e-12,

@@ -131,8 +131,8 @@ int main(int argc, char** argv) {
   double const worst = show_moments(program);
   show_rings(program);
   program.picture("map", map_of_cells(cloud_at(0.4)),
-                  "The cells of the body where they are at t = 0.4: which of them gain and which lose energy "
-                  "per area of the body.");
+                  "The cells of the body where they are at t = 0.4: which of them gain and which "
+                  "lose energy per area of the body.");
   program.headline("energy balanced in each cell to " + number(worst, 2), worst);
   return program.finish();
 }

@@ -154,8 +154,8 @@ int main(int argc, char** argv) {
                   "Density by latitude of an atmosphere that turns as a whole, M times as fast at the "
                   "equator as sound in the gas at rest.");
   program.picture("sphere", sphere(),
-                  "Circles that hold the same mass at rest and at M = 1.6, and a loop of particles that is "
-                  "carried along.");
+                  "Circles that hold the same mass at rest and at M = 1.6, and a loop of "
+                  "particles that is carried along.");
   program.claim(book::measured(field) < 1e-11, "the motion is exact");
   program.claim(book::measured(closed) < 1e-11, "the currents of the symmetries are closed");
   program.claim(book::measured(open) > 1e-3, "and those of fields that are no symmetries are not");

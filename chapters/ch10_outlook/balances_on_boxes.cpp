@@ -43,9 +43,9 @@ Section solution_on(Mesh const& mesh) {
   auto section = restricted(
       mesh,
       [](Matrix<double, 3, 1> const& x) {
-    double const t = x[0], turn = 0.4 * t;
-    Point const at(x[1] + 0.03 * std::sin(3 * x[2]), x[2] + 0.02 * std::cos(4 * x[1]));
-    return Point(at[0] - turn * at[1] + 0.5 * t, at[1] + turn * at[0] - 0.2 * t);
+        double const t = x[0], turn = 0.4 * t;
+        Point const at(x[1] + 0.03 * std::sin(3 * x[2]), x[2] + 0.02 * std::cos(4 * x[1]));
+        return Point(at[0] - turn * at[1] + 0.5 * t, at[1] + turn * at[0] - 0.2 * t);
       },
       2);
   while (section.last() < slabs) step(gas, mesh, section);
@@ -115,8 +115,8 @@ int main(int argc, char** argv) {
   for (auto const* b : {&form, &shifts, &turns, &mixture, &grows})
     rows.push_back({b->what, book::number(b->largest, 2), book::number(b->least, 2)});
   program.table("balances", {"", "largest", "least"}, rows,
-                "Sums over the boundary of boxes drawn at random, over the sums of the magnitudes of their "
-                "terms.");
+                "Sums over the boundary of boxes drawn at random, over the sums of "
+                "the magnitudes of their terms.");
   double const noether = std::max(shifts.largest, turns.largest);
   program.figure("form", form.largest, "form formula, largest of all boxes");
   program.figure("noether", noether, "Noether balance, largest of all boxes");

@@ -129,9 +129,9 @@ int main(int argc, char** argv) {
   program.figure("exact_drift", drift_of(degree), book::number(drift_of(degree), 12),
                  "the drift of the fluid");
   program.picture("wave", wave_on_discs(),
-                  "The vorticity of the wave, seen by an observer on the rotating sphere, at the start and "
-                  "after eight steps of the form of all invariants: it drifts to the west and keeps its "
-                  "shape.");
+                  "The vorticity of the wave, seen by an observer on the rotating sphere, at "
+                  "the start and after eight steps of the form of all invariants: it drifts "
+                  "to the west and keeps its shape.");
 
   // 6. What must be so. Rounding of a solved step: a hundred epsilon for each of some ten evaluations.
   double const eps = std::numeric_limits<double>::epsilon();

@@ -123,10 +123,9 @@ void show_energy(book::Program& program, Kept const& run, Kept const& half) {
       rows, "The relative change of the energy in each eighth of the run: mean and standard deviation.");
   auto plot = book::Plot("time", "relative change of the energy");
   plot.curve(run.times, run.band, "step " + book::number(step)).curve(half.times, half.band, "half of it");
-  program.picture(
-      "energy", plot.svg(),
-      "The energy with the step and with half of it. It oscillates; with the longer step its mean "
-      "drifts as well.");
+  program.picture("energy", plot.svg(),
+                  "The energy with the step and with half of it. It oscillates; with the "
+                  "longer step its mean drifts as well.");
   double const drift = drift_of(whole_step), half_drift = drift_of(half_step),
                ratio = oscillation_of(whole_step) / oscillation_of(half_step),
                widening = whole_step[7].deviation / whole_step[1].deviation;

@@ -72,8 +72,8 @@ int main(int argc, char** argv) {
     if (k == steps / 8 || k == steps) look(k);
   }
   program.picture("late", book::svg::picture(440, down, discs),
-                  "The vorticity on the two sides of the sphere, at three times: blue turns clockwise, red "
-                  "the other way.");
+                  "The vorticity on the two sides of the sphere, at three times: blue "
+                  "turns clockwise, red the other way.");
   auto plot = book::Plot("time", "share of the energy");
   plot.curve(times, large, "degrees 1 to 3").curve(times, middle, "degrees 4 to 8");
   program.picture("shares", plot.svg(), "The energy moves to the largest scales.");

@@ -197,8 +197,8 @@ int check(std::vector<std::string> const& ids) {
   if (!missing.empty()) throw FileError(how_to_build(missing));
   if (!stale.empty())
     throw FileError(
-        fmt::format("actio check: the programs in {} are older than the sources and have no check of {}; "
-                    "build them again",
+        fmt::format("actio check: the programs in {} are older than the sources and have "
+                    "no check of {}; build them again",
                     folder_of_this_program().string(), listed(stale)));
   return 0;
 }

@@ -21,8 +21,8 @@ namespace {
 using Action = std::function<int()>;
 
 constexpr char const* exit_statuses =
-    "Exit status: 0 done, 1 a theorem check failed, 2 the scene or the command line is wrong, 3 the "
-    "numerics\n"
+    "Exit status: 0 done, 1 a theorem check failed, 2 the scene or the command "
+    "line is wrong, 3 the numerics\n"
     "failed (for instance a step too long for the method), 4 the disk or a file failed, 130 interrupted.";
 
 CLI::App* add_part(CLI::App& command, std::string const& name, std::string const& meaning,
@@ -37,11 +37,11 @@ CLI::App* add_part(CLI::App& command, std::string const& name, std::string const
 std::string not_empty(std::string& text) { return text.empty() ? "a name is expected, found ''" : ""; }
 
 void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
-  auto* const part =
-      add_part(command, "run", "run a scene",
-               "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives "
-               "series.csv, summary.json and scene.toml, in which every default is written out.",
-               action, [&run] { return app::run(run); });
+  auto* const part = add_part(command, "run", "run a scene",
+                              "Example: actio run apophis.toml --out results --set method.step=0.5\n\n"
+                              "The folder receives series.csv, summary.json and scene.toml, in "
+                              "which every default is written out.",
+                              action, [&run] { return app::run(run); });
   part->add_option("SCENE", run.scene,
                    "a scene, in TOML; or the name of one that comes with actio, as apophis (actio list "
                    "scenes); - reads it from standard input")
@@ -71,8 +71,9 @@ void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
 
 void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action) {
   auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint, or with a sweep",
-                              "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit "
-                              "for bit. Of a sweep, members that are done are kept.",
+                              "Example: actio resume apophis\n\n"
+                              "The joined run equals an unbroken one bit for bit. Of a sweep, "
+                              "members that are done are kept.",
                               action, [&resume] { return app::resume(resume); });
   part->add_option("DIR", resume.folder, "the folder of the run, or of the sweep")
       ->required()
@@ -81,10 +82,9 @@ void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action)
                    "go on to a later time than the scene says, and write it into scene.toml")
       ->type_name("T")
       ->check(CLI::Validator(not_empty, ""));
-  part->add_option(
-          "--step", resume.step,
-          "go on with steps of another length, and write it into scene.toml; rows are at multiples of "
-          "it, too")
+  part->add_option("--step", resume.step,
+                   "go on with steps of another length, and write it into scene.toml; "
+                   "rows are at multiples of it, too")
       ->type_name("H")
       ->check(CLI::Validator(not_empty, ""));
   app::add_jobs_option(*part, resume.jobs, "of a sweep: runs at the same time; otherwise one for each core");
@@ -96,8 +96,8 @@ void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action)
 void add_plot(CLI::App& command, app::PlotArguments& plot, Action& action) {
   auto* const part =
       add_part(command, "plot", "draw the pictures of a run: finished, interrupted, or going on",
-               "Example: actio plot apophis\n\nThe folder receives plots/*.svg and plots/index.html, of the "
-               "rows that are there.",
+               "Example: actio plot apophis\n\n"
+               "The folder receives plots/*.svg and plots/index.html, of the rows that are there.",
                action, [&plot] { return app::plot(plot); });
   part->add_option("DIR", plot.folder, "the folder of the run")
       ->required()
@@ -115,9 +115,9 @@ void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
 void add_new(CLI::App& command, app::NewArguments& made, Action& action) {
   auto* const part =
       add_part(command, "new", "print a scene to begin with",
-               "Example: actio new rigid_body --body t_handle --out mine.toml\n\nA system has a scene with "
-               "every key and what it means; a scene that comes with actio (actio list scenes) is "
-               "printed as it is; a body is let go. Each runs as it is.",
+               "Example: actio new rigid_body --body t_handle --out mine.toml\n\n"
+               "A system has a scene with every key and what it means; a scene that comes with actio "
+               "(actio list scenes) is printed as it is; a body is let go. Each runs as it is.",
                action, [&made] { return app::make_new(made); });
   part->add_option("KIND", made.name, "a system, a scene that comes with actio, or a body of the library")
       ->required()
@@ -144,15 +144,16 @@ void add_questions(CLI::App& command, Questions& asked, Action& action) {
                "Example: actio list bodies\n\nA line for each; its first word is the name.", action,
                [&asked] { return app::list(asked.list, asked.json); });
   part->add_option("WHAT", asked.list,
-                   "systems, groups, methods, quantities, bodies, materials, keys (of a scene) or scenes "
-                   "(that come with actio)")
+                   "systems, groups, methods, quantities, bodies, materials, keys (of a scene) "
+                   "or scenes (that come with actio)")
       ->required()
       ->check(CLI::Validator(not_empty, ""));
   part->add_flag("--json", asked.json, "systems or keys, with all that is known of them, for other programs")
       ->disable_flag_override();
   part = add_part(command, "show", "tell what something is: meaning, units, source, statement of the thesis",
-                  "Example: actio show apophis\n\nA key of a scene is named with its section, as run.every; "
-                  "a statement as thm_3_2_1, \"(3.10)\" or \"Theorem 3.2.1\".",
+                  "Example: actio show apophis\n\n"
+                  "A key of a scene is named with its section, as run.every; a statement as thm_3_2_1, "
+                  "\"(3.10)\" or \"Theorem 3.2.1\".",
                   action, [&asked] { return app::show(asked.name); });
   part->add_option("NAME", asked.name,
                    "a system, group, method, quantity, body, material, key of a scene, scene or statement")
@@ -160,7 +161,8 @@ void add_questions(CLI::App& command, Questions& asked, Action& action) {
       ->check(CLI::Validator(not_empty, ""));
   part = add_part(
       command, "check", "run the theorem checks",
-      "Example: actio check thm_3_2_1\n\nExit status: 0 all pass, 1 one fails, 2 an id is unknown or has no "
+      "Example: actio check thm_3_2_1\n\n"
+      "Exit status: 0 all pass, 1 one fails, 2 an id is unknown or has no "
       "check, 4 the checks are not built.",
       action, [&asked] { return asked.list_statements ? app::list_statements() : app::check(asked.ids); });
   part->add_option(
@@ -182,11 +184,12 @@ int main(int argc, char** argv) {
   command.formatter(std::make_shared<app::Help>());
   command.set_help_flag("-h,--help", "this text");
   command.set_version_flag("--version", "actio " ACTIO_VERSION, "which version this is");
-  command.footer(
-      std::string("actio COMMAND --help tells more of each.\n\nExample: actio run apophis            a scene "
-                  "that comes with actio (actio list scenes)\n         actio new rigid_body --out mine.toml  "
-                  "          a scene of your own, to edit and run\n\n") +
-      exit_statuses);
+  command.footer(std::string("actio COMMAND --help tells more of each.\n\n"
+                             "Example: actio run apophis            a scene that comes "
+                             "with actio (actio list scenes)\n"
+                             "         actio new rigid_body --out mine.toml            a scene "
+                             "of your own, to edit and run\n\n") +
+                 exit_statuses);
 
   Action action;
   app::RunArguments run;

@@ -34,8 +34,8 @@ int after_the_end(Scene const& scene, std::string const& folder, bool quiet) {
   for (auto const& name : files_of_table(scene))
     if (!std::filesystem::exists(folder + "/" + name))
       throw FileError(folder + "/" + name +
-                      ": is not there any more, and the run is finished; a run of its "
-                      "scene.toml into another folder writes it again");
+                      ": is not there any more, and the run is finished; a run of its scene.toml into "
+                      "another folder writes it again");
   bool const missing = scene.plots && !drawn(folder);
   if (missing) draw(scene, folder, quiet);
   if (!quiet)

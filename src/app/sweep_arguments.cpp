@@ -37,14 +37,14 @@ void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
       ->required()
       ->check(CLI::Validator(
           [](std::string& text) {
-    return text.empty() ? std::string("a name is expected, found ''") : std::string();
+            return text.empty() ? std::string("a name is expected, found ''") : std::string();
           },
           ""));
   command
       .add_option("--over", arguments.over,
                   "a key and its values: a,b,c, or START:STOP:STEP, linspace(A, B, N), geomspace(A, B, N), "
-                  "or @FILE with one a line; KEY[0] is one item of a list; several --over: all combinations, "
-                  "the last the fastest")
+                  "or @FILE with one a line; KEY[0] is one item of a list; several --over: all "
+                  "combinations, the last the fastest")
       ->type_name("KEY=VALUES")
       ->required()
       ->allow_extra_args(false);

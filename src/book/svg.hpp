@@ -58,8 +58,8 @@ inline std::string escape(std::string_view text) {
 inline std::string picture(double width, double height, std::string const& elements) {
   static constexpr char const* light[] = {"#1c5d99", "#c2571a", "#2c7a4b", "#8a3d86", "#9a7b00", "#5c6670"};
   static constexpr char const* dark[] = {"#7fb4e6", "#f0a06a", "#7fd0a0", "#d79ad3", "#e2c65a", "#98a1aa"};
-  auto const colours =
-      [](auto const& list, std::string const& axis, std::string const& grid, std::string const& text) {
+  auto const colours = [](auto const& list, std::string const& axis, std::string const& grid,
+                          std::string const& text) {
     std::string out = ".plot{";
     for (int i = 0; i < 6; ++i)
       out += "--c" + std::to_string(i + 1) + ":var(--plot-" + std::to_string(i + 1) + "," + list[i] + ");";

@@ -63,11 +63,10 @@ void check_that_it_fits(double rows, std::size_t columns) {
   if (bytes <= available) return;
   std::array<char, 32> count;
   std::snprintf(count.data(), count.size(), "%.0f", rows);
-  throw Error(
-      std::string(count.data()) + " rows of " + std::to_string(columns) +
-      " columns at 8 bytes a number take " + in_words(bytes) + ", and " + in_words(available) +
-      " of memory are available; fewer rows or quantities would do, or the command `actio run`, which "
-      "writes as it goes");
+  throw Error(std::string(count.data()) + " rows of " + std::to_string(columns) +
+              " columns at 8 bytes a number take " + in_words(bytes) + ", and " + in_words(available) +
+              " of memory are available; fewer rows or quantities would do, or the command "
+              "`actio run`, which writes as it goes");
 }
 
 }  // namespace actio::python

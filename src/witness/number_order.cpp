@@ -17,8 +17,8 @@ float degree_seen = 0;
 
 [[noreturn]] void no_order() {
   throw NoOrder(
-      "numbers modulo a prime have no order: a claim that compares belongs to rational numbers, digits or "
-      "balls");
+      "numbers modulo a prime have no order: a claim that compares belongs to "
+      "rational numbers, digits or balls");
 }
 bool compared(Number const& x, Number const& y, bool or_equal) {
   switch (arithmetic_in_force.kind()) {

@@ -87,9 +87,7 @@ struct Saved {
   bool reading = false;
 
   template <class... All>
-  void operator()(All&... all) {
-    (each(all), ...);
-  }
+  void operator()(All&... all) { (each(all), ...); }
 
  private:
   template <class T>

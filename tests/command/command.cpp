@@ -85,29 +85,10 @@ Table read_csv(std::string const& path) {
 std::string apophis(std::map<std::string, std::string> const& changes) {
   std::string out;
   std::istringstream lines(
-      "[scene]\n"
-      "title = \"Apophis\"\n"
-      "\n"
-      "[system]\n"
-      "kind = \"rigid_body\"\n"
-      "body = \"apophis\"\n"
-      "\n"
-      "[initial]\n"
-      "attitude = [1, 0, 0, 0]\n"
-      "angular_velocity = [0.0649, 0.001, 0.22321]\n"
-      "\n"
-      "[method]\n"
-      "name = \"moser_veselov\"\n"
-      "order = \"exact\"\n"
-      "step = 0.25\n"
-      "\n"
-      "[run]\n"
-      "until = 25.0\n"
-      "every = 0.25\n"
-      "\n"
-      "[output]\n"
-      "quantities = [\"body_momentum\", \"energy\"]\n"
-      "formats = [\"csv\"]\n");
+      "[scene]\ntitle = \"Apophis\"\n\n[system]\nkind = \"rigid_body\"\nbody = \"apophis\"\n\n[initial]\n"
+      "attitude = [1, 0, 0, 0]\nangular_velocity = [0.0649, 0.001, 0.22321]\n\n[method]\n"
+      "name = \"moser_veselov\"\norder = \"exact\"\nstep = 0.25\n\n[run]\nuntil = 25.0\nevery = 0.25\n\n"
+      "[output]\nquantities = [\"body_momentum\", \"energy\"]\nformats = [\"csv\"]\n");
   for (std::string line; std::getline(lines, line);) {
     auto const change = changes.find(line.substr(0, line.find(' ')));
     if (change == changes.end())

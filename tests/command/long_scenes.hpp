@@ -33,68 +33,68 @@ inline std::vector<Long> const& long_scenes() {
                                                         {"every", "2.5"},
                                                         {"quantities", "[\"attitude\", \"energy\"]"}})},
       {"rigid_body_n",
-       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4, 5.5]\n[initial]\nangular_velocity = [0.1, "
-       "0.2, 0.3, 0.4, 0.5, -0.1, 0.2, 0.7, -0.3, 0.1]\n"
-       "[method]\norder = 4\nstep = 0.1\n[run]\nuntil = 8000\nevery = 0.8\n[output]\nquantities = "
-       "[\"attitude\", \"momentum\", \"casimir\"]\n"},
+       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4, 5.5]\n[initial]\n"
+       "angular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, -0.1, 0.2, 0.7, -0.3, 0.1]\n[method]\norder = 4\n"
+       "step = 0.1\n[run]\nuntil = 8000\nevery = 0.8\n[output]\n"
+       "quantities = [\"attitude\", \"momentum\", \"casimir\"]\n"},
       {"heavy_top",
-       "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0.1, 0, "
-       "0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
-       "[method]\norder = 4\nstep = 0.001\n[run]\nuntil = 1000\nevery = 0.05\n[output]\nquantities = "
-       "[\"attitude\", \"body_momentum\", \"energy\"]\n"},
+       "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0.1, 0, 0.5]\n"
+       "gravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n[method]\norder = 4\n"
+       "step = 0.001\n[run]\nuntil = 1000\nevery = 0.05\n[output]\n"
+       "quantities = [\"attitude\", \"body_momentum\", \"energy\"]\n"},
       {"rigid_body in a potential that depends on time",
-       "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1]\n[system.torque]\npotential = "
-       "\"-r33*(1 + 0.5*cos(3*t)) + 0.2*r12^2\"\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
-       "[method]\norder = 4\nstep = 0.01\n[run]\nuntil = 2000\nevery = 0.5\n[output]\nquantities = "
-       "[\"attitude\", \"body_momentum\", \"energy\"]\n"},
+       "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1]\n[system.torque]\n"
+       "potential = \"-r33*(1 + 0.5*cos(3*t)) + 0.2*r12^2\"\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
+       "[method]\norder = 4\nstep = 0.01\n[run]\nuntil = 2000\nevery = 0.5\n[output]\n"
+       "quantities = [\"attitude\", \"body_momentum\", \"energy\"]\n"},
       {"euler_poincare, with a carried vector and a tangent map",
-       "[system]\nkind = \"euler_poincare\"\ngroup = \"SO(3)\"\nlagrangian = \"(w1^2 + 2*w2^2 + 3*w3^2)/2 - "
-       "gravity3 - 0.1*gravity1^2\"\nadvected = { gravity = [0, 0, -1] }\n[initial]\nvelocity = [0.7, 1, "
-       "0.2]\n"
-       "[method]\norder = 2\nstep = 0.01\n[run]\nuntil = 250\nevery = 0.5\n[output]\nquantities = "
-       "[\"velocity\", \"energy\", \"configuration\", \"gravity\", \"tangent_map\"]\n"},
+       "[system]\nkind = \"euler_poincare\"\ngroup = \"SO(3)\"\n"
+       "lagrangian = \"(w1^2 + 2*w2^2 + 3*w3^2)/2 - gravity3 - 0.1*gravity1^2\"\n"
+       "advected = { gravity = [0, 0, -1] }\n[initial]\nvelocity = [0.7, 1, 0.2]\n[method]\norder = 2\n"
+       "step = 0.01\n[run]\nuntil = 250\nevery = 0.5\n[output]\n"
+       "quantities = [\"velocity\", \"energy\", \"configuration\", \"gravity\", \"tangent_map\"]\n"},
       {"euler_poincare, Galerkin",
-       "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + 6*v2^2)/2 + "
-       "0.1*w^4\"\n[initial]\nvelocity = [0.7, 1, 0.2]\n[method]\nname = \"galerkin\"\norder = 4\nstep = "
-       "0.1\n"
-       "[run]\nuntil = 600\nevery = 1\n[output]\nquantities = [\"velocity\", \"energy\", "
-       "\"spatial_momentum\"]\n"},
+       "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\n"
+       "lagrangian = \"(w^2 + v1^2 + 6*v2^2)/2 + 0.1*w^4\"\n[initial]\nvelocity = [0.7, 1, 0.2]\n[method]\n"
+       "name = \"galerkin\"\norder = 4\nstep = 0.1\n[run]\nuntil = 600\nevery = 1\n[output]\n"
+       "quantities = [\"velocity\", \"energy\", \"spatial_momentum\"]\n"},
       {"vorticity_sphere",
-       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\n[initial]\nharmonics = [[2, 1, 0.9, "
-       "-0.3], [3, 0, "
-       "-0.5, 0], [4, 3, 0.4, 0.6], [1, 1, 0.2, 0.1]]\n[method]\nstep = 0.05\n[run]\nuntil = 250\nevery = "
-       "0.5\n[output]\nquantities = [\"energy\", \"angular_momentum\", \"casimirs\", \"spectrum\"]\n"},
+       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\n[initial]\n"
+       "harmonics = [[2, 1, 0.9, -0.3], [3, 0, -0.5, 0], [4, 3, 0.4, 0.6], [1, 1, 0.2, 0.1]]\n[method]\n"
+       "step = 0.05\n[run]\nuntil = 250\nevery = 0.5\n[output]\n"
+       "quantities = [\"energy\", \"angular_momentum\", \"casimirs\", \"spectrum\"]\n"},
       {"vorticity_sphere, Lie-Poisson of order 4",
-       "[system]\nkind = \"vorticity_sphere\"\nN = 12\n[initial]\nstate = \"random\"\n[method]\nname = "
-       "\"lie_poisson\"\norder = 4\nstep = 0.05\n[run]\nuntil = 50\nevery = 0.5\n[output]\nquantities = "
-       "[\"energy\", "
-       "\"extrema\"]\n"},
+       "[system]\nkind = \"vorticity_sphere\"\nN = 12\n[initial]\nstate = \"random\"\n[method]\n"
+       "name = \"lie_poisson\"\norder = 4\nstep = 0.05\n[run]\nuntil = 50\nevery = 0.5\n[output]\n"
+       "quantities = [\"energy\", \"extrema\"]\n"},
       {"vorticity_sphere, a layer",
-       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\ndeformation = 0.4\n[initial]\nstate = "
-       "\"random\"\n[method]\nname = \"energy_casimir\"\nstep = 0.05\n[run]\nuntil = 250\nevery = "
-       "0.5\n[output]\nquantities = [\"energy\", \"histogram\", \"splitting\"]\n"},
+       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\ndeformation = 0.4\n[initial]\n"
+       "state = \"random\"\n[method]\nname = \"energy_casimir\"\nstep = 0.05\n[run]\nuntil = 250\n"
+       "every = 0.5\n[output]\nquantities = [\"energy\", \"histogram\", \"splitting\"]\n"},
       {"barotropic_fluid, a periodic box by fused steps",
-       "[system]\nkind = \"barotropic_fluid\"\nmesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], "
-       "cells = [19, 18], periodic = [true, true] }\nmaterial = { name = \"polytropic_gas\", K = 1, gamma = "
-       "1.4 }\n[initial]\nplacement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]\n[method]\nstep = "
-       "0.01\n[run]\nuntil = 500\nevery = 1\n[output]\nquantities = [\"energy\", \"momentum\", "
-       "\"min_jacobian\"]\n"},
+       "[system]\nkind = \"barotropic_fluid\"\n"
+       "mesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [19, "
+       "18], periodic = [true, true] }\nmaterial = { name = \"polytropic_gas\", K = 1, gamma = 1.4 }\n"
+       "[initial]\nplacement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]\n[method]\nstep = 0.01\n[run]\n"
+       "until = 500\nevery = 1\n[output]\nquantities = [\"energy\", \"momentum\", \"min_jacobian\"]\n"},
       {"elastic_body, a box in space by fused steps",
-       "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1], "
-       "cells = [9, 8, 7], periodic = [true, false, false] }\nmaterial = { name = \"neo_hookean\", mu = 1, "
-       "kappa = 2 }\n[initial]\nvelocity = [\"0.3*sin(2*pi*X)\", \"0.2*Z\", \"-0.2*Y\"]\n[method]\nstep = "
-       "0.02\n[run]\nuntil = 40\nevery = 0.4\n[output]\nquantities = [\"energy\", \"momentum\"]\n"},
+       "[system]\nkind = \"elastic_body\"\n"
+       "mesh = { shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1], cells = [9, 8, 7], "
+       "periodic = [true, false, false] }\nmaterial = { name = \"neo_hookean\", mu = 1, kappa = 2 }\n"
+       "[initial]\nvelocity = [\"0.3*sin(2*pi*X)\", \"0.2*Z\", \"-0.2*Y\"]\n[method]\nstep = 0.02\n[run]\n"
+       "until = 40\nevery = 0.4\n[output]\nquantities = [\"energy\", \"momentum\"]\n"},
       {"barotropic_fluid with viscosity",
-       "[system]\nkind = \"barotropic_fluid\"\nmesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], "
-       "cells = [9, 8], periodic = [true, true] }\nmaterial = { name = \"polytropic_gas\", K = 1, gamma = "
-       "1.4 }\n[initial]\nvelocity = [\"0.3*sin(2*pi*X)\", \"0\"]\n[method]\nstep = 0.01\nviscosity = { "
-       "linear = 0.5, quadratic = 2 }\n[run]\nuntil = 50\nevery = 0.5\n[output]\nquantities = "
-       "[\"energy\", \"dissipated\"]\n"},
+       "[system]\nkind = \"barotropic_fluid\"\n"
+       "mesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [9, "
+       "8], periodic = [true, true] }\nmaterial = { name = \"polytropic_gas\", K = 1, gamma = 1.4 }\n"
+       "[initial]\nvelocity = [\"0.3*sin(2*pi*X)\", \"0\"]\n[method]\nstep = 0.01\n"
+       "viscosity = { linear = 0.5, quadratic = 2 }\n[run]\nuntil = 50\nevery = 0.5\n[output]\n"
+       "quantities = [\"energy\", \"dissipated\"]\n"},
       {"elastic_body on a disc that falls, order 4",
-       "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"disc\", radius = 1, cells = [2, 4] "
-       "}\nmaterial = { name = \"neo_hookean\", mu = 1, kappa = 2 }\nload = { gravity = \"0.1*y\" "
-       "}\n[initial]\nplacement = [\"1.1*X\", \"Y\"]\n[method]\norder = 4\nstep = 0.02\n[run]\nuntil = "
-       "60\nevery = 0.2\n[output]\nquantities = [\"energy\", \"angular_momentum\"]\n"},
+       "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"disc\", radius = 1, cells = [2, 4] }\n"
+       "material = { name = \"neo_hookean\", mu = 1, kappa = 2 }\nload = { gravity = \"0.1*y\" }\n"
+       "[initial]\nplacement = [\"1.1*X\", \"Y\"]\n[method]\norder = 4\nstep = 0.02\n[run]\nuntil = 60\n"
+       "every = 0.2\n[output]\nquantities = [\"energy\", \"angular_momentum\"]\n"},
   };
   return scenes;
 }

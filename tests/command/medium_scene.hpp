@@ -13,8 +13,8 @@ namespace command {
 struct Medium {
   std::string kind = "barotropic_fluid",
               mesh =
-                  "shape = \"box\", lower = [0, 0], upper = [1, 0.25], cells = [32, 8], periodic = [true, "
-                  "true]",
+                  "shape = \"box\", lower = [0, 0], upper = [1, 0.25], cells = "
+                  "[32, 8], periodic = [true, true]",
               material = "name = \"polytropic_gas\", K = 1, gamma = 3", system = "", initial = "",
               method = "", until = "0.2", every = "0.1", quantities = "\"energy\"", output = "";
   std::string text() const {

@@ -24,15 +24,15 @@ std::string in_toml(double x) {
 std::string body(std::string const& attitude, std::string const& velocity = "[0.3, 0.2, 1.1]") {
   return "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\n[initial]\nattitude = " + attitude +
          "\nangular_velocity = " + velocity +
-         "\n[run]\nuntil = 3\nevery = 0.5\n[output]\nquantities = [\"attitude\", \"body_momentum\", "
-         "\"spatial_momentum\"]\n";
+         "\n[run]\nuntil = 3\nevery = 0.5\n[output]\n"
+         "quantities = [\"attitude\", \"body_momentum\", \"spatial_momentum\"]\n";
 }
 std::string top(std::string const& attitude, std::string const& velocity = "[0.3, 0.2, 11]") {
   return "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, "
          "1]\ngravity = [0, 0, -9.81]\n[initial]\nattitude = " +
          attitude + "\nangular_velocity = " + velocity +
-         "\n[run]\nuntil = 0.2\nevery = 0.1\n[output]\nquantities = [\"attitude\", \"body_momentum\", "
-         "\"energy\"]\n";
+         "\n[run]\nuntil = 0.2\nevery = 0.1\n[output]\n"
+         "quantities = [\"attitude\", \"body_momentum\", \"energy\"]\n";
 }
 
 /// The table that a scene leaves; and that its copy leaves the same is required.
@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(angular_velocities_in_degrees_are_those_in_radians_to_the_l
   BOOST_TEST((series(body("[1, 0, 0, 0]", degrees)) == series(body("[1, 0, 0, 0]", list))));
   BOOST_TEST((series(top("[1, 0, 0, 0]", degrees)) == series(top("[1, 0, 0, 0]", list))));
   std::string const plane =
-      "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2]\n[run]\nuntil = 1\n[output]\nquantities = "
-      "[\"momentum\"]\n[initial]\nangular_velocity = ";
+      "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2]\n[run]\nuntil = 1\n[output]\n"
+      "quantities = [\"momentum\"]\n[initial]\nangular_velocity = ";
   BOOST_TEST((series(plane + "{ degrees = [90] }\n") == series(plane + "[" + radians(90) + "]\n")));
 }
 

@@ -30,13 +30,10 @@ class Beside {
   void program(std::string const& name, std::vector<std::string> const& ids,
                std::vector<std::string> const& failing = {}) const {
     std::ostringstream script;
-    script << "#!/bin/sh\n"
-              "if [ \"$1\" = --list ]; then\n";
+    script << "#!/bin/sh\nif [ \"$1\" = --list ]; then\n";
     for (auto const& id : ids) script << "  echo '{\"id\":\"" << id << "\"},'\n";
-    script << "  exit 0\nfi\n"
-              "echo \"$@\" >>\"$0.log\"\n"
-              "for last; do :; done\n"
-              "status=0 comma=\n{ printf '['\n";
+    script << "  exit 0\nfi\necho \"$@\" >>\"$0.log\"\nfor last; do :; done\nstatus=0 comma=\n"
+              "{ printf '['\n";
     for (auto const& id : ids) {
       bool const fails = std::count(failing.begin(), failing.end(), id) > 0;
       script << "case \" $* \" in *' " << id << " '*)\n  printf '%s{\"id\":\"" << id
@@ -91,8 +88,8 @@ BOOST_AUTO_TEST_CASE(what_was_corrected_is_told_where_the_statement_is_named) {
       "\"printed\":\"\\\\sum_{k=1}^N\",\"corrected\":\"\\\\sum_{k=0}^{N-1}\",\"note\":\"The first is left "
       "out.\"}]\nEND\n");
   BOOST_TEST(beside.check("eq_3_1").out ==
-             "eq_3_1  corrected   the sum\n  printed       sum_(k=1)^N\n  corrected     sum_(k=0)^(N-1)\n  "
-             "note          The first is left out.\n");
+             "eq_3_1  corrected   the sum\n  printed       sum_(k=1)^N\n  corrected     sum_(k=0)^(N-1)\n"
+             "  note          The first is left out.\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_check_that_fails_is_status_1_and_says_why) {
@@ -114,8 +111,8 @@ BOOST_AUTO_TEST_CASE(a_statement_named_twice_is_checked_once) {
 BOOST_AUTO_TEST_CASE(a_program_that_dies_is_a_failure) {
   Beside const beside;
   beside.write("checks_ch03",
-               "#!/bin/sh\n[ \"$1\" = --list ] && { echo '{\"id\":\"eq_3_1\"}'; exit 0; }\necho torn "
-               ">&2\nkill -SEGV $$\n");
+               "#!/bin/sh\n[ \"$1\" = --list ] && { echo '{\"id\":\"eq_3_1\"}'; exit 0; }\necho torn >&2\n"
+               "kill -SEGV $$\n");
   auto const outcome = beside.check("eq_3_1");
   BOOST_TEST(outcome.status == 1);
   BOOST_TEST(has(outcome.out, "eq_3_1  FAILED"));

@@ -24,8 +24,8 @@ std::set<std::string> offered(std::vector<std::string> const& words, std::string
       "cd '" + folder + "'; bash -c 'source \"" + script + "\"; COMP_WORDS=(\"" + ACTIO_COMMAND + "\"";
   for (auto const& word : words) line += " \"" + word + "\"";
   line +=
-      "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _actio; for reply in \"${COMPREPLY[@]}\"; do echo "
-      "\"$reply\"; done'";
+      "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _actio; for reply in "
+      "\"${COMPREPLY[@]}\"; do echo \"$reply\"; done'";
   auto const outcome = command::shell(line);
   BOOST_TEST(outcome.err == "");
   return lines_of(outcome.out);

@@ -41,8 +41,8 @@ std::string complaint(std::string const& text, int status = 2) {
 bool bitwise_equal(Table const& a, Table const& b) { return a.columns == b.columns && a.rows == b.rows; }
 
 std::string const minimal =
-    "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.5, 1, "
-    "-0.25]\n[run]\nuntil = 2\n[output]\nquantities = [\"body_momentum\", \"attitude\"]\n";
+    "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.5, 1, -0.25]\n"
+    "[run]\nuntil = 2\n[output]\nquantities = [\"body_momentum\", \"attitude\"]\n";
 std::string with(std::string text, std::string const& part, std::string const& other) {
   return text.replace(text.find(part), part.size(), other);
 }

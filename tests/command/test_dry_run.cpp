@@ -53,8 +53,9 @@ BOOST_AUTO_TEST_CASE(the_plan_says_what_is_computed_what_is_needed_for_it_and_wh
 
 BOOST_AUTO_TEST_CASE(where_everything_is_asked_for_nothing_is_skipped) {
   BOOST_TEST(told(plan_of({{"quantities",
-                            "[\"attitude\", \"angular_velocity\", \"body_momentum\", \"spatial_momentum\", "
-                            "\"energy\", \"casimir\", \"axial_momentum\", \"jacobi_integral\"]"}}),
+                            "[\"attitude\", \"angular_velocity\", \"body_momentum\", "
+                            "\"spatial_momentum\", \"energy\", \"casimir\", "
+                            "\"axial_momentum\", \"jacobi_integral\"]"}}),
                   "skipped") == "nothing");
 }
 

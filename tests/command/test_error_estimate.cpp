@@ -112,19 +112,19 @@ BodyScene top(std::mt19937& random, std::string const& method) {
 /// Hung up by a point, axle level: what is conserved beside the energy is zero.
 BodyScene wheel() {
   return {
-      "kind = 'heavy_top'\nmass = 2\ninertia = [0.04, 0.04, 0.08]\ncentre_of_mass = [0, 0, 0.2]\ngravity = "
-      "[0, 0, -9.81]",
+      "kind = 'heavy_top'\nmass = 2\ninertia = [0.04, 0.04, 0.08]\ncentre_of_mass = [0, 0, 0.2]\n"
+      "gravity = [0, 0, -9.81]",
       "attitude = [0.7071067811865476, 0.7071067811865476, 0, 0]\nangular_velocity = [0, 0, 40]", "",
       "until = 10\nevery = 0.02", "'energy', 'vertical_momentum', 'casimir', 'attitude'"};
 }
 /// Let go from the level: its energy is zero.
 BodyScene pendulum() {
   return {
-      "kind = 'heavy_top'\nmass = 1\ninertia = [0.1, 0.1, 0.1]\ncentre_of_mass = [1, 0, 0]\ngravity = [0, 0, "
-      "-9.81]",
+      "kind = 'heavy_top'\nmass = 1\ninertia = [0.1, 0.1, 0.1]\ncentre_of_mass = [1, 0, 0]\n"
+      "gravity = [0, 0, -9.81]",
       "angular_velocity = [0, 0, 0]", "", "until = 10\nevery = 0.02",
-      "'energy', 'vertical_momentum', 'casimir', 'body_momentum', 'angular_velocity', "
-      "'direction_of_gravity'"};
+      "'energy', 'vertical_momentum', 'casimir', 'body_momentum', "
+      "'angular_velocity', 'direction_of_gravity'"};
 }
 
 }  // namespace
@@ -280,8 +280,8 @@ BOOST_AUTO_TEST_CASE(
 BOOST_AUTO_TEST_CASE(a_configuration_that_is_asked_for_has_an_error_of_its_own) {
   auto const steady = [](std::string const& method, std::string const& until) {
     return left_by(
-        "[system]\nkind = 'euler_poincare'\ngroup = 'SO(3)'\nlagrangian = '(w1^2 + 2*w2^2 + "
-        "3*w3^2)/2'\n[initial]\nvelocity = [0, 0, 2]\n[method]\n" +
+        "[system]\nkind = 'euler_poincare'\ngroup = 'SO(3)'\nlagrangian = '(w1^2 + 2*w2^2 + 3*w3^2)/2'\n"
+        "[initial]\nvelocity = [0, 0, 2]\n[method]\n" +
         method + "\n[run]\nuntil = " + until + "\nevery = 0.8\n[output]\nquantities = " +
         "['configuration', 'velocity', 'body_momentum', 'energy']\n");
   };
@@ -303,8 +303,8 @@ BOOST_AUTO_TEST_CASE(a_short_torque_is_not_stepped_over) {
   // It lasts a tenth, in two thousand; and all of it comes at one attitude, nearly.
   auto const scene = [](std::string const& step) {
     return BodyScene{
-        "kind = 'rigid_body'\ninertia = [0.64, 0.97, 1.0]\n[system.torque]\npotential = 'k = 0.8*exp(-((t - "
-        "1013.7)/0.1)^2); k*(0.64*r11^2 + 0.97*r12^2 + 1.0*r13^2)'",
+        "kind = 'rigid_body'\ninertia = [0.64, 0.97, 1.0]\n[system.torque]\n"
+        "potential = 'k = 0.8*exp(-((t - 1013.7)/0.1)^2); k*(0.64*r11^2 + 0.97*r12^2 + 1.0*r13^2)'",
         "angular_velocity = [0.0002, 0.0004, 0.001]\nattitude = { axis = [0, 0, 1], degrees = 40 }", step,
         "until = 2000\nevery = 500", "'attitude', 'body_momentum'"};
   };

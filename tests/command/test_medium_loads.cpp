@@ -34,8 +34,8 @@ BOOST_AUTO_TEST_SUITE(loads_of_media)
 BOOST_AUTO_TEST_CASE(a_scene_with_every_load_runs) {
   Medium all = block();
   all.system =
-      "[system.load]\ngravity = \"-9.81*y\"\npressure = 0.1\ntraction.right = [0, 1]\nmotion.left = "
-      "[\"0.1*sin(t)\", \"Y\"]\n[system.obstacle]\npotential = \"exp(-(x - 3)^2 - y^2)\"\n";
+      "[system.load]\ngravity = \"-9.81*y\"\npressure = 0.1\ntraction.right = [0, 1]\n"
+      "motion.left = [\"0.1*sin(t)\", \"Y\"]\n[system.obstacle]\npotential = \"exp(-(x - 3)^2 - y^2)\"\n";
   all.until = "0.1", all.every = "0.05", all.quantities = "\"energy\", \"min_jacobian\"";
   all.output = "snapshots = []\n";
   Folder const folder;

@@ -58,10 +58,9 @@ BOOST_AUTO_TEST_CASE(what_should_be_a_table_is_refused_where_it_is_none) {
 
 BOOST_AUTO_TEST_CASE(solids_that_are_unstable_at_rest_are_refused) {
   // Lame's first modulus is greater than -2 mu/d.
-  check_ends(
-      solid("name = \"saint_venant_kirchhoff\", lambda = -3, mu = 1"), 2,
-      "lambda: Lame's first modulus at rest must be greater than -2 mu/2 = -1, or the solid is unstable; "
-      "found -3");
+  check_ends(solid("name = \"saint_venant_kirchhoff\", lambda = -3, mu = 1"), 2,
+             "lambda: Lame's first modulus at rest must be greater than -2 mu/2 = -1, or "
+             "the solid is unstable; found -3");
   plan_of(solid("name = \"saint_venant_kirchhoff\", lambda = -0.9, mu = 1"));
   check_ends(solid("name = \"saint_venant_kirchhoff\", lambda = -0.9, mu = 1", 3), 2, "-2 mu/3 = -0.6");
   plan_of(solid("name = \"neo_hookean\", mu = 1, kappa = -0.9"));
@@ -69,10 +68,9 @@ BOOST_AUTO_TEST_CASE(solids_that_are_unstable_at_rest_are_refused) {
   // In space 2 (c1 + c2) and lambda + 4 c2.
   check_ends(solid("name = \"mooney_rivlin\", c1 = 1, c2 = -1.5, lambda = 9", 3), 2,
              "c2: the shear modulus at rest, 2 (c1 + c2), must be positive, and it is -1");
-  check_ends(
-      solid("name = \"mooney_rivlin\", c1 = 1, c2 = -1, lambda = 1"), 2,
-      "at rest lambda + 4 c2 = -3 must be greater than -2 mu/2 = -2, or the solid is unstable; found 1, "
-      "greater than 2 would do");
+  check_ends(solid("name = \"mooney_rivlin\", c1 = 1, c2 = -1, lambda = 1"), 2,
+             "at rest lambda + 4 c2 = -3 must be greater than -2 mu/2 = -2, or the solid is unstable; "
+             "found 1, greater than 2 would do");
 }
 
 // The power of the volume of a cell would be out of the range of a double: at rest the energy is
@@ -116,8 +114,8 @@ BOOST_AUTO_TEST_CASE(potentials_close_across_seams_and_are_finite_where_the_body
   for (char const* const load : {"load = { gravity = \"x^2\" }", "obstacle = { potential = \"x^2\" }"})
     check_ends(
         with_system(seam, load), 2,
-        "in a box that is periodic along X, the potential is periodic along it but for a constant; here its "
-        "gradient is (0, 0) at x = (0, 0) and (2, 0) a period further");
+        "in a box that is periodic along X, the potential is periodic along it but for a constant; here "
+        "its gradient is (0, 0) at x = (0, 0) and (2, 0) a period further");
   plan_of(with_system(seam, "load = { gravity = \"x\" }"));
   check_ends(
       with_system(gas(), "load = { gravity = \"log(x)\" }"), 2,
@@ -166,8 +164,7 @@ BOOST_AUTO_TEST_CASE(densities_and_sizes_that_are_none_are_told_at_their_keys) {
 
 // Where a start is looked at between its nodes it may be what no cell shows.
 BOOST_AUTO_TEST_CASE(a_placement_that_folds_between_the_nodes_is_what_its_nodes_make_of_it) {
-  Medium const folded =
-      with_mesh(gas(), "shape = \"box\", lower = [0, 0], upper = [5, 1], cells = [8, 8]");
+  Medium const folded = with_mesh(gas(), "shape = \"box\", lower = [0, 0], upper = [5, 1], cells = [8, 8]");
   BOOST_TEST(!plan_of(with_start(folded, "placement = [\"X + 0.02*sin(pi*X/0.005)\", \"Y\"]")).empty());
 }
 

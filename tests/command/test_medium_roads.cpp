@@ -28,14 +28,14 @@ std::vector<Sample> const samples{
 Medium moving(Sample const& sample, bool in_space) {
   Medium out;
   out.kind = sample.kind, out.material = sample.material;
-  out.mesh = in_space
-                 ? "shape = \"box\", lower = [-1, 0, 0], upper = [1, 1, 1], cells = [10, 5, 4], periodic "
-                   "= [false, true, false]"
-                 : "shape = \"box\", lower = [-1, 0], upper = [1, 1], cells = [20, 9], periodic = [false, "
-                   "true]";
+  out.mesh = in_space ? "shape = \"box\", lower = [-1, 0, 0], upper = [1, 1, 1], cells = [10, 5, 4], "
+                        "periodic = [false, true, false]"
+                      : "shape = \"box\", lower = [-1, 0], upper = [1, 1], cells = "
+                        "[20, 9], periodic = [false, true]";
   out.system = "density = \"1.3\"\nboundary = { left = \"fixed\"" +
                std::string(in_space ? ", front = \"sliding\"" : "") + " }\n";
-  out.initial = in_space ? "placement = [\"X + 0.02*sin(2*pi*Y)\", \"Y + 0.03*sin(2*pi*Y)*Z\", \"1.02*Z\"]\n"
+  out.initial = in_space ? "placement = [\"X + 0.02*sin(2*pi*Y)\", \"Y + "
+                           "0.03*sin(2*pi*Y)*Z\", \"1.02*Z\"]\n"
                            "velocity = [\"0\", \"0.1*sin(2*pi*Y)*(X + 1)\", \"0\"]"
                          : "placement = [\"X + 0.02*sin(2*pi*Y)\", \"Y + 0.03*sin(2*pi*Y)\"]\n"
                            "velocity = [\"0\", \"0.1*sin(2*pi*Y)*(X + 1)\"]";
@@ -159,9 +159,8 @@ BOOST_AUTO_TEST_CASE(circulation_is_that_of_the_loops_that_are_named) {
   gas.mesh = "shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [16, 16], periodic = [true, true]";
   gas.initial = "velocity = [\"0.3 + 0.2*cos(2*pi*Y)\", \"-0.1\"]";
   gas.system =
-      "[system.loops]\nacross = { along = \"X\", through = [0, 0.25] }\nup = { along = \"Y\", through = "
-      "[0.5, "
-      "0] }\nhalf = { lower = [0.25, 0], upper = [0.75, 0.5] }\n";
+      "[system.loops]\nacross = { along = \"X\", through = [0, 0.25] }\n"
+      "up = { along = \"Y\", through = [0.5, 0] }\nhalf = { lower = [0.25, 0], upper = [0.75, 0.5] }\n";
   gas.quantities = "\"circulation\"", gas.until = "0.05", gas.every = "0.05";
   Table const rows = run_in(folder, gas);
   BOOST_TEST(std::abs(rows["circulation_across"][0] - 0.3) <= 1e-15);
@@ -209,8 +208,8 @@ BOOST_AUTO_TEST_CASE(it_is_said_when_characteristics_cross) {
   }
   Medium wave;
   wave.initial =
-      "placement = [\"X + 0.1*sin(2*pi*X)/(2*pi)\", \"Y\"]\nvelocity = [\"sqrt(3)*(1/(1 + 0.1*cos(2*pi*X)) - "
-      "1)\", \"0\"]";
+      "placement = [\"X + 0.1*sin(2*pi*X)/(2*pi)\", \"Y\"]\n"
+      "velocity = [\"sqrt(3)*(1/(1 + 0.1*cos(2*pi*X)) - 1)\", \"0\"]";
   wave.until = "0.5";
   double const cross = number_after(plan_of(wave), "characteristics cross at t = ");
   BOOST_TEST(std::abs(cross * steepest - 1) <= 1e-4);

@@ -30,8 +30,8 @@ double error_of_simple_wave(int cells, std::string const& material, std::string 
               ", " + std::to_string(cells / 8) + "], periodic = [true, true]";
   wave.material = material, wave.method = method;
   wave.initial =
-      "placement = [\"X + 0.1*sin(2*pi*X)/(2*pi)\", \"Y\"]\nvelocity = [\"sqrt(3)*(1/(1 + 0.1*cos(2*pi*X)) - "
-      "1)\", \"0\"]";
+      "placement = [\"X + 0.1*sin(2*pi*X)/(2*pi)\", \"Y\"]\n"
+      "velocity = [\"sqrt(3)*(1/(1 + 0.1*cos(2*pi*X)) - 1)\", \"0\"]";
   wave.output = "snapshots = []\n";
   run_in(folder, wave);
   Table const nodes = read_csv(folder / "out/snapshots/000001.csv");
@@ -201,8 +201,7 @@ BOOST_AUTO_TEST_CASE(bad_input_has_its_own_message) {
   check_ends(initial("placement = [\"X + sqrt(X - 0.5)\", \"Y\"]"), 2, "a finite value is expected, found");
   check_ends(initial("placement = [\"X + Q\", \"Y\"]"), 2, "unknown name 'Q'");
   check_ends(initial("placement = [\"2*X\", \"Y\"]"), 2,
-             "placement minus the identity is periodic along it; "
-             "here it jumps by 1 ");
+             "placement minus the identity is periodic along it; here it jumps by 1 ");
   check_ends(initial("velocity = [\"X\", \"0\"]"), 2, "the velocity is periodic along it");
   check_ends(initial("velocity = [\"X\"]"), 2,
              "velocity: 2 formulas in X, Y are expected, one for each dimension");
@@ -225,8 +224,8 @@ BOOST_AUTO_TEST_CASE(bad_input_has_its_own_message) {
              "step: steps of length 0.1 are not stable; a step of 0.0");
   check_ends(changed([](Medium& m) {
                m.quantities = "\"circulation\"", m.mesh =
-                                                     "shape = \"box\", lower = [0, 0, "
-                                                     "0], upper = [1, 1, 1], cells = [2, 2, 2]";
+                                                     "shape = \"box\", lower = [0, 0, 0], upper "
+                                                     "= [1, 1, 1], cells = [2, 2, 2]";
              }),
              2, "quantities: circulation is that of bodies in the plane");
 }

@@ -76,8 +76,8 @@ Medium sheared() {
   out.mesh = "shape = \"box\", lower = [0, 0], upper = [1, 0.5], cells = [8, 4], periodic = [true, true]";
   out.initial = "placement = [\"X\", \"Y + 0.1*sin(2*pi*X)\"]\nvelocity = [\"1\", \"0\"]";
   out.output =
-      "formats = [\"csv\", \"vtu\"]\nsnapshots = [\"jacobian\", \"pressure\", \"stress\"]\nsnapshot_every = "
-      "0.1\n";
+      "formats = [\"csv\", \"vtu\"]\nsnapshots = [\"jacobian\", \"pressure\", \"stress\"]\n"
+      "snapshot_every = 0.1\n";
   return out;
 }
 
@@ -282,7 +282,8 @@ BOOST_AUTO_TEST_CASE(the_reader_of_vtk_opens_them) {
   std::string const script = folder.write(
       "read.py",
       "import sys, vtk\nreader = vtk.vtkXMLUnstructuredGridReader()\nreader.SetFileName(sys.argv[1])\n"
-      "reader.Update()\ngrid = reader.GetOutput()\nprint(grid.GetNumberOfPoints(), grid.GetNumberOfCells(), "
+      "reader.Update()\ngrid = reader.GetOutput()\n"
+      "print(grid.GetNumberOfPoints(), grid.GetNumberOfCells(), "
       "grid.GetCellData().GetArray('jacobian').GetRange()[0] > 0.99, "
       "grid.GetFieldData().GetArray('TimeValue').GetValue(0))\n");
   auto const told = shell("python3 " + script + " " + folder / "out/snapshots/000001.vtu");

@@ -20,9 +20,9 @@ Medium swinging_disc() {
 }
 /// A cube of six tetrahedra around a diagonal, in the format of Gmsh.
 char const* const cube_of_tetrahedra =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n5 0 0 1\n6 1 0 1\n"
-    "7 0 1 1\n8 1 1 1\n$EndNodes\n$Elements\n6\n1 4 2 0 1 1 2 4 8\n2 4 2 0 1 1 6 2 8\n3 4 2 0 1 1 4 3 8\n"
-    "4 4 2 0 1 1 3 7 8\n5 4 2 0 1 1 5 6 8\n6 4 2 0 1 1 7 5 8\n$EndElements\n";
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n5 0 0 1\n"
+    "6 1 0 1\n7 0 1 1\n8 1 1 1\n$EndNodes\n$Elements\n6\n1 4 2 0 1 1 2 4 8\n2 4 2 0 1 1 6 2 8\n"
+    "3 4 2 0 1 1 4 3 8\n4 4 2 0 1 1 3 7 8\n5 4 2 0 1 1 5 6 8\n6 4 2 0 1 1 7 5 8\n$EndElements\n";
 /// What its page has of it.
 std::string medium_in_page(Folder const& folder) {
   std::string const page = contents(folder / "out/plots/index.html");
@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(the_page_plays_bodies_of_each_dimension) {
          "PlaneMediumView", 45},
         {"shape = \"ball\", radius = 1, cells = [2, 3]", "placement = [\"1.1*X\", \"0.9*Y\", \"Z\"]",
          "SpaceMediumView", 54},
-        {"shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1], cells = [2, 3, 4], periodic = [true, true, "
-         "true]",
+        {"shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1], cells = [2, 3, "
+         "4], periodic = [true, true, true]",
          "velocity = [\"0.1\", \"0\", \"0\"]", "SpaceMediumView", 52},
         {"shape = \"file\", file = \"cube.msh\"", "velocity = [\"0.1*Y\", \"0\", \"0\"]", "SpaceMediumView",
          12}}) {

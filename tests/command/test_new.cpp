@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_there_is_not_replaced) {
 
 BOOST_AUTO_TEST_CASE(a_scene_that_is_not_known_is_refused_with_the_nearest) {
   BOOST_TEST(actio({"new", "rigid_boddy"}).err ==
-             "actio new: unknown name 'rigid_boddy'; did you mean 'rigid_body'? (actio list "
-             "systems|scenes|bodies)\n");
+             "actio new: unknown name 'rigid_boddy'; did you mean 'rigid_body'? "
+             "(actio list systems|scenes|bodies)\n");
   BOOST_TEST(has(actio({"new", "rigid_body", "--body", "apofis"}).err,
                  "unknown body 'apofis'; did you mean 'apophis'?"));
   BOOST_TEST(

@@ -28,13 +28,12 @@ Sphere flow(std::string const& until) {
 }
 /// A fluid with frames, tables and grids.
 std::string const fluid =
-    "[system]\nkind = \"barotropic_fluid\"\nmesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], cells "
-    "= "
-    "[9, 8], periodic = [true, true] }\nmaterial = { name = \"polytropic_gas\", K = 1, gamma = 1.4 "
-    "}\n[initial]\nplacement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]\n[method]\nstep = 0.01\n[run]\nuntil = "
-    "1e5\nevery = 0.1\n[output]\nquantities = [\"energy\"]\nformats = [\"csv\", \"hdf5\", "
-    "\"vtu\"]\nsnapshots "
-    "= [\"pressure\"]\nsnapshot_at = [0, 0.1, 0.2]\n";
+    "[system]\nkind = \"barotropic_fluid\"\n"
+    "mesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [9, 8], periodic = [true, true] }\n"
+    "material = { name = \"polytropic_gas\", K = 1, gamma = 1.4 }\n[initial]\n"
+    "placement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]\n[method]\nstep = 0.01\n[run]\nuntil = 1e5\n"
+    "every = 0.1\n[output]\nquantities = [\"energy\"]\nformats = [\"csv\", \"hdf5\", \"vtu\"]\n"
+    "snapshots = [\"pressure\"]\nsnapshot_at = [0, 0.1, 0.2]\n";
 
 /// Keeps a lock on every file of a folder, as readers of HDF5 do, and takes one of those that come, until it
 /// is gone.
@@ -91,10 +90,10 @@ std::string mesh(std::string const& corner) {
          " 0\n4 0 1 0\n$EndNodes\n$Elements\n2\n1 2 2 0 1 1 2 3\n2 2 2 0 1 1 3 4\n$EndElements\n";
 }
 std::string const on_mesh =
-    "[system]\nkind = \"elastic_body\"\nmesh = { file = \"m.msh\" }\nmaterial = { name = \"neo_hookean\", mu "
-    "= "
-    "1, kappa = 2 }\n[initial]\nvelocity = [\"0.1*X\", \"-0.1*Y\"]\n[method]\nstep = 0.05\n[run]\nuntil = "
-    "200000\nevery = 100\n[output]\nquantities = [\"energy\", \"momentum\"]\n";
+    "[system]\nkind = \"elastic_body\"\nmesh = { file = \"m.msh\" }\n"
+    "material = { name = \"neo_hookean\", mu = 1, kappa = 2 }\n[initial]\n"
+    "velocity = [\"0.1*X\", \"-0.1*Y\"]\n[method]\nstep = 0.05\n[run]\nuntil = 200000\nevery = 100\n"
+    "[output]\nquantities = [\"energy\", \"momentum\"]\n";
 
 }  // namespace
 

@@ -16,8 +16,9 @@ std::string const momenta = "\"body_momentum\", \"spatial_momentum\", ", frame =
                   turning = "group = \"SO(3)\"\nlagrangian = \"(w1^2 + 2*w2^2 + 3*w3^2)/2",
                   rigid = "group = \"SE(3)\"\nlagrangian = \"(w1^2 + 2*w2^2 + w3^2 + v1^2 + v2^2 + 3*v3^2)/2",
                   basis =
-                      "algebra = [[[0,-1,0],[1,0,0],[0,0,0]], [[0,0,1],[0,0,0],[0,0,0]], "
-                      "[[0,0,0],[0,0,1],[0,0,0]]]\nlagrangian = \"(x1^2 + x2^2 + 6*x3^2)/2\"";
+                      "algebra = [[[0,-1,0],[1,0,0],[0,0,0]], "
+                      "[[0,0,1],[0,0,0],[0,0,0]], [[0,0,0],[0,0,1],[0,0,0]]]\n"
+                      "lagrangian = \"(x1^2 + x2^2 + 6*x3^2)/2\"";
 
 std::vector<Played> const all{
     {"plane", plane, "0.7, 1, 0.2", momenta + frame, "FrameView, TrajectoryView in a box"},

@@ -66,8 +66,8 @@ BOOST_AUTO_TEST_CASE(what_no_body_has_is_refused_at_its_place) {
            {"[method]", "attitude = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, -1]]\n[method]",
             ":6:12: attitude: a rotation is expected, with determinant 1"},
            {"[method]", "attitude = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.00001]]\n[method]",
-            ":6:12: attitude: a rotation is expected; the largest entry of g^T g - 1 is 2e-05 where 1e-9 is "
-            "taken; normalised it is [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
+            ":6:12: attitude: a rotation is expected; the largest entry of g^T g - 1 is 2e-05 where 1e-9 "
+            "is taken; normalised it is [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
            {"[method]", "attitude = [[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]\n[method]",
             "the largest entry of g^T g - 1 is 1 where"},
            {"[method]", "attitude = [[1e300, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n[method]",

@@ -155,8 +155,8 @@ BOOST_AUTO_TEST_CASE(what_is_no_layer_is_refused) {
   with("hamiltonian = \"eulr\"\n", "unknown Hamiltonian 'eulr'; did you mean 'euler'?");
   for (std::string const radius : {"0", "-0.4", "1e-4", "1001", "1e300"})
     with("deformation = " + radius + "\n",
-         "sphere.toml:5:15: deformation: a radius from 0.001 to 1000, in radii of the sphere, is expected, "
-         "found ");
+         "sphere.toml:5:15: deformation: a radius from 0.001 to 1000, in radii of "
+         "the sphere, is expected, found ");
   with("deformation = inf\n", "deformation: a finite number is expected");
   with("deformation = \"0.4\"\n", "deformation: a number is expected");
   scene.step = "0.05\nprecision = \"mixed\"";

@@ -396,8 +396,8 @@ BOOST_AUTO_TEST_CASE(a_key_that_is_unset_makes_room_for_another) {
   command::Folder const folder;
   std::string const scene =
       folder.write("body.toml",
-                   "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1.0]\n[initial]\nangular_velocity "
-                   "= [1, 2, 3]\n[run]\nuntil = 1\n[output]\nquantities = [\"energy\"]\n");
+                   "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1.0]\n[initial]\n"
+                   "angular_velocity = [1, 2, 3]\n[run]\nuntil = 1\n[output]\nquantities = [\"energy\"]\n");
   BOOST_TEST(command::actio({"sweep", scene, "--over", "system.body=apophis,t_handle"}).status == 2);
   auto const outcome = command::actio(
       {"sweep", scene, "--over", "system.body=apophis,t_handle", "--unset", "system.inertia", "--quiet"});

@@ -13,8 +13,8 @@ constexpr double eps = 2.220446049250313e-16;
 BodyScene under(std::string const& torque) {
   return {"kind = 'rigid_body'\ninertia = [0.7, 1.1, 0.9]\n[system.torque]\n" + torque,
           "attitude = [0.5, 0.5, -0.5, 0.5]\nangular_velocity = [1.5, -1, 2]", "", "until = 2\nevery = 0.25",
-          "'angular_velocity', 'attitude', 'energy', 'jacobi_integral', 'axial_momentum', 'casimir', "
-          "'spatial_momentum'"};
+          "'angular_velocity', 'attitude', 'energy', 'jacobi_integral', "
+          "'axial_momentum', 'casimir', 'spatial_momentum'"};
 }
 std::string const
     still = "gravity_gradient = { strength = 0.6, direction = [1, 2, 0.5] }",
@@ -103,13 +103,13 @@ BOOST_AUTO_TEST_CASE(uniform_gravity_is_a_heavy_top_about_its_fixed_point) {
   auto body = under(weight), top = under(weight);
   // About the fixed point: I + m (|l|^2 - l l^T).
   body.system =
-      "kind = 'rigid_body'\ninertia = [[0.79375, 0.0225, -0.03], [0.0225, 1.175, 0.045], [-0.03, 0.045, "
-      "0.94875]]\n[system.torque]\n" +
+      "kind = 'rigid_body'\n"
+      "inertia = [[0.79375, 0.0225, -0.03], [0.0225, 1.175, 0.045], [-0.03, 0.045, 0.94875]]\n"
+      "[system.torque]\n" +
       weight;
   top.system =
-      "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.7, 1.1, 0.9]\ncentre_of_mass = [0.1, -0.15, "
-      "0.2]\ngravity "
-      "= [1, 2, -9]";
+      "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.7, 1.1, 0.9]\ncentre_of_mass = [0.1, -0.15, 0.2]\n"
+      "gravity = [1, 2, -9]";
   body.method = top.method = "step = 0.0125";
   body.quantities = "'angular_velocity', 'attitude', 'energy', 'axial_momentum'";
   top.quantities = "'angular_velocity', 'attitude', 'energy', 'vertical_momentum'";

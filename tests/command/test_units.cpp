@@ -13,8 +13,8 @@ bool has(std::string const& text, std::string const& part) { return text.find(pa
 
 std::string scene(std::string const& system, std::string const& head = "") {
   return head + "[system]\nkind = \"rigid_body\"\n" + system +
-         "\n[initial]\nangular_velocity = [1, 2, 3]\n[run]\nuntil = 1\nevery = 0.1\n[output]\nquantities = "
-         "[\"attitude\", \"angular_velocity\", \"body_momentum\", \"energy\", \"casimir\"]\n"
+         "\n[initial]\nangular_velocity = [1, 2, 3]\n[run]\nuntil = 1\nevery = 0.1\n[output]\n"
+         "quantities = [\"attitude\", \"angular_velocity\", \"body_momentum\", \"energy\", \"casimir\"]\n"
          "formats = [\"hdf5\"]\n";
 }
 

@@ -41,15 +41,15 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_wh
            {{"run", "a.toml", "b.toml"},
             "actio run: 'b.toml' is one too many; usage: actio run SCENE [OPTIONS] (actio run --help)\n"},
            {{"run", "--", "a.toml", "--out", "d"},
-            "actio run: '--out' is one too many behind '--', where there are no options (actio run "
-            "--help)\n"},
+            "actio run: '--out' is one too many behind '--', where there are "
+            "no options (actio run --help)\n"},
            {{"run", "a.toml", "--out"}, "actio run: --out DIR: DIR is missing (actio run --help)\n"},
            {{"run", "a.toml", "--out", "d", "--out", "e"},
             "actio run: --out is there twice (actio run --help)\n"},
            {{"run", "a.toml", "--quiet=yes"}, "actio run: --quiet takes no value (actio run --help)\n"},
            {{"resume"},
-            "actio resume: which folder? One that a run left, for example: actio resume apophis (actio "
-            "resume --help)\n"},
+            "actio resume: which folder? One that a run left, for example: actio resume "
+            "apophis (actio resume --help)\n"},
            {{"sweep", "a.toml"}, "actio sweep: --over KEY=VALUES is needed (actio sweep --help)\n"},
            {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "0"},
             "actio sweep: --jobs: a whole number from 1 on is expected, found '0' (actio sweep --help)\n"},
@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_wh
            {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "many"},
             "actio sweep: --jobs: a whole number from 1 on is expected, found 'many' (actio sweep --help)\n"},
            {{"show"},
-            "actio show: which name? For example: actio show energy; actio list tells the names (actio show "
-            "--help)\n"},
+            "actio show: which name? For example: actio show energy; actio list tells "
+            "the names (actio show --help)\n"},
            {{"check", "--lst"},
             "actio check: unknown option '--lst'; did you mean '--list'? (actio check --help)\n"},
        }) {

@@ -172,8 +172,8 @@ BOOST_AUTO_TEST_CASE(a_step_beyond_the_iteration_is_refused_with_one_that_does) 
     auto const outcome = actio({"run", folder.write("sphere.toml", scene.text())});
     BOOST_TEST(outcome.status == 3, outcome.err);
     BOOST_TEST(has(outcome.err,
-                   "sphere.toml:8:8: step: the iteration of a step of length 20 does not contract; the "
-                   "longest that would do is "),
+                   "sphere.toml:8:8: step: the iteration of a step of length 20 does not "
+                   "contract; the longest that would do is "),
                outcome.err);
     std::string const said = "; the largest that meets the rows is ";
     auto const at = outcome.err.find(said);

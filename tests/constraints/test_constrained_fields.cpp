@@ -13,9 +13,7 @@ namespace {
 /// A density that refuses places below the ground.
 struct AboveGround {
   template <class T>
-  T operator()(Jet<T, 1, 2> const& j) const {
-    return j.v(0, 0) * j.v(0, 0) + j.y[1];
-  }
+  T operator()(Jet<T, 1, 2> const& j) const { return j.v(0, 0) * j.v(0, 0) + j.y[1]; }
   template <class S>
   void examine(Jet<S, 1, 2> const& j) const {
     if (!(base_value(j.y[1]) > 0))

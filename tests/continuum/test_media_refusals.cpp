@@ -118,10 +118,10 @@ BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused_with_its_jacobian) {
 BOOST_AUTO_TEST_CASE(mass_that_is_not_positive_is_refused) {
   // 1 - 5 x^1 at x^1 = 3/10.
   LinearDensity<double, 2> const rho{1.0, {-5.0, 0.0}};
-  all_refuse<NotAMassDensity>(Continuum{Euclidean<2>{}, Euclidean<2>{}, rho, gas}, at_rest<double>(),
-                              [](NotAMassDensity const& e) {
-    return says(e, particle) && std::abs(e.measured + 0.5) < 1e-15 && e.bound == 0;
-  });
+  all_refuse<NotAMassDensity>(
+      Continuum{Euclidean<2>{}, Euclidean<2>{}, rho, gas}, at_rest<double>(), [](NotAMassDensity const& e) {
+        return says(e, particle) && std::abs(e.measured + 0.5) < 1e-15 && e.bound == 0;
+      });
 }
 
 BOOST_AUTO_TEST_CASE(an_energy_without_derivative_at_rest_is_refused_with_the_point) {
@@ -188,8 +188,8 @@ BOOST_AUTO_TEST_CASE(dimensions_that_do_not_fit_do_not_compile) {
                 !DensityOver<Constant, double, 3, 3>);
   static_assert(DensityOver<Planar, double, 2, 2> && DensityOver<Constant, double, 2, 2>);
 
-  auto const field_equations =
-      []<class Medium, int n, int N>(Medium const& medium, SecondJet<double, n, N> const& j) {
+  auto const field_equations = []<class Medium, int n, int N>(Medium const& medium,
+                                                              SecondJet<double, n, N> const& j) {
     return requires { euler_lagrange(medium, j); } && requires { medium_equation(medium, j); } &&
            requires { solid_equation(medium, j); };
   };

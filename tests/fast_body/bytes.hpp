@@ -13,9 +13,7 @@ namespace actio::testing {
 class Bytes {
  public:
   template <class... T>
-  void operator()(T&... values) {
-    (one(values), ...);
-  }
+  void operator()(T&... values) { (one(values), ...); }
   /// From now on what was saved is given back.
   Bytes& rewind() { return reading_ = true, at_ = 0, *this; }
   /// Whether all of it was.
@@ -23,9 +21,7 @@ class Bytes {
 
  private:
   template <class T>
-  void one(T& value) {
-    raw(&value, sizeof value);
-  }
+  void one(T& value) { raw(&value, sizeof value); }
   void one(std::span<double> values) { raw(values.data(), values.size_bytes()); }
   void raw(void* at, std::size_t size) {
     if (!reading_) return void(bytes_.append(static_cast<char const*>(at), size));

@@ -85,12 +85,12 @@ BOOST_AUTO_TEST_CASE(the_series_leave_out_nothing_beyond_rounding) {
       for (double const part : {0.0, 0.3, 1.0}) {
         compare(
             [](double X, double Y, double W) {
-          return ShortSeries<double>::by_table<5>(detail::short_table<5, double>(), X, Y, W);
+              return ShortSeries<double>::by_table<5>(detail::short_table<5, double>(), X, Y, W);
             },
             part * short_reach<5>, y, w);
         compare(
             [](double X, double Y, double W) {
-          return ShortSeries<double>::by_table<8>(detail::short_table<8, double>(), X, Y, W);
+              return ShortSeries<double>::by_table<8>(detail::short_table<8, double>(), X, Y, W);
             },
             part * short_reach<8>, y, w);
       }
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(without_a_torque_the_motion_is_the_free_one_whatever_the_st
       TorquedBody none(
           inertia, momentum, attitude,
           [](Four<double> const&, double) {
-        return Three<double>{0, 0, 0};
+            return Three<double>{0, 0, 0};
           },
           h);
       TorquedBody ball(sphere, momentum, attitude, gravity_gradient(sphere, 2, towards), h,
@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   TorquedBody body(
       start.inertia, start.momentum, start.attitude,
       [](Four<double> const&, double t) {
-    return Three<double>{0, t > 0.45 ? NAN : 0.1, 0};
+        return Three<double>{0, t > 0.45 ? NAN : 0.1, 0};
       },
       0.1);
   body.step(3);

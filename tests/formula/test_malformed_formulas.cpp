@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_formula_with_too_many_instructions_is_refused) {
   BOOST_CHECK_EXCEPTION(
       for (int k = 2; k < 200; ++k) b.apply(Operation::sin, b.multiply(b.number(k), b.input(0))), Error,
       [](Error const& e) {
-    return std::string(e.what()).find("at most 100 instructions") != std::string::npos;
+        return std::string(e.what()).find("at most 100 instructions") != std::string::npos;
       });
 }
 

@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_tape_has_the_values_and_derivatives_of_the_program_that_i
     auto const gradient = [&](auto const& at) {
       return derivative(
                  [&]<class T>(Matrix<T, inputs, 1> const& p) {
-        return program.run(std::vector<T>(p.begin(), p.end())).back();
+                   return program.run(std::vector<T>(p.begin(), p.end())).back();
                  },
                  at)
           .gradient();

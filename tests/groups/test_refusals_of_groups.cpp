@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(orders_have_two_ends) {
   refuses(
       "a stretching by zero",
       [] {
-    Aff1::inverse(Matrix<double, 2, 2>{{0, 3}, {0, 1}});
+        Aff1::inverse(Matrix<double, 2, 2>{{0, 3}, {0, 1}});
       },
       0, 0);
 }

@@ -40,7 +40,7 @@ auto const by_solver = [](auto const& x) { return step_euler_poincare_left(l, x)
 auto const by_update = [](auto const& x) {
   return solve_implicit(
       [](auto const& next, auto const& x) {
-    return left_differential(l, next) - like(next, right_differential(l, x));
+        return left_differential(l, next) - like(next, right_differential(l, x));
       },
       x, x);
 };
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(discrete_lagrangians_keep_their_brackets) {
   auto const right = [](auto const& x) {
     return solve_implicit(
         [](auto const& next, auto const& x) {
-      return right_differential(l, next) - like(next, left_differential(l, x));
+          return right_differential(l, next) - like(next, left_differential(l, x));
         },
         x, x);
   };

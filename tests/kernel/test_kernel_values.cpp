@@ -204,26 +204,26 @@ Evaluators<On<G>> const& of_group() {
       {"D2", [](X const& x) { return x.is(D2(x.function(), x.element(2), x.element(3))); }},
       {"discrete_euler_lagrange",
        [](X const& x) {
-    return x.is(discrete_euler_lagrange(x.function(), x.element(2), x.element(3), x.element(4)));
+         return x.is(discrete_euler_lagrange(x.function(), x.element(2), x.element(3), x.element(4)));
        }},
       {"legendre_at_target",
        [](X const& x) {
-    GroupAsGroupoid<G> const gamma{x.group};
-    return x.is(Number(
-        legendre_at_target(gamma, x.function(), x.element(2)).components.dot(x.velocity(3).coordinates)));
+         GroupAsGroupoid<G> const gamma{x.group};
+         return x.is(Number(legendre_at_target(gamma, x.function(), x.element(2))
+                                .components.dot(x.velocity(3).coordinates)));
        }},
       {"legendre_at_source",
        [](X const& x) {
-    GroupAsGroupoid<G> const gamma{x.group};
-    return x.is(Number(
-        legendre_at_source(gamma, x.function(), x.element(2)).components.dot(x.velocity(3).coordinates)));
+         GroupAsGroupoid<G> const gamma{x.group};
+         return x.is(Number(legendre_at_source(gamma, x.function(), x.element(2))
+                                .components.dot(x.velocity(3).coordinates)));
        }},
       {"kirillov_kostant_plus",
        [](X const& x) {
-    auto const mu = x.momentum(0);
-    return x.is(kirillov_kostant_plus(mu, ad_star(x.velocity(1), mu), ad_star(x.velocity(2), mu)));
+         auto const mu = x.momentum(0);
+         return x.is(kirillov_kostant_plus(mu, ad_star(x.velocity(1), mu), ad_star(x.velocity(2), mu)));
        }},
-      };
+  };
   return all;
 }
 
@@ -234,10 +234,10 @@ Evaluators<On<G>> const& of_matrices() {
   static Evaluators<X> const all{
       {"lie_poisson_bracket_plus",
        [](X const& x) {
-    return x.is(lie_poisson_bracket_plus(Product{x.s.in.at(0), x.s.in.at(1)},
-                                         Product{x.s.in.at(2), x.s.in.at(3)}, x.momentum(4)));
+         return x.is(lie_poisson_bracket_plus(Product{x.s.in.at(0), x.s.in.at(1)},
+                                              Product{x.s.in.at(2), x.s.in.at(3)}, x.momentum(4)));
        }},
-      };
+  };
   return all;
 }
 
@@ -274,10 +274,10 @@ Evaluators<Rotations> const& of_bodies() {
       {"hat", [](X const& x) { return same(SO<3>::hat(Column(x.s.in.at(0).col(0))), x.s.out); }},
       {"cross",
        [](X const& x) {
-    using Vector3 = actio::Matrix<Number, 3, 1>;
-    return same(cross(Vector3(x.s.in.at(0).col(0)), Vector3(x.s.in.at(1).col(0))), x.s.out);
+         using Vector3 = actio::Matrix<Number, 3, 1>;
+         return same(cross(Vector3(x.s.in.at(0).col(0)), Vector3(x.s.in.at(1).col(0))), x.s.out);
        }},
-      };
+  };
   return all;
 }
 

@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(masses_that_are_none_and_cells_that_are_no_simplices_are_re
   refused<OutsideDomain>(with(-1, 0, -1), 0, -64 * eps, "mass at x = (0.8)");
   refused<NotABodyMesh>(
       [] {
-    simplex_geometry<2>(box_mesh({0, 0}, {1, 1}, {1, 1}), 0);
+        simplex_geometry<2>(box_mesh({0, 0}, {1, 1}, {1, 1}), 0);
       },
       4, 3, "quadrilaterals");
   refused<NotABodyMesh>([&] { simplex_geometry<2>(tetrahedron(), 0); }, 4, 3, "tetrahedrons");

@@ -15,15 +15,15 @@ BodyLoads<d> all_loads(BodyMesh const& mesh) {
   BodyLoads<d> loads;
   loads.potentials.push_back(space_potential<d>(Hill{}));
   loads.potentials.push_back({[](Spot<d> const& x) {
-    double square = 0;
-    for (double const one : x) square += one * one;
-    return 0.4 * square;
+                                double square = 0;
+                                for (double const one : x) square += one * one;
+                                return 0.4 * square;
                               },
                               [](Spot<d> x) {
-    for (double& one : x) one *= 0.8;
-    return x;
-  },
-                             {}});
+                                for (double& one : x) one *= 0.8;
+                                return x;
+                              },
+                              {}});
   loads.outside_pressure = 0.35;
   double size = 0.2;
   for (auto const& side : mesh.sides) {

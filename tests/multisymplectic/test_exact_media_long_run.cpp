@@ -259,13 +259,9 @@ namespace {
 struct Acoustic {
   double c;
   template <class T>
-  T energy(T const& J) const {
-    return (J - 1.0) * (J - 1.0) * (c * c / 2);
-  }
+  T energy(T const& J) const { return (J - 1.0) * (J - 1.0) * (c * c / 2); }
   template <class T>
-  T slope(T const& J) const {
-    return (J - 1.0) * (c * c);
-  }
+  T slope(T const& J) const { return (J - 1.0) * (c * c); }
 };
 }  // namespace
 

@@ -35,12 +35,12 @@ void roads_agree(Medium const& medium, Energy const& energy, FastBox3d::Ends con
   FastMedium3d fast(
       medium, box, dt, density,
       [&](Place const& X) {
-    double const b = 0.02 * bump(X);
-    return Place{X[0] + b * (X[1] + X[2]), X[1] - b, X[2] + b * X[0]};
+        double const b = 0.02 * bump(X);
+        return Place{X[0] + b * (X[1] + X[2]), X[1] - b, X[2] + b * X[0]};
       },
       [&](Place const& X) {
-    return Place{0.2 * bump(X), -0.1 * bump(X) * X[0], 0.1 * bump(X) * X[1]};
-  });
+        return Place{0.2 * bump(X), -0.1 * bump(X) * X[0], 0.1 * bump(X) * X[1]};
+      });
   std::vector<double> times;
   for (int k = 0; k <= steps + 1; ++k) times.push_back(k * dt);
   Sides<3> sides;
@@ -95,8 +95,8 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_deformation_stores_its_energy_times_the_volum
     FastMedium3d const body(
         medium, FastBox3d{{4, 3, 2}, {0.1, 0.13, 0.11}}, 0.01, density,
         [&](Place const& X) {
-      Eigen::Vector3d const x = F * Eigen::Vector3d(X.data());
-      return Place{x[0], x[1], x[2]};
+          Eigen::Vector3d const x = F * Eigen::Vector3d(X.data());
+          return Place{x[0], x[1], x[2]};
         },
         [](Place const&) { return Place{}; });
     // Rounding of places is 10 to 30 times as large in the edges of the cells.
@@ -123,7 +123,7 @@ FastMedium3d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {
           1,
           [](Place const& X) { return X; },
           [](Place const& X) {
-    return Place{X[0] < 0.5 ? 1.5 : 0, 0.1 * X[1], 0.05 * X[2] * X[1]};
+            return Place{X[0] < 0.5 ? 1.5 : 0, 0.1 * X[1], 0.05 * X[2] * X[1]};
           },
           options};
 }
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_medium_in_space_is_refused_at_once) {
     FastMedium3d(
         solid, box, dt, 1,
         [&](Place const& X) {
-      return Place{X[0], X[1], flat * X[2]};
+          return Place{X[0], X[1], flat * X[2]};
         },
         [](Place const&) { return Place{}; });
   };

@@ -166,16 +166,16 @@ void moves_as_in_the_plane(Medium const& medium, double modulus) {
   FastMedium3d space(
       medium, box, dt, 1,
       [&](Place const& X) {
-    auto const p = place(X[0], X[1]);
-    return Place{p[0], p[1], X[2]};
+        auto const p = place(X[0], X[1]);
+        return Place{p[0], p[1], X[2]};
       },
       [](Place const& X) {
-    return Place{0.1 * X[0], 0.2, 0};
-  });
+        return Place{0.1 * X[0], 0.2, 0};
+      });
   FastMedium2d flat(
       medium, plane, dt, 1, [&](std::array<double, 2> const& X) { return place(X[0], X[1]); },
       [](std::array<double, 2> const& X) {
-    return std::array{0.1 * X[0], 0.2};
+        return std::array{0.1 * X[0], 0.2};
       });
   space.step(steps), flat.step(steps);
   auto const x = space.places();
@@ -204,11 +204,11 @@ BOOST_AUTO_TEST_CASE(a_body_let_go_conserves_momenta_and_its_energy_does_not_dri
   FastMedium3d body(
       FastStVenantKirchhoff{1, 0.5}, box, 0.02, 3,
       [](Place const& X) {
-    return Place{X[0] * 1.02 + 0.01 * X[1] * X[1], X[1], X[2] - 0.01 * X[0]};
+        return Place{X[0] * 1.02 + 0.01 * X[1] * X[1], X[1], X[2] - 0.01 * X[0]};
       },
       [](Place const& X) {
-    return Place{0.03 - 0.3 * X[1], 0.02 + 0.3 * X[0] - 0.2 * X[2], 0.2 * X[1]};
-  });
+        return Place{0.03 - 0.3 * X[1], 0.02 + 0.3 * X[0] - 0.2 * X[2], 0.2 * X[1]};
+      });
   Eigen::Vector3d const p(body.momentum().data()), L(body.angular_momentum().data());
   double const E = body.energy();
   double parts = 0;

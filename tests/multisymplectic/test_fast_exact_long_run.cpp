@@ -60,13 +60,9 @@ void has_order_two(char const* name, Medium const& medium, std::function<double(
 struct Acoustic {
   double c;
   template <class T>
-  T energy(T const& J) const {
-    return 0.5 * c * c * (J - 1.0) * (J - 1.0);
-  }
+  T energy(T const& J) const { return 0.5 * c * c * (J - 1.0) * (J - 1.0); }
   template <class T>
-  T slope(T const& J) const {
-    return c * c * (J - 1.0);
-  }
+  T slope(T const& J) const { return c * c * (J - 1.0); }
 };
 }  // namespace
 
@@ -102,11 +98,11 @@ BOOST_AUTO_TEST_CASE(a_standing_wave_has_the_discrete_dispersion_relation) {
     FastMedium2d fast(
         FastFluid{Acoustic{c}}, box, dt, 1,
         [&](Place const& X) {
-      return Place{X[0] + u(X[0], 0), X[1]};
+          return Place{X[0] + u(X[0], 0), X[1]};
         },
         [](Place const&) {
-      return Place{0, 0};
-    });
+          return Place{0, 0};
+        });
     fast.step(200);
     double worst = 0;
     auto const x = fast.places();
@@ -133,11 +129,11 @@ BOOST_AUTO_TEST_CASE(a_neo_hookean_shear_wave_of_any_amplitude_has_it_too) {
   FastMedium2d fast(
       neo_hookean(2, mu), box, dt, 1,
       [&](Place const& X) {
-    return Place{X[0] + u(X[1], 0), X[1]};
+        return Place{X[0] + u(X[1], 0), X[1]};
       },
       [](Place const&) {
-    return Place{0, 0};
-  });
+        return Place{0, 0};
+      });
   fast.step(200);
   double worst = 0;
   auto const x = fast.places();
@@ -196,11 +192,11 @@ Changes thrown(char const* name, Medium const& medium, long steps) {
   FastMedium2d fast(
       medium, box, 0.2 / n, 3,
       [](Place const& X) {
-    return Place{X[0] * 1.02 + 0.01 * X[1] * X[1], X[1]};
+        return Place{X[0] * 1.02 + 0.01 * X[1] * X[1], X[1]};
       },
       [](Place const& X) {
-    return Place{0.03 - 0.3 * X[1], 0.02 + 0.3 * X[0]};
-  });
+        return Place{0.03 - 0.3 * X[1], 0.02 + 0.3 * X[0]};
+      });
   Place const p = fast.momentum();
   double const L = fast.angular_momentum(), E = fast.energy();
   // What the parts have, whichever way they go; all nodes as heavy as those inside.

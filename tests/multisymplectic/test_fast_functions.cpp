@@ -147,8 +147,8 @@ BOOST_AUTO_TEST_CASE(slopes_in_halves_are_as_accurate_as_the_laws_say) {
     }
     return worst;
   };
-  auto const power =
-      [&]<int root, int power>(PolytropicByRoots<root, power> const& law, Registers registers) {
+  auto const power = [&]<int root, int power>(PolytropicByRoots<root, power> const& law,
+                                              Registers registers) {
     auto const exact = [](long double J) {
       return -0.75L * std::pow(J, -static_cast<long double>(power) / root);
     };
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(slopes_in_halves_are_as_accurate_as_the_laws_say) {
     BOOST_TEST(worst_of(
                    PolytropicGas{0.75, 1.25}, [](long double J) { return -0.75L * std::pow(J, -1.25L); },
                    [](long double J) {
-      return 0.75L * std::pow(J, -1.25L) * (4 + 5 * 1.25L * std::abs(std::log(J)));
+                     return 0.75L * std::pow(J, -1.25L) * (4 + 5 * 1.25L * std::abs(std::log(J)));
                    },
                    registers) <= 1);
     BOOST_TEST(

@@ -30,11 +30,11 @@ void roads_agree(Medium const& medium, Energy const& energy, Case const& across,
   FastMedium2d fast(
       medium, box, dt, density,
       [&](Place const& X) {
-    return Place{X[0] + 0.03 * bump(X) * X[1], X[1] - 0.02 * bump(X)};
+        return Place{X[0] + 0.03 * bump(X) * X[1], X[1] - 0.02 * bump(X)};
       },
       [&](Place const& X) {
-    return Place{0.2 * bump(X), -0.1 * bump(X) * X[0]};
-  });
+        return Place{0.2 * bump(X), -0.1 * bump(X) * X[0]};
+      });
 
   std::vector<double> times;
   for (int k = 0; k <= steps + 1; ++k) times.push_back(k * dt);

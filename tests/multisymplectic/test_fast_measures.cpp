@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(momenta_and_energies_in_the_plane_are_the_sums_over_the_nod
   FastMedium2d const body(
       solid, box, 0.01, density,
       [&](Flat const& X) {
-    return Flat{F[0][0] * X[0] + F[0][1] * X[1], F[1][0] * X[0] + F[1][1] * X[1]};
+        return Flat{F[0][0] * X[0] + F[0][1] * X[1], F[1][0] * X[0] + F[1][1] * X[1]};
       },
       [&](Flat const&) { return drawn<2>(random); });
   auto const x = body.places(), v = body.velocities(), w = body.velocities_half_a_step_ago();
@@ -196,13 +196,13 @@ BOOST_AUTO_TEST_CASE(of_cells_that_are_as_bad_the_first_is_named) {
   auto const still = [](Flat const&) { return Flat{}; };
   refuses(
       [&] {
-    made([](Flat const& X) { return Flat{-X[0], X[1]}; }, still);
+        made([](Flat const& X) { return Flat{-X[0], X[1]}; }, still);
       },
       -1, 0, "medium: cell (0, 0) is inside out at the start");
   // A node beyond its right neighbour: the edge between them is turned over, and two cells have it.
   refuses(
       [&] {
-    made([](Flat const& X) { return X[0] == 0.5 && X[1] == 0.5 ? Flat{0.9375, 0.5} : X; }, still);
+        made([](Flat const& X) { return X[0] == 0.5 && X[1] == 0.5 ? Flat{0.9375, 0.5} : X; }, still);
       },
       -0.75, 0, "medium: cell (2, 1) is inside out at the start");
   for (bool const of_places : {true, false}) {

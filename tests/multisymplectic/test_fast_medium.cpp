@@ -129,13 +129,9 @@ namespace {
 struct Own {
   double K;
   template <class T>
-  T energy(T const& J) const {
-    return K / J;
-  }
+  T energy(T const& J) const { return K / J; }
   template <class T>
-  T slope(T const& J) const {
-    return -K / (J * J);
-  }
+  T slope(T const& J) const { return -K / (J * J); }
 };
 }  // namespace
 

@@ -24,7 +24,7 @@ FastMedium2d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {
           1,
           at_rest,
           [](Place const& X) {
-    return Place{X[0] < 0.8 ? 1.5 : 0, 0.1 * X[1]};
+            return Place{X[0] < 0.8 ? 1.5 : 0, 0.1 * X[1]};
           },
           options};
 }
@@ -113,13 +113,9 @@ BOOST_AUTO_TEST_CASE(no_call_ends_with_a_cell_inside_out) {
 namespace {
 struct Acoustic {
   template <class T>
-  T energy(T const& J) const {
-    return 2.0 * (J - 1.0) * (J - 1.0);
-  }
+  T energy(T const& J) const { return 2.0 * (J - 1.0) * (J - 1.0); }
   template <class T>
-  T slope(T const& J) const {
-    return 4.0 * (J - 1.0);
-  }
+  T slope(T const& J) const { return 4.0 * (J - 1.0); }
 };
 }  // namespace
 
@@ -172,17 +168,15 @@ BOOST_AUTO_TEST_CASE(what_is_no_medium_is_refused_at_once) {
   CHECK_REFUSED(with(box, 0, 1, at_rest), OutsideDomain);
   CHECK_REFUSED(with(box, NAN, 1, at_rest), NotFinite);
   CHECK_REFUSED(with(box, 0.01, -1, at_rest), OutsideDomain);
-  CHECK_REFUSED(with(
-                    box, 0.01, 1,
-                    [](Place const& X) {
-    return Place{X[0], std::sqrt(0.2 - X[1])};
-                    }),
+  CHECK_REFUSED(with(box, 0.01, 1,
+                     [](Place const& X) {
+                       return Place{X[0], std::sqrt(0.2 - X[1])};
+                     }),
                 NotFinite);
-  CHECK_REFUSED(with(
-                    box, 0.01, 1,
-                    [](Place const& X) {
-    return Place{X[0], X[1] * (0.35 - X[1])};
-                    }),
+  CHECK_REFUSED(with(box, 0.01, 1,
+                     [](Place const& X) {
+                       return Place{X[0], X[1] * (0.35 - X[1])};
+                     }),
                 CellInverts);
   FastMedium2d medium(gas, box, 0.01, 1, at_rest, still);
   CHECK_REFUSED(medium.step(-1), OutsideDomain);

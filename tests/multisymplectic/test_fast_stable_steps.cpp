@@ -144,13 +144,9 @@ namespace {
 /// Pressure \f$-c^2(J-1)\f$ with c = 2.
 struct Acoustic {
   template <class T>
-  T energy(T const& J) const {
-    return 2.0 * (J - 1.0) * (J - 1.0);
-  }
+  T energy(T const& J) const { return 2.0 * (J - 1.0) * (J - 1.0); }
   template <class T>
-  T slope(T const& J) const {
-    return 4.0 * (J - 1.0);
-  }
+  T slope(T const& J) const { return 4.0 * (J - 1.0); }
 };
 }  // namespace
 

@@ -9,11 +9,10 @@ using namespace actio;
 namespace {
 /// The unit square of two triangles in version 4.1: a curve of the group 7 below, and a surface.
 std::string const square =
-    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
-    "$PhysicalNames\n1\n1 7 \"bottom\"\n$EndPhysicalNames\n"
-    "$Entities\n1 1 1 0\n1 0 0 0 0\n3 0 0 0 1 0 0 2 7 8 1 -1\n2 0 0 0 1 1 0 0 0\n$EndEntities\n"
-    "$Nodes\n1 4 1 9\n2 2 0 4\n1\n3\n5\n9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
-    "$Elements\n2 3 1 3\n1 3 1 1\n1 1 3\n2 2 2 2\n2 1 3 5\n3 1 5 9\n$EndElements\n";
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 7 \"bottom\"\n$EndPhysicalNames\n"
+    "$Entities\n1 1 1 0\n1 0 0 0 0\n3 0 0 0 1 0 0 2 7 8 1 -1\n2 0 0 0 1 1 0 0 0\n$EndEntities\n$Nodes\n"
+    "1 4 1 9\n2 2 0 4\n1\n3\n5\n9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n$Elements\n2 3 1 3\n1 3 1 1\n"
+    "1 1 3\n2 2 2 2\n2 1 3 5\n3 1 5 9\n$EndElements\n";
 std::string with(std::string const& what, std::string const& by, std::string text = square) {
   auto const at = text.find(what);
   BOOST_REQUIRE(at != text.npos);

@@ -112,9 +112,9 @@ BOOST_AUTO_TEST_CASE(a_side_that_bends_or_lies_in_two_planes_is_none_to_slide_al
   auto const slides = [](auto const& mesh, std::string const& side, double measured) {
     BOOST_CHECK_EXCEPTION((HeldNodes<2>(mesh, {{side, {BodySide<2>::Kind::sliding, {}}}})), NotABodyMesh,
                           [&](NotABodyMesh const& e) {
-      return std::abs(e.measured - measured) <= 4 * eps && e.bound == 1e-9 &&
-             std::string(e.what()).find("side '" + side + "'") != std::string::npos;
-    });
+                            return std::abs(e.measured - measured) <= 4 * eps && e.bound == 1e-9 &&
+                                   std::string(e.what()).find("side '" + side + "'") != std::string::npos;
+                          });
   };
   // One minus the cosine of the angle between the normals.
   slides(bent, "bottom", 1 - 1 / std::sqrt(1.25));

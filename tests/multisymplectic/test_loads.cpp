@@ -105,13 +105,9 @@ BOOST_AUTO_TEST_CASE(a_pressure_that_follows_all_sides_is_the_outside_pressure) 
 namespace {
 struct Acoustic {
   template <class T>
-  T energy(T const& J) const {
-    return (J - 1.0) * (J - 1.0) * 0.5;
-  }
+  T energy(T const& J) const { return (J - 1.0) * (J - 1.0) * 0.5; }
   template <class T>
-  T slope(T const& J) const {
-    return J - 1.0;
-  }
+  T slope(T const& J) const { return J - 1.0; }
 };
 }  // namespace
 

@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(loads_that_are_none_are_refused_by_name) {
   not_finite([&] { hill.energies(); }, "potential at node 2, x = (2, 0):");
   loads.potentials = {{[](Spot const&) { return 0; },
                        [](Spot const& x) {
-    return Spot{0, x[0] == 2 ? NAN : 0};
+                         return Spot{0, x[0] == 2 ? NAN : 0};
                        },
                        {}}};
   not_finite(with(loads), "gradient of the potential at node 2, x = (2, 0):");
@@ -125,12 +125,12 @@ BOOST_AUTO_TEST_CASE(the_largest_frequency_of_a_chain_is_met_from_below_within_h
     std::vector<double> u;
     for (std::size_t i = 0; i < n; ++i) u.push_back(std::sin(1.0 + 7.0 * double(i)));
     int applied = 0;
-    double const found =
-        detail::largest_frequency([&](std::size_t) { return m; }, u,
-                                  [&](std::vector<double> const& x, std::vector<double>& out) {
-      ++applied, out.resize(n);
-      for (std::size_t i = 0; i < n; ++i)
-        out[i] = (2 * x[i] - (i > 0 ? x[i - 1] : 0) - (i + 1 < n ? x[i + 1] : 0)) * k / m;
+    double const found = detail::largest_frequency(
+        [&](std::size_t) { return m; }, u,
+        [&](std::vector<double> const& x, std::vector<double>& out) {
+          ++applied, out.resize(n);
+          for (std::size_t i = 0; i < n; ++i)
+            out[i] = (2 * x[i] - (i > 0 ? x[i - 1] : 0) - (i + 1 < n ? x[i + 1] : 0)) * k / m;
         });
     double const exact = 2 * std::sqrt(k / m) * std::sin(M_PI / 2 * double(n) / double(n + 1));
     BOOST_TEST((found <= exact * (1 + 20 * eps) && found >= exact * 0.995),

@@ -30,9 +30,7 @@ BodyMesh with(Change const& change) {
   return mesh;
 }
 template <class Change>
-auto requiring(Change const& change) {
-  return [change] { require_body_mesh(with(change)); };
-}
+auto requiring(Change const& change) { return [change] { require_body_mesh(with(change)); }; }
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(refusals_of_meshes)
@@ -47,12 +45,12 @@ BOOST_AUTO_TEST_CASE(boxes_are_refused_with_what_they_lack) {
   refused([] { box_mesh({0, 0}, {1, 2}, {1, 0}); }, 0, 1, "direction 2: there are cells enough");
   refused(
       [] {
-    box_mesh({0, 0}, {1, 2}, {1, 1}, {false, true});
+        box_mesh({0, 0}, {1, 2}, {1, 1}, {false, true});
       },
       1, 2, "direction 2: there are cells enough");
   refused(
       [] {
-    box_mesh({0, 0, 0}, {1, 1, 1}, {2000, 1999, 1999});
+        box_mesh({0, 0, 0}, {1, 1, 1}, {2000, 1999, 1999});
       },
       2001.0 * 2000 * 2000, 2147483647.0, "nodes can be counted");
   for (double const bad : {HUGE_VAL, std::nan("")}) {

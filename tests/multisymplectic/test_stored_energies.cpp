@@ -57,16 +57,16 @@ void every_medium() {
   is_that_of<d>(
       FastNeoHookean<QuadraticLaw>{0.7, {0.7, 1.9}},
       [=](auto const& F) {
-    using std::log;
-    auto const J = volume(F);
-    return square(F) * 0.35 - log(J) * 0.7 + (J - 1.0) * (J - 1.0) * 0.95;
+        using std::log;
+        auto const J = volume(F);
+        return square(F) * 0.35 - log(J) * 0.7 + (J - 1.0) * (J - 1.0) * 0.95;
       },
       1, draw);
   is_that_of<d>(
       blatz_ko<1>(0.8),
       [=](auto const& F) {
-    auto const J = volume(F);
-    return square(F) * 0.4 + 0.4 / (J * J);
+        auto const J = volume(F);
+        return square(F) * 0.4 + 0.4 / (J * J);
       },
       1, draw);
   auto const gas = [=](auto const& F) {

@@ -59,7 +59,8 @@ BOOST_AUTO_TEST_CASE(an_automorphism_without_inverse_is_refused_with_its_pivot_a
   BOOST_CHECK_EXCEPTION(dual_prolongation(relabelling<2>(fold), z), Singular, says_where);
   auto const flat = Automorphism{[](auto const& x) { return x; },
                                  [](auto const& point) {
-    return Matrix<typename std::remove_cvref_t<decltype(point)>::Scalar, 2, 1>(point[3], point[3]);
+                                   return Matrix<typename std::remove_cvref_t<decltype(point)>::Scalar, 2, 1>(
+                                       point[3], point[3]);
                                  }};
   CHECK_REFUSED(dual_prolongation(flat, z), Singular);
 }

@@ -115,8 +115,8 @@ BOOST_AUTO_TEST_CASE(a_pivot_that_is_rounding_is_told_with_its_size_and_the_boun
     solve_linear(Matrix<double>{{1e-200, 0}, {0, 1}}, Matrix<double>{{1e200, 1}, {1, 1}}, "here");
   });
   BOOST_TEST(largest.what() ==
-             std::string("here: the solution is beyond the largest number: a NaN or an infinity where a "
-                         "finite number is needed"));
+             std::string("here: the solution is beyond the largest number: a NaN or an infinity "
+                         "where a finite number is needed"));
   for (int k = 0; k < 4; ++k) {
     Matrix<double> bad = Matrix<double>::Identity(2, 2), right = Matrix<double>::Ones(2, 2);
     BOOST_CHECK_NO_THROW(solve_linear(bad, right));

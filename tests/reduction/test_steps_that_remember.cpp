@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_
   // An energy that does not know the third component of the velocity.
   auto const degenerate = natural_chart_lagrangian_left(
       [](auto const& xi) {
-    return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1];
+        return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1];
       },
       h);
   EulerPoincareStepsLeft flat(degenerate, identity<double>(SO<3>{}));
@@ -207,8 +207,8 @@ BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_
   double end = 1e9;
   auto const ending = natural_chart_lagrangian_left(
       [&end](auto const& xi) {
-    auto const all = kinetic(xi);
-    return base_value(all) > end ? all * std::nan("") : all;
+        auto const all = kinetic(xi);
+        return base_value(all) > end ? all * std::nan("") : all;
       },
       h);
   EulerPoincareStepsLeft motion(ending, exp(-h * velocity_at_start<SO<3>>(0.8)));

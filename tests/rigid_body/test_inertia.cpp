@@ -103,8 +103,8 @@ BOOST_AUTO_TEST_CASE(a_generalized_body_needs_positive_sums_only) {
   BOOST_CHECK_NO_THROW((inertia_from_lambda<4, double>(Vector4(0, 1, 2, 3))));
   BOOST_CHECK_EXCEPTION((inertia_from_lambda<4, double>(Vector4(-1, 1, 2, 3))), UnphysicalInertia,
                         [](UnphysicalInertia const& error) {
-    return std::string(error.what()).find("Lambda_1 + Lambda_2") != std::string::npos;
-  });
+                          return std::string(error.what()).find("Lambda_1 + Lambda_2") != std::string::npos;
+                        });
   CHECK_REFUSED((inertia_from_lambda<4, double>(Vector4(0, 0, 2, 3))), UnphysicalInertia);
   CHECK_REFUSED((inertia_from_lambda<4, double>(Vector4(0, 0, 0, 0))), UnphysicalInertia);
   CHECK_REFUSED((inertia_from_lambda<Dynamic, double>(Vector<double>(Vector<double>::Ones(1)))),

@@ -19,8 +19,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 // A catalogue with one body, in which a line is replaced.
 std::string complaint(std::string const& line, std::string const& instead) {
   std::string text =
-      "[top]\ntitle = \"a top\"\nunit = \"kg m^2\"\nmoments = [1.0, 1.0, 1.5]\ntime = \"s\"\nspin = [0.0, "
-      "0.0, 1.0]\nsource = \"here\"\nderived = \"nothing\"\n";
+      "[top]\ntitle = \"a top\"\nunit = \"kg m^2\"\nmoments = [1.0, 1.0, 1.5]\ntime = \"s\"\n"
+      "spin = [0.0, 0.0, 1.0]\nsource = \"here\"\nderived = \"nothing\"\n";
   auto const at = text.find(line);
   BOOST_REQUIRE(at != std::string::npos);
   text.replace(at, line.size(), instead);
@@ -115,8 +115,8 @@ BOOST_AUTO_TEST_CASE(complaints_name_the_file_the_body_and_the_key) {
   BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = 1.0, at = [0.0, 0.0, 0.0]}]"),
                   "[top] points"));
   BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]",
-                            "cylinders = [{mass = 1.0, radius = 1.0, length = 1.0, at = [0.0, 0.0, 0.0], "
-                            "along = [0.0, 0.0, 0.0]}]"),
+                            "cylinders = [{mass = 1.0, radius = 1.0, length = 1.0, at = [0.0, 0.0, "
+                            "0.0], along = [0.0, 0.0, 0.0]}]"),
                   "along"));
   BOOST_TEST(
       says(complaint("moments = [1.0, 1.0, 1.5]", "moments = [1.0, 1.0, 1.5]\ntensor = []"), "exactly one"));

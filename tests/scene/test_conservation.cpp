@@ -127,12 +127,12 @@ std::vector<Featured> bodies() {
   std::string const start = "[initial]\nangular_velocity = [0.3, 0.7, 0.5]\n",
                     body = "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\n",
                     all = ending(
-                        "\"energy\", \"casimir\", \"spatial_momentum\", \"axial_momentum\", "
-                        "\"jacobi_integral\"",
+                        "\"energy\", \"casimir\", \"spatial_momentum\", "
+                        "\"axial_momentum\", \"jacobi_integral\"",
                         "20", "0.5"),
                     top =
-                        "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = "
-                        "[0, 0.1, 1]\n",
+                        "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\n"
+                        "centre_of_mass = [0, 0.1, 1]\n",
                     of_top = ending("\"energy\", \"casimir\", \"spatial_momentum\", \"vertical_momentum\"",
                                     "5", "0.5");
   auto const potential = [&](std::string const& V) {
@@ -151,13 +151,13 @@ std::vector<Featured> bodies() {
       {"heavy_top", {gravity}, top + "gravity = [0, 0, -9.81]\n" + start + of_top},
       {"rigid_body_n",
        {},
-       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\nangular_velocity = [0.1, 0.2, "
-       "0.3, 0.4, 0.5, 0.6]\n" +
+       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\n"
+       "angular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]\n" +
            ending("\"energy\", \"spectrum\", \"casimir\"", "20", "0.5")},
       {"vorticity_sphere",
        {},
-       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 1\n[initial]\nharmonics = [[3, 2, 0.2, "
-       "0.1], [2, 1, 0.3, 0.1], [1, 1, 0.2, 0]]\n" +
+       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 1\n[initial]\n"
+       "harmonics = [[3, 2, 0.2, 0.1], [2, 1, 0.3, 0.1], [1, 1, 0.2, 0]]\n" +
            ending("\"energy\", \"enstrophy\", \"angular_momentum\", \"casimirs\", \"extrema\"", "5", "0.5")},
   };
 }
@@ -303,8 +303,8 @@ BOOST_AUTO_TEST_CASE(a_top_that_hangs_at_rest_has_drifts_of_rounding) {
   // The centre of mass below the fixed point, by a turn that numbers do not say to the last digit.
   Scene scene = Scene::read(SceneFile::parse(
       "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1.3, 0.5]\ncentre_of_mass = [0.1, 0.2, -1]\n"
-      "gravity = [0.3, 0.1, -9.81]\n[initial]\nattitude = [0.9950791068258068, -0.09302568859391677, "
-      "0.03402282166082563, -0.002498004527226551]\n"
+      "gravity = [0.3, 0.1, -9.81]\n[initial]\n"
+      "attitude = [0.9950791068258068, -0.09302568859391677, 0.03402282166082563, -0.002498004527226551]\n"
       "angular_velocity = [0, 0, 0]\n[method]\nstep = 0.01\n" +
           ending("\"energy\", \"casimir\", \"vertical_momentum\"", "50", "0.5"),
       "scene.toml"));

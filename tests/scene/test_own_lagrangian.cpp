@@ -35,9 +35,8 @@ std::string own(std::string const& system, std::string const& initial, std::stri
 std::string sleigh(std::string const& line = "", std::string const& instead = "") {
   std::string text =
       "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
-      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[method]\nstep = 0.1\n[run]\nuntil = "
-      "1\n"
-      "[output]\nquantities = [\"energy\"]\n";
+      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[method]\nstep = 0.1\n[run]\n"
+      "until = 1\n[output]\nquantities = [\"energy\"]\n";
   if (line.empty()) return text;
   auto const at = text.find(line);
   BOOST_REQUIRE(at != std::string::npos);
@@ -53,8 +52,8 @@ BOOST_AUTO_TEST_SUITE(own_lagrangian)
 
 BOOST_AUTO_TEST_CASE(a_free_body_is_that_of_the_program) {
   std::string const rest =
-      "[method]\nname = \"natural_chart\"\norder = 2\nstep = 0.05\n[run]\nuntil = 20\n"
-      "[output]\nquantities = [\"body_momentum\", \"energy\"]\n";
+      "[method]\nname = \"natural_chart\"\norder = 2\nstep = 0.05\n[run]\nuntil = 20\n[output]\n"
+      "quantities = [\"body_momentum\", \"energy\"]\n";
   auto const known = last_row(
       "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\n[initial]\n"
       "angular_velocity = [0.3, 1.1, -0.4]\n" +
@@ -68,8 +67,8 @@ BOOST_AUTO_TEST_CASE(a_free_body_is_that_of_the_program) {
 
 BOOST_AUTO_TEST_CASE(a_body_in_four_dimensions_is_that_of_the_program) {
   std::string const rest =
-      "[method]\nname = \"natural_chart\"\norder = 4\nstep = 0.05\n[run]\nuntil = 10\n"
-      "[output]\nquantities = [";
+      "[method]\nname = \"natural_chart\"\norder = 4\nstep = 0.05\n[run]\nuntil = 10\n[output]\n"
+      "quantities = [";
   auto const known = last_row(
       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\n"
       "angular_velocity = [0.9, -0.2, 0.3, 0.1, 0.4, -0.5]\n" +
@@ -105,20 +104,21 @@ BOOST_AUTO_TEST_CASE(a_submarine_is_that_of_an_independent_solver) {
   start << 0.4, 0.3, -0.5, 0.2, 0.6, -0.1, 0, 0, -1;
   State const end = actio::reference_solution(
       [&](double, State const& y) {
-    Eigen::Vector3d const w = y.head<3>(), v = y.segment<3>(3), a = y.tail<3>();
-    Eigen::Vector3d const Pi = J.cwiseProduct(w), P = M.cwiseProduct(v);
-    State change;
-    change << (Pi.cross(w) + P.cross(v) + lever.cross(a)).cwiseQuotient(J), P.cross(w).cwiseQuotient(M),
-        a.cross(w);
-    return change;
+        Eigen::Vector3d const w = y.head<3>(), v = y.segment<3>(3), a = y.tail<3>();
+        Eigen::Vector3d const Pi = J.cwiseProduct(w), P = M.cwiseProduct(v);
+        State change;
+        change << (Pi.cross(w) + P.cross(v) + lever.cross(a)).cwiseQuotient(J), P.cross(w).cwiseQuotient(M),
+            a.cross(w);
+        return change;
       },
       start, 0, 5);
-  auto const row = last_row(own(
-      "group = \"SE(3)\"\nlagrangian = \"(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2)/2 + 0.1*down2 - "
-      "0.3*down3\"\nadvected = { down = [0, 0, -1] }",
-      "velocity = [0.4, 0.3, -0.5, 0.2, 0.6, -0.1]",
-      "[method]\norder = 6\nstep = 0.05\n[run]\nuntil = 5\n[output]\nquantities = [\"velocity\", "
-      "\"down\"]\n"));
+  auto const row = last_row(
+      own("group = \"SE(3)\"\n"
+          "lagrangian = \"(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2)/2 + 0.1*down2 - 0.3*down3\"\n"
+          "advected = { down = [0, 0, -1] }",
+          "velocity = [0.4, 0.3, -0.5, 0.2, 0.6, -0.1]",
+          "[method]\norder = 6\nstep = 0.05\n[run]\nuntil = 5\n[output]\n"
+          "quantities = [\"velocity\", \"down\"]\n"));
   std::vector<double> const nine(row.begin(), row.begin() + 9), solved(end.data(), end.data() + 9);
   BOOST_TEST(apart("a submarine as a formula, against GSL", nine, solved) < 1e-8);
   BOOST_TEST(row[9] == 0);  // a direction stays one
@@ -129,8 +129,9 @@ BOOST_AUTO_TEST_CASE(both_charts_keep_what_they_should_and_differ) {
     return last_row(own("group = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + 6*v2^2)/2\"",
                         "velocity = [0.7, 1.0, 0.2]",
                         "[method]\n" + method +
-                            "\n[run]\nuntil = 5\n[output]\nquantities = [\"spatial_momentum\", \"casimir\", "
-                            "\"poisson_defect\", \"symplectic_defect\", \"leaf_defect\", \"order\"]\n"));
+                            "\n[run]\nuntil = 5\n[output]\n"
+                            "quantities = [\"spatial_momentum\", \"casimir\", \"poisson_defect\", "
+                            "\"symplectic_defect\", \"leaf_defect\", \"order\"]\n"));
   };
   auto const natural = run("step = 0.1"), cayley = run("name = \"cayley_chart\"\nstep = 0.1"),
              galerkin = run("name = \"galerkin\"\norder = 4\nstep = 0.1");
@@ -150,8 +151,8 @@ BOOST_AUTO_TEST_CASE(tangent_maps_are_differences_of_motions) {
   auto const run = [](double w) {
     std::string const start = "velocity = [" + std::to_string(w) + ", 1.0, 0.2]";
     return last_row(own("group = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + 6*v2^2)/2\"", start,
-                        "[method]\nstep = 0.1\n[run]\nuntil = 3\n[output]\nquantities = [\"body_momentum\", "
-                        "\"tangent_map\"]\n"));
+                        "[method]\nstep = 0.1\n[run]\nuntil = 3\n[output]\n"
+                        "quantities = [\"body_momentum\", \"tangent_map\"]\n"));
   };
   auto const here = run(0.7), above = run(0.701), below = run(0.699);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -193,8 +194,8 @@ BOOST_AUTO_TEST_CASE(a_name_that_nothing_uses_is_refused_with_the_nearest) {
                 "own.toml:4:15: 'm' is defined, and nothing in the formula uses it");
   check_refused("(w^2 +", "m = 2; k = m; (w^2 +", "own.toml:4:22: 'k' is defined");
   check_refused("parameters", "advected = { down = [0, 1] }\nparameters",
-                "own.toml:5:21: advected: down1 to down3 do not occur in the lagrangian, and "
-                "output.quantities has no down");
+                "own.toml:5:21: advected: down1 to down3 do not occur in the lagrangian, "
+                "and output.quantities has no down");
   // Where it is asked for, or one component occurs, a vector is used.
   std::string const vector = sleigh("parameters", "advected = { down = [0, 1] }\nparameters");
   auto const with = [&vector](std::string const& what, std::string const& instead) {
@@ -204,9 +205,9 @@ BOOST_AUTO_TEST_CASE(a_name_that_nothing_uses_is_refused_with_the_nearest) {
   BOOST_TEST(with("[\"energy\"]", "[\"energy\", \"down\"]") == "");
   BOOST_TEST(with("c*v2^2)/2", "c*v2^2)/2 - down2") == "");
   std::string const body =
-      "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\ntorque = { potential = \"k = 2; j = 3; "
-      "-k*r33\" }\n[initial]\nangular_velocity = [1, 0, 0]\n[run]\nuntil = 1\n[output]\nquantities = "
-      "[\"energy\"]\n";
+      "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\n"
+      "torque = { potential = \"k = 2; j = 3; -k*r33\" }\n[initial]\nangular_velocity = [1, 0, 0]\n[run]\n"
+      "until = 1\n[output]\nquantities = [\"energy\"]\n";
   check_said(refusal(body, "own.toml"), "own.toml:4:32: potential: 'j' is defined, and nothing");
 }
 

@@ -38,9 +38,9 @@ struct Counter : Motion {
 Scene counting(Counter::Stumble how = Counter::Stumble::never, long at = 0,
                std::vector<long>* pieces = nullptr) {
   Scene scene = Scene::read(
-      SceneFile::parse("[system]\nkind = \"rigid_body\"\nbody = \"apophis\"\n[initial]\nangular_velocity = "
-                       "[0.1, 0, 0.2]\n[method]\norder = 2\nstep = 0.25\n"
-                       "[run]\nuntil = 5000\nevery = 62.5\n[output]\nquantities = [\"energy\"]\n",
+      SceneFile::parse("[system]\nkind = \"rigid_body\"\nbody = \"apophis\"\n[initial]\n"
+                       "angular_velocity = [0.1, 0, 0.2]\n[method]\norder = 2\nstep = 0.25\n[run]\n"
+                       "until = 5000\nevery = 62.5\n[output]\nquantities = [\"energy\"]\n",
                        "counting.toml"));
   Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}}});
   auto motion = std::make_unique<Counter>(how, at, pieces);
@@ -153,9 +153,9 @@ BOOST_AUTO_TEST_CASE(a_motion_that_can_take_no_step_tells_its_start_alone) {
 BOOST_AUTO_TEST_CASE(the_drift_is_measured_from_the_start_where_no_row_is_there) {
   Folder const folder;
   Scene scene = Scene::read(SceneFile::parse(
-      "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0, 0, "
-      "0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
-      "[method]\norder = 2\nstep = 0.01\n[run]\nat = [1.0]\n[output]\nquantities = [\"energy\"]\n",
+      "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0, 0, 0.5]\n"
+      "gravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n[method]\norder = 2\n"
+      "step = 0.01\n[run]\nat = [1.0]\n[output]\nquantities = [\"energy\"]\n",
       "one.toml"));
   RunReport const report = run(std::move(scene), folder, false);
   BOOST_TEST(report.rows == 1);

@@ -30,8 +30,8 @@ BOOST_AUTO_TEST_SUITE(scene_file)
 
 BOOST_AUTO_TEST_CASE(numbers_are_read_in_every_way_that_toml_writes_them) {
   auto const table = SceneFile::parse(
-                         "[a]\nx = [1, 1.0, 1e0, 0x1, 0b1, 0o1, 1_0e-1, +1]\nbig = 9007199254740993\nleast = "
-                         "-9223372036854775808\n",
+                         "[a]\nx = [1, 1.0, 1e0, 0x1, 0b1, 0o1, 1_0e-1, +1]\nbig = 9007199254740993\n"
+                         "least = -9223372036854775808\n",
                          "f")
                          .section("a");
   for (double const x : table.numbers("x")) BOOST_TEST(x == 1);

@@ -55,8 +55,8 @@ struct Writer : SnapshotWriter {
 };
 
 std::string const beginning =
-    "[system]\nkind = \"vorticity_sphere\"\nN = 3\n[initial]\nharmonics = [[1, 0, 0.5, 0]]\n[method]\nstep = "
-    "0.25\n";
+    "[system]\nkind = \"vorticity_sphere\"\nN = 3\n[initial]\nharmonics = [[1, 0, 0.5, 0]]\n[method]\n"
+    "step = 0.25\n";
 
 std::string text_of(std::string const& run, std::string const& output) {
   return beginning + "[run]\n" + run + "\n[output]\nquantities = [\"energy\"]\n" + output + "\n";
@@ -164,11 +164,11 @@ BOOST_AUTO_TEST_CASE(a_run_without_snapshots_has_no_folder_of_them) {
 }
 
 BOOST_AUTO_TEST_CASE(the_default_step_meets_them) {
-  Scene const scene = Scene::read(SceneFile::parse(
-      "[system]\nkind = \"vorticity_sphere\"\nN = 3\n[initial]\nharmonics = [[1, 0, 0.5, 0], [2, 1, 0.2, "
-      "0]]\n"
-      "[run]\nuntil = 2\n[output]\nquantities = [\"energy\"]\nsnapshots = []\nsnapshot_every = 0.3\n",
-      "snaps.toml"));
+  Scene const scene = Scene::read(
+      SceneFile::parse("[system]\nkind = \"vorticity_sphere\"\nN = 3\n[initial]\n"
+                       "harmonics = [[1, 0, 0.5, 0], [2, 1, 0.2, 0]]\n[run]\nuntil = 2\n[output]\n"
+                       "quantities = [\"energy\"]\nsnapshots = []\nsnapshot_every = 0.3\n",
+                       "snaps.toml"));
   double const ratio = 0.1 / scene.simulation.step;  // what divides 0.3 and 2
   BOOST_TEST(std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio);
 }

@@ -76,9 +76,9 @@ BOOST_AUTO_TEST_CASE(members_run_in_as_many_other_processes_as_there_are_places)
   pid_t const here = ::getpid();
   SweepCrew crew(
       [&](MemberTask, long member) {
-    auto out = result_of(member);
-    out.steps = ::getpid();
-    return out;
+        auto out = result_of(member);
+        out.steps = ::getpid();
+        return out;
       },
       3);
   std::set<long> processes;
@@ -91,10 +91,10 @@ BOOST_AUTO_TEST_CASE(members_run_in_as_many_other_processes_as_there_are_places)
 BOOST_AUTO_TEST_CASE(a_member_that_crashes_or_is_killed_takes_no_other_with_it) {
   SweepCrew crew(
       [](MemberTask, long member) {
-    if (member == 1) std::raise(SIGKILL);
-    if (member == 2) std::signal(SIGABRT, SIG_DFL), std::abort();
-    if (member == 3) ::_exit(5);
-    return result_of(member);
+        if (member == 1) std::raise(SIGKILL);
+        if (member == 2) std::signal(SIGABRT, SIG_DFL), std::abort();
+        if (member == 3) ::_exit(5);
+        return result_of(member);
       },
       2);
   auto const results = all_of(crew, 6);
@@ -109,9 +109,9 @@ BOOST_AUTO_TEST_CASE(a_member_that_crashes_or_is_killed_takes_no_other_with_it) 
 BOOST_AUTO_TEST_CASE(a_worker_that_could_not_write_is_replaced) {
   SweepCrew crew(
       [](MemberTask, long member) {
-    auto out = result_of(member, member == 0 ? 4 : 0);
-    out.steps = ::getpid();
-    return out;
+        auto out = result_of(member, member == 0 ? 4 : 0);
+        out.steps = ::getpid();
+        return out;
       },
       1);
   auto const results = all_of(crew, 3);
@@ -123,9 +123,9 @@ BOOST_AUTO_TEST_CASE(a_worker_that_could_not_write_is_replaced) {
 BOOST_AUTO_TEST_CASE(a_long_result_comes_whole) {
   SweepCrew crew(
       [](MemberTask, long member) {
-    auto out = result_of(member);
-    out.last_row.assign(200000, 0.1);
-    return out;
+        auto out = result_of(member);
+        out.last_row.assign(200000, 0.1);
+        return out;
       },
       2);
   for (auto const& result : all_of(crew, 6)) BOOST_TEST(result.last_row.size() == 200000u);

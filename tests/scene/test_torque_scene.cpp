@@ -31,11 +31,11 @@ Seven solved(Matrix3d const& inertia, Seven const& start, double until, Torque c
   Matrix3d const inverse = inertia.inverse();
   return actio::reference_solution(
       [&](double t, Seven const& y) {
-    Vector3d const w = y.tail<3>(), q = y.segment<3>(1), M = inertia * w;
-    Matrix3d const R = Eigen::Quaterniond(y[0], y[1], y[2], y[3]).normalized().toRotationMatrix();
-    Seven change;
-    change << -0.5 * q.dot(w), 0.5 * (y[0] * w + q.cross(w)), inverse * (M.cross(w) + torque(R, t));
-    return change;
+        Vector3d const w = y.tail<3>(), q = y.segment<3>(1), M = inertia * w;
+        Matrix3d const R = Eigen::Quaterniond(y[0], y[1], y[2], y[3]).normalized().toRotationMatrix();
+        Seven change;
+        change << -0.5 * q.dot(w), 0.5 * (y[0] * w + q.cross(w)), inverse * (M.cross(w) + torque(R, t));
+        return change;
       },
       start, 0, until);
 }
@@ -69,8 +69,8 @@ BOOST_AUTO_TEST_CASE(the_gradient_of_gravity_on_an_orbit_is_that_of_a_solver) {
     return Vector3d(3 * strength * n.cross(tensor * n));
   };
   auto const found = last_row(in_tensor +
-                                  "[system.torque.gravity_gradient]\nrate = 0.7\nstrength = 0.8\ndirection = "
-                                  "[2, -0.8, 0.6]\nnormal = [0, 0.6, 0.8]",
+                                  "[system.torque.gravity_gradient]\nrate = 0.7\nstrength = 0.8\n"
+                                  "direction = [2, -0.8, 0.6]\nnormal = [0, 0.6, 0.8]",
                               started, "[method]\nstep = 0.005\n[run]\nuntil = 12");
   double const off = apart(found, solved(tensor, start(), 12, torque));
   BOOST_TEST_MESSAGE("gravity gradient on an orbit: off by " << off);
@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(a_satellite_librates_with_the_period_of_a_pendulum) {
     step.precision(17), until.precision(17);
     step << period / 2000, until << period;
     auto const found = last_row(
-        "inertia = [1, 9.5, 10]\n[system.torque]\ngravity_gradient = { rate = 0.25, direction = [1, 0, 0], "
-        "normal = [0, 0, 1] }",
+        "inertia = [1, 9.5, 10]\n[system.torque]\n"
+        "gravity_gradient = { rate = 0.25, direction = [1, 0, 0], normal = [0, 0, 1] }",
         "angular_velocity = [0, 0, 0.25]\n[initial.attitude]\naxis = [0, 0, 1]\ndegrees = " +
             std::to_string(degrees),
         "[method]\nstep = " + step.str() + "\n[run]\nuntil = " + until.str());
@@ -157,15 +157,15 @@ BOOST_AUTO_TEST_CASE(apophis_passes_the_earth_as_by_newtons_law) {
       begin;
   Eleven const end = actio::reference_solution(
       [&](double t, Eleven const& s) {
-    Vector3d const w = s.segment<3>(4), q = s.segment<3>(1), M = moments.cwiseProduct(w);
-    Matrix3d const R = Eigen::Quaterniond(s[0], s[1], s[2], s[3]).normalized().toRotationMatrix();
-    double const r = s.segment<2>(7).norm();
-    Vector3d const n = R.transpose() * Vector3d(s[7] / r, s[8] / r, 0);
-    Vector3d const torque = 3 * mu / (r * r * r) * n.cross(moments.cwiseProduct(n));
-    Eleven change;
-    change << -0.5 * q.dot(w), 0.5 * (s[0] * w + q.cross(w)), (M.cross(w) + torque).cwiseQuotient(moments),
-        fall(t, s.tail<4>());
-    return change;
+        Vector3d const w = s.segment<3>(4), q = s.segment<3>(1), M = moments.cwiseProduct(w);
+        Matrix3d const R = Eigen::Quaterniond(s[0], s[1], s[2], s[3]).normalized().toRotationMatrix();
+        double const r = s.segment<2>(7).norm();
+        Vector3d const n = R.transpose() * Vector3d(s[7] / r, s[8] / r, 0);
+        Vector3d const torque = 3 * mu / (r * r * r) * n.cross(moments.cwiseProduct(n));
+        Eleven change;
+        change << -0.5 * q.dot(w), 0.5 * (s[0] * w + q.cross(w)),
+            (M.cross(w) + torque).cwiseQuotient(moments), fall(t, s.tail<4>());
+        return change;
       },
       y, 0, 60);
   auto const found = last_row(SceneFile::read(ACTIO_DATA "/scenes/earth_flyby.toml",
@@ -216,8 +216,8 @@ BOOST_AUTO_TEST_CASE(the_default_step_of_a_formula_is_about_that_of_the_same_tor
         {"gravity_gradient = { strength = 4, direction = [1, 0, 0] }",
          "potential = \"6*(0.7*r11^2 + 1.1*r12^2 + 0.9*r13^2)\""},
         {"gravity_gradient = { rate = 2, direction = [1, 0, 0], normal = [0, 0, 1] }",
-         "potential = \"c = cos(2*t); s = sin(2*t); 6*(0.7*(c*r11 + s*r21)^2 + 1.1*(c*r12 + s*r22)^2 + "
-         "0.9*(c*r13 + s*r23)^2)\""}})
+         "potential = \"c = cos(2*t); s = sin(2*t); 6*(0.7*(c*r11 + s*r21)^2 + 1.1*(c*r12 + "
+         "s*r22)^2 + 0.9*(c*r13 + s*r23)^2)\""}})
     for (auto const* const velocity : {"[0, 0, 0]", "[1, 2, 20]"}) {
       double const ratio = step(own, velocity) / step(named, velocity);
       BOOST_TEST((ratio > 0.5 && ratio < 2), own << " from " << velocity << ": " << ratio);

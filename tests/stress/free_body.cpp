@@ -108,8 +108,7 @@ void against_series(book::Program& program) {
   }
   program.figure("series_units", worst,
                  "10000 nasty bodies, series in 19 digits, and in 45 where those do not suffice: largest "
-                 "error over (eps + what one unit in the last place "
-                 "of each number of the question does)");
+                 "error over (eps + what one unit in the last place of each number of the question does)");
   program.say("angles up to ", angle, "; ", skipped, " left out whose fastest component starts near zero");
   program.claim(
       worst <= units,
@@ -232,12 +231,12 @@ void hard_bodies(book::Program& program) {
   program.table("hard",
                 {"body", "t", "open", "exact steps", "at(t)", "plain steps", "Moser-Veselov", "its order 10"},
                 rows,
-                "Errors of momentum / attitude, steps of time/10000 or time/1000; `open` is what one unit in "
-                "the last place of each number of the question does.");
+                "Errors of momentum / attitude, steps of time/10000 or time/1000; `open` is what one unit "
+                "in the last place of each number of the question does.");
   program.figure("hard", worst, "largest error of the bodies that are not next to the separatrix");
   program.claim(worst <= 1e-12,
-                "bodies of ratio 1e6, nearly symmetric, nearly spherical and flat ones: 1e-12 in momentum "
-                "and attitude");
+                "bodies of ratio 1e6, nearly symmetric, nearly spherical and flat ones: "
+                "1e-12 in momentum and attitude");
 }
 }  // namespace
 

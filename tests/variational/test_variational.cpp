@@ -45,16 +45,17 @@ BOOST_AUTO_TEST_CASE(the_full_equations_move_the_body_as_the_reduced_ones) {
   start << Matrix<double, 3, 3>::Identity().reshaped(), spin;
   auto const full = taylor_reference<double>(
       [](auto const& y) {
-    using T = typename std::decay_t<decltype(y)>::Scalar;
-    Matrix<T, 3, 3> g;
-    for (int i = 0; i < 9; ++i) g(i % 3, i / 3) = y[i];
-    State<SO<3>, T> const v{{{}, g}, {{}, Matrix<T, 3, 1>(y[9], y[10], y[11])}};
-    Matrix<T, 3, 3> const rate = SO<3>::hat(v.velocity.coordinates) * g;
-    Matrix<T, 3, 1> const acceleration = lagrange_acceleration(left_invariant(spinning_body), v).coordinates;
-    Matrix<T, 12, 1> result;
-    for (int i = 0; i < 9; ++i) result[i] = rate(i % 3, i / 3);
-    for (int i = 0; i < 3; ++i) result[9 + i] = acceleration[i];
-    return result;
+        using T = typename std::decay_t<decltype(y)>::Scalar;
+        Matrix<T, 3, 3> g;
+        for (int i = 0; i < 9; ++i) g(i % 3, i / 3) = y[i];
+        State<SO<3>, T> const v{{{}, g}, {{}, Matrix<T, 3, 1>(y[9], y[10], y[11])}};
+        Matrix<T, 3, 3> const rate = SO<3>::hat(v.velocity.coordinates) * g;
+        Matrix<T, 3, 1> const acceleration =
+            lagrange_acceleration(left_invariant(spinning_body), v).coordinates;
+        Matrix<T, 12, 1> result;
+        for (int i = 0; i < 9; ++i) result[i] = rate(i % 3, i / 3);
+        for (int i = 0; i < 3; ++i) result[9 + i] = acceleration[i];
+        return result;
       },
       start, 2.0);
   Vector<double, 3> const reduced =

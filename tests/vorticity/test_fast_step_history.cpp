@@ -21,9 +21,7 @@ struct CountedProducts : ProductsBy<CountedProducts> {
     EigenProducts().whole(a, b, out);
   }
   template <class Part>
-  void lower(Part const& a, Part const& b, Part& out) const {
-    EigenProducts().lower(a, b, out);
-  }
+  void lower(Part const& a, Part const& b, Part& out) const { EigenProducts().lower(a, b, out); }
 };
 
 bool same(SkewHermitian<> const& a, SkewHermitian<> const& b) {

@@ -73,16 +73,16 @@ BOOST_AUTO_TEST_CASE(columns_of_commutators_with_the_spins_are_those_of_whole_ma
       spins.over(
           w,
           [&](Eigen::Index c, auto const& pieces) {
-        BOOST_TEST(c == columns++);
-        BOOST_TEST(pieces.size() == axes.size());
-        auto const rows = std::min(depth, n - c);
-        for (std::size_t a = 0; a < pieces.size(); ++a) {
-          BOOST_TEST((pieces[a].real.size() == rows && pieces[a].imaginary.size() == rows));
-          Eigen::VectorXd const real = truth[a].real.col(c).segment(c, rows),
-                                imaginary = truth[a].imaginary.col(c).segment(c, rows);
-          largest = std::max({largest, (pieces[a].real.matrix() - real).cwiseAbs().maxCoeff(),
-                              (pieces[a].imaginary.matrix() - imaginary).cwiseAbs().maxCoeff()});
-        }
+            BOOST_TEST(c == columns++);
+            BOOST_TEST(pieces.size() == axes.size());
+            auto const rows = std::min(depth, n - c);
+            for (std::size_t a = 0; a < pieces.size(); ++a) {
+              BOOST_TEST((pieces[a].real.size() == rows && pieces[a].imaginary.size() == rows));
+              Eigen::VectorXd const real = truth[a].real.col(c).segment(c, rows),
+                                    imaginary = truth[a].imaginary.col(c).segment(c, rows);
+              largest = std::max({largest, (pieces[a].real.matrix() - real).cwiseAbs().maxCoeff(),
+                                  (pieces[a].imaginary.matrix() - imaginary).cwiseAbs().maxCoeff()});
+            }
           },
           depth);
       BOOST_TEST(columns == n);

@@ -70,9 +70,7 @@ struct NotedBlocks : ProductsBy<NotedBlocks> {
     out = a * b;
   }
   template <class Part>
-  void lower(Part const& a, Part const& b, Part& out, Reach reach) const {
-    whole(a, b, out, reach);
-  }
+  void lower(Part const& a, Part const& b, Part& out, Reach reach) const { whole(a, b, out, reach); }
 };
 
 }  // namespace

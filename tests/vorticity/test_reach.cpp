@@ -23,13 +23,9 @@ SkewHermitian<> banded(SkewHermitian<> w, Eigen::Index reach) {
 struct WholeProducts : ProductsBy<WholeProducts> {
   BlasProducts products{by_counting_loops};
   template <class Part>
-  void whole(Part const& a, Part const& b, Part& out) const {
-    products.whole(a, b, out);
-  }
+  void whole(Part const& a, Part const& b, Part& out) const { products.whole(a, b, out); }
   template <class Part>
-  void lower(Part const& a, Part const& b, Part& out) const {
-    products.lower(a, b, out);
-  }
+  void lower(Part const& a, Part const& b, Part& out) const { products.lower(a, b, out); }
 };
 
 }  // namespace

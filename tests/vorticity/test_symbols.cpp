@@ -34,9 +34,7 @@ SkewHermitian<> random_vorticity(int n, unsigned seed) {
     for (int j = 0; j < n; ++j) a(i, j) = {normal(random), normal(random)};
   return of_hermitian(ComplexMatrix<>((a + a.adjoint()) / 2));
 }
-Eigen::VectorXd spectrum(SkewHermitian<> const& w) {
-  return hermitian_values(w.hermitian());
-}
+Eigen::VectorXd spectrum(SkewHermitian<> const& w) { return hermitian_values(w.hermitian()); }
 /// By how much a field leaves the interval of the eigenvalues, in parts of its length.
 double outside(GridField const& field, SkewHermitian<> const& w) {
   Eigen::VectorXd const values = spectrum(w);

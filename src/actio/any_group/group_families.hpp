@@ -156,7 +156,7 @@ inline std::vector<GroupFamily> const& group_families() {
        [](Name name, int n) { return group_of_type(name, U<>(n)); }},
       {"SU", '(', 2, any, 1, [](double n) { return n * n - 1; },
        [](Name name, int n) {
-    return n == 2 ? unit_quaternion_matrices(name) : group_of_type(name, SU<>(n));
+         return n == 2 ? unit_quaternion_matrices(name) : group_of_type(name, SU<>(n));
        }},
       {"Sp", '(', 2, any, 2, [](double n) { return n * (n + 1) / 2; },
        [](Name name, int n) { return group_of_type(name, Sp<>(n)); }},
@@ -164,7 +164,7 @@ inline std::vector<GroupFamily> const& group_families() {
        [](Name name, int) { return group_of_type(name, Aff1{}); }},
       {"Heisenberg", 0, 0, 0, 1, [](double) { return 3.0; },
        [](Name name, int) { return group_of_type(name, Heisenberg{}); }},
-      };
+  };
   return families;
 }
 

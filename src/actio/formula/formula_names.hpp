@@ -45,8 +45,8 @@ class FormulaNames {
   void require_free(std::string_view name, std::size_t position) const {
     if (!is_name(name))
       throw FormulaError(position, "'" + shown(name) +
-                                       "' is no name of a number; one is a letter or _ and then letters, "
-                                       "digits and _");
+                                       "' is no name of a number; one is a letter or _ "
+                                       "and then letters, digits and _");
     if (name == "pi" || function_called(name))
       throw FormulaError(position,
                          "the name '" + shown(name) + "' has a meaning of its own in formulas; take another");

@@ -78,8 +78,8 @@ struct U : Order<n, 1> {
     double const distance = std::max(row_norm(excess), row_norm(Matrix<S>(a - linear)));
     if (!(distance < 0.1))
       throw OutsideDomain("restore",
-                          "a matrix near the unitary ones is needed; largest row of U^* U - 1, or of what is "
-                          "not complex linear",
+                          "a matrix near the unitary ones is needed; largest row of U^* U - 1, "
+                          "or of what is not complex linear",
                           distance, 0.1);
     return linear - linear * excess / S(2);
   }

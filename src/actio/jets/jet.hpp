@@ -79,8 +79,8 @@ template <class S, int rows, class Phi>
 auto first_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
   static_assert(N > 0,
-                "a section returns a point with as many coordinates as the fibre has dimensions, known when "
-                "it is compiled");
+                "a section returns a point with as many coordinates as the fibre has "
+                "dimensions, known when it is compiled");
   auto const d = derivative(phi, x);
   // [claim_6_1_jet_bundle]
   return Jet<S, n, N>{x, d.value, d.matrix};
@@ -94,8 +94,8 @@ template <class S, int rows, class Phi>
 auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
   static_assert(N > 0,
-                "a section returns a point with as many coordinates as the fibre has dimensions, known when "
-                "it is compiled");
+                "a section returns a point with as many coordinates as the fibre has "
+                "dimensions, known when it is compiled");
   using D = SecondOrder<S, rows>;
   Event<D, n> moved;
   for (int mu = 0; mu <= n; ++mu) moved[mu] = D::variable(x[mu], mu);

@@ -51,8 +51,8 @@ template <class S, int n, class L, class Map>
 S tilted_action(L const& density, Map const& map, Box<S, n> const& box, int degree) {
   return integral(
       [&](Event<S, n> const& u) {
-    auto const tilted = tilted_jet(map, u);
-    return S(density(tilted.jet) * tilted.stretch);
+        auto const tilted = tilted_jet(map, u);
+        return S(density(tilted.jet) * tilted.stretch);
       },
       box.low, box.high, degree);
 }

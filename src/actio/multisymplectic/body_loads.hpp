@@ -41,7 +41,7 @@ SpacePotential<d> space_potential(Value const& value) {
   return {[=](Place const& x) -> double { return value(vector(x)); },
           [=](Place const& x) { return place(slope(vector(x))); },
           [=](Place const& x, Place const& u) {
-    return place(derivative_along(slope, vector(x), vector(u)).rate);
+            return place(derivative_along(slope, vector(x), vector(u)).rate);
           }};
 }
 

@@ -29,10 +29,10 @@ PrescribedMotion<d> prescribed_motion(Chi const& chi) {
   using Place = std::array<double, d>;
   return {[chi](Place const& X, double t) -> Place { return chi(X, t); },
           [chi](Place const& X, double t) {
-    auto const moved = chi(X, variable(t));
-    Place rate;
-    for (int a = 0; a < d; ++a) rate[a] = rate_of(moved[a]);
-    return rate;
+            auto const moved = chi(X, variable(t));
+            Place rate;
+            for (int a = 0; a < d; ++a) rate[a] = rate_of(moved[a]);
+            return rate;
           }};
 }
 

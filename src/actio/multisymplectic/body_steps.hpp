@@ -145,9 +145,9 @@ class BodySteps {
     held.restrict_to_allowed(start);
     return detail::largest_frequency([&](std::size_t k) { return masses()[k / d]; }, std::move(start),
                                      [&](std::vector<double> const& u, std::vector<double>& out) {
-      forces.stiffness(x, u, out);
-      accelerate(out);
-    });
+                                       forces.stiffness(x, u, out);
+                                       accelerate(out);
+                                     });
   }
 
  private:

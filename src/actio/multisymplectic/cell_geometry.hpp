@@ -66,8 +66,8 @@ CellGeometry<S, n> cell_geometry(Matrix<S, n, corners_of_cell<n>> const& places,
     S const bound = S(64) * epsilon<S>();
     if (ordered_arithmetic<S>() && !(J > bound * box))
       throw InvertedCell("cell " + name + ", corner " + std::to_string(b) + " at x = " + show(places.col(b)),
-                         "the edges of a cell span a volume that is not turned inside out; volume over the "
-                         "product of the edges",
+                         "the edges of a cell span a volume that is not turned inside out; "
+                         "volume over the product of the edges",
                          box > S(0) ? to_double(S(J / box)) : to_double(J), to_double(bound));
     geometry.inverse_edges[b] = inverse_matrix(edges, "cell_geometry");
     geometry.volume[b] = J / S(geometry.corners) * geometry.correction.ratio;

@@ -123,18 +123,19 @@ double largest_frequency(Box const& box, Cell const& cell, std::vector<Vector<do
   std::vector<Vector<Dual<double>>> moved(x.size());
   return largest_frequency([&](std::size_t k) { return mass[k]; }, std::move(start),
                            [&](std::vector<double> const& u, std::vector<double>& out) {
-    for (std::size_t k = 0; k < x.size(); ++k)
-      for (std::size_t i = 0; i < d; ++i) {
-        Vector<double> place = x[k];
-        auto& one = component(moved[k], static_cast<int>(i));
-        one = Dual<double>(component(place, static_cast<int>(i)));
-        one.part[0] = u[d * k + i];
-      }
-    auto a = accelerations(box, cell, moved);
-    out.resize(u.size());
-    for (std::size_t k = 0; k < x.size(); ++k)
-      for (std::size_t i = 0; i < d; ++i) out[d * k + i] = -component(a[k], static_cast<int>(i)).part[0];
-  });
+                             for (std::size_t k = 0; k < x.size(); ++k)
+                               for (std::size_t i = 0; i < d; ++i) {
+                                 Vector<double> place = x[k];
+                                 auto& one = component(moved[k], static_cast<int>(i));
+                                 one = Dual<double>(component(place, static_cast<int>(i)));
+                                 one.part[0] = u[d * k + i];
+                               }
+                             auto a = accelerations(box, cell, moved);
+                             out.resize(u.size());
+                             for (std::size_t k = 0; k < x.size(); ++k)
+                               for (std::size_t i = 0; i < d; ++i)
+                                 out[d * k + i] = -component(a[k], static_cast<int>(i)).part[0];
+                           });
 }
 
 /// How strongly a cell resists to be squeezed: the change of its forces on its corners when these go towards

@@ -54,10 +54,9 @@ inline GmshShape const& gmsh_shape(GmshCursor const& file, int type) {
                            : type == 34 || type == 35 ? " (a polygon or a polyhedron)"
                            : type >= 8 ? " (of second or higher order: ask Gmsh for Mesh.ElementOrder = 1)"
                                        : "";
-  file.fail(
-      "elements of type " + std::to_string(type) + what +
-      " are unknown here; known are point (15), line (1), triangle (2), quadrangle (3), tetrahedron (4) "
-      "and hexahedron (5)");
+  file.fail("elements of type " + std::to_string(type) + what +
+            " are unknown here; known are point (15), line (1), triangle (2), quadrangle (3), "
+            "tetrahedron (4) and hexahedron (5)");
 }
 
 namespace detail {

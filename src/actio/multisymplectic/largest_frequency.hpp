@@ -19,7 +19,7 @@ namespace actio::detail {
 /// @param a  the diagonal
 /// @param b  beside the diagonal, positive; one fewer are used than there are in a
 inline std::pair<double, double> top_of_lanczos_matrix(std::vector<double> const& a,
-                                                        std::vector<double> const& b) {
+                                                       std::vector<double> const& b) {
   std::size_t const n = a.size();
   double low = -HUGE_VAL, up = -HUGE_VAL;
   for (std::size_t k = 0; k < n; ++k) {

@@ -162,11 +162,11 @@ class MediumOnMesh {
   std::vector<Tensor> cauchy_stresses() const {
     std::vector<Tensor> out(mesh_.cells.size(), Tensor::Zero());
     double const share = 1.0 / steps_of_.forces.body.points_per_cell;
-    steps_of_.forces.each_displacement(state_.x, state_.x_rest,
-                                       [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
-      Tensor const P = steps_of_.forces.law().stress_beyond(H), F = beyond_identity(H);
-      out[cell] += P * F.transpose() * (share * point.weight / point.volume / small_determinant(F));
-    });
+    steps_of_.forces.each_displacement(
+        state_.x, state_.x_rest, [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
+          Tensor const P = steps_of_.forces.law().stress_beyond(H), F = beyond_identity(H);
+          out[cell] += P * F.transpose() * (share * point.weight / point.volume / small_determinant(F));
+        });
     return out;
   }
   /// For each cell minus the mean of the diagonal of Cauchy's stress.
@@ -182,10 +182,10 @@ class MediumOnMesh {
   /// For each cell what it has stored, per reference volume.
   std::vector<double> energy_densities() const {
     std::vector<double> out(mesh_.cells.size(), 0), volume(mesh_.cells.size(), 0);
-    steps_of_.forces.each_displacement(state_.x, state_.x_rest,
-                                       [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
-      out[cell] += point.weight * steps_of_.forces.law().energy_beyond(H), volume[cell] += point.volume;
-    });
+    steps_of_.forces.each_displacement(
+        state_.x, state_.x_rest, [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
+          out[cell] += point.weight * steps_of_.forces.law().energy_beyond(H), volume[cell] += point.volume;
+        });
     for (std::size_t k = 0; k < out.size(); ++k) out[k] /= volume[k];
     return out;
   }
@@ -236,8 +236,8 @@ class MediumOnMesh {
     std::size_t const n = state_.x.size(), all = numbers_of_state();
     if (remembered.size() != all)
       throw OutsideDomain("medium",
-                          "a remembered state has four numbers per component of a node and one more,"
-                          " with viscosity five and two more",
+                          "a remembered state has four numbers per component of a node and one more, "
+                          "with viscosity five and two more",
                           static_cast<double>(remembered.size()), static_cast<double>(all));
     auto from = remembered.begin() + 1;
     for (auto* part : {&state_.x, &state_.v, &state_.x_rest, &state_.v_rest})

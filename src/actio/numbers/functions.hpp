@@ -95,11 +95,12 @@ S stumpff(S const& x) {
     return detail::sum_of_series(x, detail::counted<S, [] { return factorial_terms<S>(1.0 / 64) + 1; }>(),
                                  detail::counted<S, [] { return factorial_terms<S>() + 1; }>(),
                                  [](int terms) {
-      std::vector<Base<S>> c(terms);
-      c[0] = Base<S>(1) / Base<S>(factorial(K));
-      for (int n = 1; n < terms; ++n) c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
-      return c;
-    });
+                                   std::vector<Base<S>> c(terms);
+                                   c[0] = Base<S>(1) / Base<S>(factorial(K));
+                                   for (int n = 1; n < terms; ++n)
+                                     c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
+                                   return c;
+                                 });
   }
   using std::cos, std::sin, std::sqrt;
   if constexpr (K == 0) {
@@ -129,16 +130,17 @@ S asinc_derivative(S const& x) {
   return detail::sum_of_series(x, detail::counted<S, [] { return geometric_terms<S>(1.0 / 64) + K + 1; }>(),
                                detail::counted<S, [] { return geometric_terms<S>(0.25) + 3 * K + 1; }>(),
                                [](int terms) {
-    std::vector<Base<S>> c(terms);
-    Base<S> b(1);
-    for (int n = 0; n < terms + K; ++n) {
-      if (n > 0) b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
-      if (n < K) continue;
-      c[n - K] = b;
-      for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
-    }
-    return c;
-  });
+                                 std::vector<Base<S>> c(terms);
+                                 Base<S> b(1);
+                                 for (int n = 0; n < terms + K; ++n) {
+                                   if (n > 0)
+                                     b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
+                                   if (n < K) continue;
+                                   c[n - K] = b;
+                                   for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
+                                 }
+                                 return c;
+                               });
 }
 template <int K, class S, int N>
   requires Real<S>

@@ -177,8 +177,8 @@ Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> c
   require_finite(pi.components, "advected_relative_motion_left: momentum");
   return solve_on_group(
       [&](auto const& f) {
-    using T = typename std::decay_t<decltype(f)>::Scalar;
-    return advected_momentum_before_left(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
+        using T = typename std::decay_t<decltype(f)>::Scalar;
+        return advected_momentum_before_left(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
       },
       start);
 }
@@ -193,8 +193,8 @@ Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> 
   require_finite(mu.components, "advected_relative_motion_right: momentum");
   return solve_on_group(
       [&](auto const& f) {
-    using T = typename std::decay_t<decltype(f)>::Scalar;
-    return advected_momentum_before_right(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
+        using T = typename std::decay_t<decltype(f)>::Scalar;
+        return advected_momentum_before_right(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
       },
       start);
 }

@@ -38,9 +38,9 @@ class AdvectedStepsLeft {
   Element<G, S> const& advance() {
     Element<G, S> const f = solver_.solve(
         [&](auto const& x) {
-      using T = typename std::decay_t<decltype(x)>::Scalar;
-      return advected_momentum_before_left(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) -
-             like(x, momentum_);
+          using T = typename std::decay_t<decltype(x)>::Scalar;
+          return advected_momentum_before_left(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) -
+                 like(x, momentum_);
         },
         motion_);
     momentum_ = advected_lie_poisson_update_left(l_, f, vector_, momentum_, act_);
@@ -90,9 +90,9 @@ class AdvectedStepsRight {
   Element<G, S> const& advance() {
     Element<G, S> const f = solver_.solve(
         [&](auto const& x) {
-      using T = typename std::decay_t<decltype(x)>::Scalar;
-      return advected_momentum_before_right(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) -
-             like(x, momentum_);
+          using T = typename std::decay_t<decltype(x)>::Scalar;
+          return advected_momentum_before_right(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) -
+                 like(x, momentum_);
         },
         motion_);
     momentum_ = advected_lie_poisson_update_right(l_, f, vector_, momentum_, act_);

@@ -147,9 +147,9 @@ struct GalerkinStep {
     auto& solver = remembered.template solver<Translations<Dynamic>>(from.velocity, h);
     auto const xi = solver.solve(
         [&](auto const& x) {
-      using R = typename std::decay_t<decltype(x)>::Scalar;
-      return Momentum<Translations<Dynamic>, R>{x.group,
-                                                galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
+          using R = typename std::decay_t<decltype(x)>::Scalar;
+          return Momentum<Translations<Dynamic>, R>{
+              x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
         },
         start);
 

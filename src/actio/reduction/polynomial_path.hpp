@@ -46,10 +46,10 @@ struct PolynomialPath {
     int const s = static_cast<int>(final_slope.size());
     return derivative(
         [&]<class T>(T const& x) {
-      T product(S(1));
-      for (int m = 0; m <= s; ++m)
-        if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
-      return product;
+          T product(S(1));
+          for (int m = 0; m <= s; ++m)
+            if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
+          return product;
         },
         time);
   }

@@ -112,8 +112,8 @@ HeavyTop<S> held_at_a_point(S const& mass, Inertia<3, S> const& about_centre, Ma
   for (int i = 0; i < 3; ++i) off += centre[i] != S(0);
   if (off > 0)
     throw OutsideDomain("heavy top",
-                        "the fixed point must lie on a principal axis through the centre of mass; components "
-                        "of the way beside it",
+                        "the fixed point must lie on a principal axis through the centre of mass; "
+                        "components of the way beside it",
                         off, 0);
   if (mass < S(0)) throw OutsideDomain("heavy top", "the mass must not be negative", to_double(mass), 0);
   return heavy_top(mass, inertia_from_lambda<3, S>(about_centre.lambda + mass * centre.cwiseProduct(centre)),

@@ -63,8 +63,8 @@ Inertia<n, S> inertia_from_lambda(Matrix<S, n, 1> const& lambda) {
       throw UnphysicalInertia(
           "inertia",
           "Lambda_" + std::to_string(std::min(i, j) + 1) + " + Lambda_" + std::to_string(std::max(i, j) + 1) +
-              " must be positive, or turning in that plane has no energy (thesis, 5.1); in units of the "
-              "largest Lambda",
+              " must be positive, or turning in that plane has no energy (thesis, 5.1); "
+              "in units of the largest Lambda",
           scale > S(0) ? to_double(S(inertia.moments[a] / scale)) : 0.0, to_double(inertia_tolerance<S>()));
   });
   return inertia;
@@ -88,8 +88,8 @@ Inertia<3, S> inertia_from_moments(Matrix<S, 3, 1> const& moments) {
     if (!(moments[i] > inertia_tolerance<S>() * scale))
       throw UnphysicalInertia("inertia",
                               name(i) +
-                                  " must be positive: a body with extent has inertia about every axis; in "
-                                  "units of the largest moment",
+                                  " must be positive: a body with extent has inertia about every axis; "
+                                  "in units of the largest moment",
                               scale > S(0) ? to_double(S(moments[i] / scale)) : 0.0,
                               to_double(inertia_tolerance<S>()));
   for (int i = 0; i < 3; ++i) {
@@ -98,9 +98,9 @@ Inertia<3, S> inertia_from_moments(Matrix<S, 3, 1> const& moments) {
     if (lambda < -inertia_tolerance<S>() * scale)
       throw UnphysicalInertia("inertia",
                               name(i) +
-                                  " must not exceed the sum of the other two (triangle inequality): no "
-                                  "distribution of mass has such moments; "
-                                  "excess in units of the largest moment",
+                                  " must not exceed the sum of the other two (triangle "
+                                  "inequality): no distribution of mass has such moments; excess "
+                                  "in units of the largest moment",
                               to_double(S(-S(2) * lambda / scale)),
                               to_double(S(S(2) * inertia_tolerance<S>())));
     inertia.lambda[i] = magnitude(lambda) <= inertia_tolerance<S>() * scale ? S(0) : lambda;

@@ -36,9 +36,7 @@ class CheckpointStream {
   /// Saves each value, or restores it. A list that is not empty keeps its size.
   /// @throws Error  where the bytes end too early, or a list has another size
   template <class... T>
-  void operator()(T&... values) {
-    (one(values), ...);
-  }
+  void operator()(T&... values) { (one(values), ...); }
   /// That all was read back.
   /// @throws Error  where bytes are left
   void end() const {
@@ -67,9 +65,7 @@ class CheckpointStream {
     if (size) raw(values.data(), size * sizeof(T));
   }
   template <class T>
-  void one(std::span<T> values) {
-    raw(values.data(), values.size_bytes());
-  }
+  void one(std::span<T> values) { raw(values.data(), values.size_bytes()); }
   void raw(void* at, std::size_t size) {
     if (!reading_) {
       bytes_.append(static_cast<char const*>(at), size);

@@ -42,8 +42,8 @@ std::vector<Parameter> keys_of_scene() {
        "and series.h5; no number is changed. A body of the library has units of its own.",
        "", R"({ mass = "kg", length = "m", time = "s" })"},
       {"scene.units.mass", "a text", "none",
-       "The unit of mass; with that of length it gives that of moments of inertia, and with that of time "
-       "those of momentum and energy.",
+       "The unit of mass; with that of length it gives that of moments of inertia, and with that of "
+       "time those of momentum and energy.",
        "", "\"kg\""},
       {"scene.units.length", "a text", "none", "The unit of length.", "", "\"m\""},
       {"scene.units.time", "a text", "none", "The unit of time.", "", "\"s\""},
@@ -65,8 +65,8 @@ std::vector<Parameter> keys_of_method(System const& system) {
       {"method.step", "a number > 0",
        "the longest that divides the times of the rows and turns the body by at most 0.05 radians; where "
        "that makes more than four times as many steps as needed, one that divides run.every, or run.until",
-       "The time that a step takes. Rows are at multiples of it, or anywhere with run.between_steps; an "
-       "exact method does not use it.",
+       "The time that a step takes. Rows are at multiples of it, or anywhere with run.between_steps; "
+       "an exact method does not use it.",
        "time", "0.001"},
   };
 }
@@ -142,8 +142,8 @@ std::vector<Parameter> keys_of_output(System const& system) {
            meaning_of_formats(system),
        "", "[\"csv\", \"hdf5\"]", formats_of(system)},
       {"output.plots", "true or false", "false",
-       "Whether pictures are drawn when the run is done, and a page that plays the motion: plots/*.svg and "
-       "plots/index.html.",
+       "Whether pictures are drawn when the run is done, and a page that plays the motion: "
+       "plots/*.svg and plots/index.html.",
        "", "true"},
       {"output.error_estimate", "true or false", "true where it costs no more than half of the run",
        "Whether the error of attitude or configuration, momentum and carried vectors is estimated, for a "

@@ -16,8 +16,8 @@ Companion companions(std::function<std::unique_ptr<Motion>(long)> const& make,
       // So long a step is beyond the scheme.
     }
   return {nullptr, 0, 0, attitude,
-          "not estimated: steps four times as long are beyond the scheme; with half of the step there is an "
-          "estimate"};
+          "not estimated: steps four times as long are beyond the scheme; with half "
+          "of the step there is an estimate"};
 }
 
 }  // namespace actio::scene

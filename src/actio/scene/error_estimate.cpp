@@ -119,13 +119,13 @@ ErrorEstimate::Entry ErrorEstimate::entry(std::string const& name, std::string c
     out.said += ": the companion run, with longer steps, could not go on";
   else if (!seen.near())
     out.said += fmt::format(
-        ": the companion run came to be {:.2g}{} away, and up to 0.1 tells an error; "
-        "shorter steps tell longer",
+        ": the companion run came to be {:.2g}{} away, and up to 0.1 tells an "
+        "error; shorter steps tell longer",
         seen.apart / seen.modulus, unit);
   else
     out.said += fmt::format(
-        ": runs with steps {} and {} times as long tell errors of {:.1e} and {:.1e}; shorter steps tell "
-        "better",
+        ": runs with steps {} and {} times as long tell errors of {:.1e} and "
+        "{:.1e}; shorter steps tell better",
         companion_.steps, companion_.control_steps, seen.error / seen.modulus, seen.control / seen.modulus);
   return out;
 }

@@ -77,8 +77,8 @@ hid_t Session::checked(hid_t result, std::string const& path, char const* what) 
 std::string damage(std::string const& path, std::string const& name, std::size_t begin, std::size_t end) {
   return path + ": is damaged: rows " + std::to_string(begin) + " to " + std::to_string(end - 1) + " of '" +
          name +
-         "' are not what was written (their checksum differs); put a copy of the file in its place, or run "
-         "its scene.toml anew";
+         "' are not what was written (their checksum differs); put a copy of the file in its "
+         "place, or run its scene.toml anew";
 }
 
 }  // namespace actio::scene::hdf5

@@ -25,8 +25,8 @@ void refuse_unlike(InputFile const& then, std::optional<InputFile> const& now) {
   throw InputChanged(
       {then.path},
       !now ? "cannot be read any more, and the scene was read with it; put it back, or run the scene anew"
-           : fmt::format("has changed since the scene was read with it ({} bytes then, {} now), and numbers "
-                         "from both are not joined; put it back as it was, or run the scene anew",
+           : fmt::format("has changed since the scene was read with it ({} bytes then, {} now), and "
+                         "numbers from both are not joined; put it back as it was, or run the scene anew",
                          then.bytes, now->bytes));
 }
 

@@ -132,8 +132,8 @@ void OwnFiles::read_list() {
     if (text && (left.starts_with(heading_of(of)) || heading_of(of).starts_with(left))) of_ = of;
   if (of_ == Of::nothing)
     throw SceneError({folder_ + "/" + list_name},
-                     "a list of the files that actio wrote is expected, and this is none; move it away, or "
-                     "name another folder");
+                     "a list of the files that actio wrote is expected, and this is none; move "
+                     "it away, or name another folder");
   for (Of const of : {Of::run, Of::member, Of::sweep})
     if (left.starts_with(heading_of(of))) of_ = of;
   left.remove_prefix(std::min(left.size(), heading_of(of_).size()));

@@ -75,8 +75,8 @@ double RunPosition::change_step(RunPosition const& before) {
     throw SceneError(
         run.place(run.has("between_steps") ? "between_steps" : "until"),
         fmt::format(
-            "the state is that at t = {0}, and a row at t = {1} comes before the next multiple of {2}; "
-            "a step of {3}, of which the time of the state is a multiple, has no such row",
+            "the state is that at t = {0}, and a row at t = {1} comes before the next multiple of {2}; a "
+            "step of {3}, of which the time of the state is a multiple, has no such row",
             t, next, step, made > 0 ? t / static_cast<double>(made) : step));
   }
   at_.steps = made, at_.besides = before.steps_of_any_length() + (first > 0) - made;

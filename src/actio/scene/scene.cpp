@@ -40,8 +40,8 @@ std::vector<std::string> names(std::vector<Quantity> const& quantities) {
 std::string why_between_steps(Schedule const& schedule, double step) {
   double const meets = schedule.step_up_to(step);
   return fmt::format(
-      "run.between_steps: {}, so that a shorter step of the same scheme goes to each row between "
-      "two steps of {:.6g}",
+      "run.between_steps: {}, so that a shorter step of the same scheme goes to each "
+      "row between two steps of {:.6g}",
       meets > 0 ? fmt::format("a step that all times of {} are multiples of is {:.6g}",
                               schedule.has_others() ? "rows and snapshots" : "rows", meets)
                 : "the times of the rows have no divisor in common",

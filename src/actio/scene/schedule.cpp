@@ -42,8 +42,8 @@ Schedule::Schedule(SceneTable const& output, Schedule const& rows)
   bool const listed = output.has("snapshot_at"), regular = output.has("snapshot_every");
   if (listed && regular)
     output.fail("snapshot_at",
-                "snapshot_at and snapshot_every exclude each other: snapshots at the times listed, or "
-                "at the multiples of snapshot_every");
+                "snapshot_at and snapshot_every exclude each other: snapshots at the times listed, or at "
+                "the multiples of snapshot_every");
   if (listed)
     read_times(output, "snapshot_at", true);
   else if (regular)
@@ -155,8 +155,7 @@ StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const
     if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
     method.fail("step",
                 fmt::format("step: {} are at multiples of the step, and t = {} is {:.12g} steps of {} "
-                            "(which run.between_steps = true reaches by a shorter "
-                            "step){}",
+                            "(which run.between_steps = true reaches by a shorter step){}",
                             schedule.has_others() ? "rows and snapshots" : "rows", t, ratio, step,
                             step_that_would_do(schedule, step)));
   }

@@ -114,14 +114,14 @@ std::optional<SweepBefore> sweep_before(std::string const& path, bool replace) {
   if (!replace)
     throw SceneError({path},
                      SweepFolder::is_one(path)
-                         ? "the folder is not empty; --force replaces the sweep in it, actio resume goes on "
-                           "with it, --out names another"
+                         ? "the folder is not empty; --force replaces the sweep in it, actio resume goes "
+                           "on with it, --out names another"
                          : "the folder is not empty; --force replaces a sweep, --out names another folder");
   SweepBefore before(path);
   if (!before.there())
     throw SceneError({path},
-                     "--force replaces a sweep of actio, and there is none in this folder: neither the list "
-                     ".actio of its files nor a table sweep.csv; --out names another");
+                     "--force replaces a sweep of actio, and there is none in this folder: neither the "
+                     "list .actio of its files nor a table sweep.csv; --out names another");
   return before;
 }
 

@@ -176,8 +176,8 @@ std::string run_json(Scene const& scene, Overview const& overview, std::string c
                                                 *times, [](auto const& p) { return p.last.t; }, 12))
                               : std::string("null");
   std::string const json = fmt::format(
-      "{{\"scene\":{},\n\"body\":{},\n\"summary\":{},\n\"times\":{},\n\"quantities\":{},\n\"drifts\":{},"
-      "\n\"motion\":{},\n\"maps\":{},\n\"medium\":{}}}",
+      "{{\"scene\":{},\n\"body\":{},\n\"summary\":{},\n\"times\":{},\n\"quantities\":{},\n\"drifts\":{},\n"
+      "\"motion\":{},\n\"maps\":{},\n\"medium\":{}}}",
       head(scene).dump(), body(scene).dump(), told.is_discarded() ? "null" : told.dump(), t,
       curves(scene, overview), drifts(overview), motion(overview), maps, medium);
   std::string out;

@@ -67,8 +67,8 @@ void require_there(std::string const& path) {
 }
 std::string lost_its_name(std::string const& path) {
   return path +
-         ": was removed, or another file put in its place, while the run went on: its rows are lost, "
-         "and only a run of the scene from its start writes them again";
+         ": was removed, or another file put in its place, while the run went on: its rows are lost, and "
+         "only a run of the scene from its start writes them again";
 }
 
 }  // namespace actio::scene

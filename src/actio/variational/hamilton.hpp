@@ -57,8 +57,8 @@ template <Group G, Scalar S, class H>
 Velocity<G, S> momentum_derivative(H const& h, Costate<G, S> const& p) {
   return gradient(
       [&](auto const& mu) {
-    using T = typename std::decay_t<decltype(mu)>::Scalar;
-    return h(Costate<G, T>{over<T>(p.configuration), mu});
+        using T = typename std::decay_t<decltype(mu)>::Scalar;
+        return h(Costate<G, T>{over<T>(p.configuration), mu});
       },
       p.momentum);
 }
@@ -67,8 +67,8 @@ template <Group G, Scalar S, class H>
 Momentum<G, S> base_derivative(H const& h, Costate<G, S> const& p) {
   return right_differential(
       [&](auto const& g) {
-    using T = typename std::decay_t<decltype(g)>::Scalar;
-    return h(Costate<G, T>{g, over<T>(p.momentum)});
+        using T = typename std::decay_t<decltype(g)>::Scalar;
+        return h(Costate<G, T>{g, over<T>(p.momentum)});
       },
       p.configuration);
 }

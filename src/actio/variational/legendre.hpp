@@ -14,8 +14,8 @@ template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> legendre(Lagrangian const& L, State<G, S> const& v) {
   return gradient(
       [&](auto const& xi) {
-    using T = typename std::decay_t<decltype(xi)>::Scalar;
-    return L(State<G, T>{over<T>(v.configuration), xi});
+        using T = typename std::decay_t<decltype(xi)>::Scalar;
+        return L(State<G, T>{over<T>(v.configuration), xi});
       },
       v.velocity);
 }
@@ -26,8 +26,8 @@ template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> base_derivative(Lagrangian const& L, State<G, S> const& v) {
   return right_differential(
       [&](auto const& g) {
-    using T = typename std::decay_t<decltype(g)>::Scalar;
-    return L(State<G, T>{g, over<T>(v.velocity)});
+        using T = typename std::decay_t<decltype(g)>::Scalar;
+        return L(State<G, T>{g, over<T>(v.velocity)});
       },
       v.configuration);
 }

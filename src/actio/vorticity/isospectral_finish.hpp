@@ -78,8 +78,8 @@ class IsospectralFinish {
     double squares = 0;
     for (Eigen::Index c = 0; c < w.size(); ++c) {
       auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
-      auto const put =
-          [&](auto const& half_change, auto const& rest, auto const& mid, auto const& start, auto&& r) {
+      auto const put = [&](auto const& half_change, auto const& rest, auto const& mid, auto const& start,
+                           auto&& r) {
         r = ((below(half_change) + below(rest)) - (below(mid) - below(start))).template cast<float>();
         squares += 2 * static_cast<double>(r.squaredNorm()) - static_cast<double>(r[0]) * r[0];
       };

@@ -146,17 +146,17 @@ class OrbitMove {
       spins_.over(
           w,
           [&](Eigen::Index c, auto const& pieces) {
-        if (x0) add_first(c);
-        for (std::size_t a = 0; a < pieces.size(); ++a) {
-          auto const i = first + static_cast<Eigen::Index>(a);
-          if (x0)
-            gram(i, 0) += sum(of_first(c, x0->real), pieces[a].real.matrix()) +
-                          sum(of_first(c, x0->imaginary), pieces[a].imaginary.matrix());
-          for (std::size_t b = 0; b <= a; ++b)
-            gram(i, first + static_cast<Eigen::Index>(b)) +=
-                sum(pieces[a].real.matrix(), pieces[b].real.matrix()) +
-                sum(pieces[a].imaginary.matrix(), pieces[b].imaginary.matrix());
-        }
+            if (x0) add_first(c);
+            for (std::size_t a = 0; a < pieces.size(); ++a) {
+              auto const i = first + static_cast<Eigen::Index>(a);
+              if (x0)
+                gram(i, 0) += sum(of_first(c, x0->real), pieces[a].real.matrix()) +
+                              sum(of_first(c, x0->imaginary), pieces[a].imaginary.matrix());
+              for (std::size_t b = 0; b <= a; ++b)
+                gram(i, first + static_cast<Eigen::Index>(b)) +=
+                    sum(pieces[a].real.matrix(), pieces[b].real.matrix()) +
+                    sum(pieces[a].imaginary.matrix(), pieces[b].imaginary.matrix());
+            }
           },
           depth);
     gram = units.cwiseInverse().asDiagonal() * gram * units.cwiseInverse().asDiagonal();
@@ -173,11 +173,11 @@ class OrbitMove {
       spins_.over(
           w,
           [&](Eigen::Index c, auto const& pieces) {
-        for (std::size_t a = 0; a < pieces.size(); ++a) {
-          Real const f = static_cast<Real>(factors[first + static_cast<Eigen::Index>(a)]);
-          band_.real.col(c).head(pieces[a].real.size()) += f * pieces[a].real;
-          band_.imaginary.col(c).head(pieces[a].real.size()) += f * pieces[a].imaginary;
-        }
+            for (std::size_t a = 0; a < pieces.size(); ++a) {
+              Real const f = static_cast<Real>(factors[first + static_cast<Eigen::Index>(a)]);
+              band_.real.col(c).head(pieces[a].real.size()) += f * pieces[a].real;
+              band_.imaginary.col(c).head(pieces[a].real.size()) += f * pieces[a].imaginary;
+            }
           },
           depth);
     if (x0)

@@ -115,7 +115,7 @@ inline void extrapolate(std::deque<PastStep> const& past, LowerHalf PastStep::*w
       extrapolate(
           past,
           [&](PastStep const& step, double weight) {
-        to += weight * (step.*which.*part).segment(at, to.size());
+            to += weight * (step.*which.*part).segment(at, to.size());
           },
           most);
     }
@@ -136,7 +136,7 @@ inline double error_of_guess(std::deque<PastStep> const& past, int most, SkewHer
       extrapolate(
           past,
           [&](PastStep const& step, double weight) {
-        difference += weight * (step.displacement.*part).segment(at, rows);
+            difference += weight * (step.displacement.*part).segment(at, rows);
           },
           most);
       apart += difference.squaredNorm(), size += column.squaredNorm();

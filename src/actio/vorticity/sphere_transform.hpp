@@ -48,25 +48,26 @@ inline std::vector<GridField> values_on(SphereGrid const& grid,
     bool const alone = bin == 0 || 2 * bin == columns;
     spectrum(bin, row) += alone ? (m == 0 ? 1 : 2) * value.real() : value;
   };
-  over_half_of_sphere(grid, degrees,
-                      [&](int m, int first, int count, int from, LegendreFunctions::Block const& u) {
-    for (std::size_t k = 0; k < functions.size(); ++k) {
-      // Even and odd l - m apart: their sum is the value in the north, their difference the one in the south.
-      Eigen::Matrix<double, 4, LegendreFunctions::lanes, Eigen::RowMajor> parts;
-      parts.setZero();
-      for (int r = from; r < degrees - m; ++r) {
-        std::complex<double> const c = functions[k](m + r, m);
-        parts.row(2 * (r % 2)) += c.real() * u.row(r);
-        parts.row(2 * (r % 2) + 1) += c.imag() * u.row(r);
-      }
-      for (int i = 0; i < count; ++i) {
-        std::complex<double> const even(parts(0, i), parts(1, i)), odd(parts(2, i), parts(3, i));
-        int const north = first + i, south = rows - 1 - north;
-        put(spectra[k], north, m, even + odd);
-        if (south != north) put(spectra[k], south, m, even - odd);
-      }
-    }
-  });
+  over_half_of_sphere(
+      grid, degrees, [&](int m, int first, int count, int from, LegendreFunctions::Block const& u) {
+        for (std::size_t k = 0; k < functions.size(); ++k) {
+          // Even and odd l - m apart: their sum is the value in the north, their difference the one in the
+          // south.
+          Eigen::Matrix<double, 4, LegendreFunctions::lanes, Eigen::RowMajor> parts;
+          parts.setZero();
+          for (int r = from; r < degrees - m; ++r) {
+            std::complex<double> const c = functions[k](m + r, m);
+            parts.row(2 * (r % 2)) += c.real() * u.row(r);
+            parts.row(2 * (r % 2) + 1) += c.imag() * u.row(r);
+          }
+          for (int i = 0; i < count; ++i) {
+            std::complex<double> const even(parts(0, i), parts(1, i)), odd(parts(2, i), parts(3, i));
+            int const north = first + i, south = rows - 1 - north;
+            put(spectra[k], north, m, even + odd);
+            if (south != north) put(spectra[k], south, m, even - odd);
+          }
+        }
+      });
   Eigen::FFT<double> fourier;
   fourier.SetFlag(Eigen::FFT<double>::HalfSpectrum), fourier.SetFlag(Eigen::FFT<double>::Unscaled);
   std::vector<GridField> fields(functions.size(), GridField(rows, columns));
@@ -109,19 +110,19 @@ inline SphereHarmonics harmonics_from(SphereGrid const& grid, GridField const& f
     spectra.col(j) *= 2 * M_PI / columns * grid.weight[j];
   }
   SphereHarmonics f(degrees);
-  over_half_of_sphere(grid, degrees,
-                      [&](int m, int first, int count, int from, LegendreFunctions::Block const& u) {
-    Eigen::Matrix<double, 4, LegendreFunctions::lanes, Eigen::RowMajor> parts;
-    parts.setZero();
-    for (int i = 0; i < count; ++i) {
-      int const north = first + i, south = rows - 1 - north;
-      std::complex<double> const a = spectra(m, north), b = south == north ? 0 : spectra(m, south);
-      parts.col(i) << (a + b).real(), (a + b).imag(), (a - b).real(), (a - b).imag();
-    }
-    for (int r = from; r < degrees - m; ++r)
-      f(m + r, m) += std::complex<double>(u.row(r).dot(parts.row(2 * (r % 2))),
-                                          u.row(r).dot(parts.row(2 * (r % 2) + 1)));
-  });
+  over_half_of_sphere(
+      grid, degrees, [&](int m, int first, int count, int from, LegendreFunctions::Block const& u) {
+        Eigen::Matrix<double, 4, LegendreFunctions::lanes, Eigen::RowMajor> parts;
+        parts.setZero();
+        for (int i = 0; i < count; ++i) {
+          int const north = first + i, south = rows - 1 - north;
+          std::complex<double> const a = spectra(m, north), b = south == north ? 0 : spectra(m, south);
+          parts.col(i) << (a + b).real(), (a + b).imag(), (a - b).real(), (a - b).imag();
+        }
+        for (int r = from; r < degrees - m; ++r)
+          f(m + r, m) += std::complex<double>(u.row(r).dot(parts.row(2 * (r % 2))),
+                                              u.row(r).dot(parts.row(2 * (r % 2) + 1)));
+      });
   return f;
 }
 

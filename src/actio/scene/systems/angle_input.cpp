@@ -37,8 +37,8 @@ Direction half_of(SceneTable const& turn) {
   if (degrees) return direction(turn.number("degrees") / 2);
   if (radians) return {std::cos(turn.number("radians") / 2), std::sin(turn.number("radians") / 2)};
   throw SceneError(turn.place(),
-                   "attitude: a turn needs 'degrees' or 'radians' beside its axis, for example { axis = [0, "
-                   "0, 1], degrees = 30 }");
+                   "attitude: a turn needs 'degrees' or 'radians' beside its axis, for example { "
+                   "axis = [0, 0, 1], degrees = 30 }");
 }
 
 }  // namespace
@@ -79,16 +79,16 @@ Eigen::Vector4d read_turn(SceneTable const& turn) {
 std::vector<Parameter> attitude_parameters() {
   return {
       {"initial.attitude",
-       "a unit quaternion, scalar first; or a 3 by 3 rotation matrix, a list of rows; or a table with axis "
-       "and degrees or radians",
+       "a unit quaternion, scalar first; or a 3 by 3 rotation matrix, a list of rows; or a table "
+       "with axis and degrees or radians",
        "[1, 0, 0, 0]",
-       "The rotation that takes the body to space. A quaternion off unit length, or a matrix off a rotation, "
-       "by at most 1e-9 is normalised, and said; the quaternion of a matrix is "
-       "the one with a scalar part that is not negative. The copy of the scene has it as it was given.",
+       "The rotation that takes the body to space. A quaternion off unit length, or a matrix off a "
+       "rotation, by at most 1e-9 is normalised, and said; the quaternion of a matrix is the one with a "
+       "scalar part that is not negative. The copy of the scene has it as it was given.",
        "", "[1, 0, 0, 0]"},
       {"initial.attitude.axis", "three numbers, not all zero", "needed where initial.attitude is a table",
-       "The axis of a turn, of any length, which has the same components in the body and in space: attitude "
-       "= { axis = [0, 0, 1], degrees = 30 }.",
+       "The axis of a turn, of any length, which has the same components in the body and in space: "
+       "attitude = { axis = [0, 0, 1], degrees = 30 }.",
        "", "[0, 0, 1]"},
       {"initial.attitude.degrees", "a number", "or initial.attitude.radians",
        "How far the body is turned about the axis, counter-clockwise as seen from its tip.", "degrees", "30"},

@@ -66,15 +66,14 @@ Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInerti
   auto const omega = body_velocity(inertia, M).coordinates;
   double const least = std::numeric_limits<double>::min(), lightest = inertia.inertia.moments.minCoeff();
   if (lightest < least)
-    initial.fail(key,
-                 fmt::format("{}: a moment of inertia is {:.3g}, and below {:.3g} digits are lost; other "
-                             "units would do",
-                             key, lightest, least));
+    initial.fail(key, fmt::format("{}: a moment of inertia is {:.3g}, and below {:.3g} digits "
+                                  "are lost; other units would do",
+                                  key, lightest, least));
   if (!is_finite(m) || !is_finite(m.squaredNorm()) || !is_finite(omega.squaredNorm()))
     initial.fail(key, key + ": the numbers are too large: energy and |M|^2 are beyond 1e308");
   if (magnitude(given) > 0 && (magnitude(m) < least || magnitude(omega) < least))
-    initial.fail(key, fmt::format("{}: the numbers are too small: momentum or angular velocity is below "
-                                  "{:.3g}, where digits are lost",
+    initial.fail(key, fmt::format("{}: the numbers are too small: momentum or angular velocity is "
+                                  "below {:.3g}, where digits are lost",
                                   key, least));
   return M;
 }

@@ -59,8 +59,8 @@ Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::stri
     // Within a half in each row the iteration finds it; a matrix of more than four rows is too long to paste.
     bool const near = n <= 4 && n * off < 0.5;
     initial.fail("attitude",
-                 fmt::format("attitude: a rotation is expected; the largest entry of g^T g - 1 is {:.2g} "
-                             "where 1e-9 is taken{}",
+                 fmt::format("attitude: a rotation is expected; the largest entry of g^T g - 1 "
+                             "is {:.2g} where 1e-9 is taken{}",
                              off, near ? "; normalised it is " + written(nearest_orthogonal(g)) : ""));
   }
   if (actio::detail::sign_of_determinant(g) != 1)

@@ -23,8 +23,8 @@ std::vector<Parameter> parameters() {
        "R^2\", \"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
        "", "\"SE(2)\""},
       {"system.algebra", "a list of square matrices, each a list of rows", "or system.group",
-       "A basis of the algebra of a group of one's own: linearly independent, and closed under commutators. "
-       "The components of the velocity are then x1, x2, ...",
+       "A basis of the algebra of a group of one's own: linearly independent, and closed under "
+       "commutators. The components of the velocity are then x1, x2, ...",
        "", "[[[0, 1], [0, 0]]]"},
       {"system.side",
        "a text",
@@ -35,9 +35,9 @@ std::vector<Parameter> parameters() {
        "\"left\"",
        {"left", "right"}},
       {"system.lagrangian", "a formula", "needed",
-       "The Lagrangian, a formula in the components of the velocity, the parameters and the components of "
-       "the carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no "
-       "abs, min or comparison.",
+       "The Lagrangian, a formula in the components of the velocity, the parameters and the components "
+       "of the carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: "
+       "there is no abs, min or comparison.",
        "", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
       {"system.parameters", "a table by names of one's own", "none",
        "Numbers by whose names the Lagrangian uses them; each is used.", "", "{ c = 6 }"},
@@ -52,10 +52,10 @@ std::vector<Parameter> parameters() {
       {"initial.configuration", "a square matrix, an element of the group", "the identity",
        "The configuration at the start, as a matrix.", "", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
       {"method.step", "a number > 0", "from the time asked",
-       "The time that a step takes, a whole number of times in the time between two rows. By default a "
-       "twentieth of the shortest time in which something changes at the start: the group turns, or the "
-       "linearized equations of motion swing or grow; a hundredth of the time between two rows where "
-       "nothing does.",
+       "The time that a step takes, a whole number of times in the time between two rows. By "
+       "default a twentieth of the shortest time in which something changes at the start: the "
+       "group turns, or the linearized equations of motion swing or grow; a hundredth of the time "
+       "between two rows where nothing does.",
        "time", "0.01"},
   };
 }
@@ -70,8 +70,8 @@ std::vector<Method> methods() {
        "eq_3_26"},
       {"cayley_chart",
        {"2", "4", "6"},
-       "The same with Cayley's transform for the exponential, order 2: over a step the group moves by "
-       "(1 - hv/2)^-1 (1 + hv/2); composed of substeps 4 and 6. On groups into which that transform maps.",
+       "The same with Cayley's transform for the exponential, order 2: over a step the group moves by (1 - "
+       "hv/2)^-1 (1 + hv/2); composed of substeps 4 and 6. On groups into which that transform maps.",
        "eq_3_20"},
       {"galerkin",
        {"4", "2", "6", "8", "10", "12", "14", "16"},
@@ -129,8 +129,8 @@ Companion companion_of(Request const& request, ReducedScheme const& scheme, Redu
   int const order = static_cast<int>(request.file.section("method").integer("order", 2, 16));
   Companion out = companions(
       [&](long multiple) {
-    return scheme.motion(static_cast<double>(multiple) * step, scene.start, scene.velocity,
-                         scene.configuration);
+        return scheme.motion(static_cast<double>(multiple) * step, scene.start, scene.velocity,
+                             scene.configuration);
       },
       {4, 3, 2}, order, follows);
   out.turn = "configuration", out.unit = "", out.vectors = !scene.carried.empty();
@@ -186,8 +186,8 @@ System euler_poincare_system() {
       reduced_quantities(),
       prepare,
       "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
-      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[run]\nuntil = 10\nevery = "
-      "0.1\n[output]\nquantities = [\"body_momentum\", \"energy\"]\n",
+      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[run]\nuntil = 10\nevery = 0.1\n"
+      "[output]\nquantities = [\"body_momentum\", \"energy\"]\n",
       nullptr,
       {},
       named_quantities};

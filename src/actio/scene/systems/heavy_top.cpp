@@ -18,8 +18,8 @@ std::vector<Parameter> parameters() {
   std::vector<Parameter> all{
       {"system.mass", "a number > 0", "needed", "The mass.", "mass", "1"},
       {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "needed",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
-       "that frame. They are moved to the fixed point.",
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor "
+       "in that frame. They are moved to the fixed point.",
        "mass x length^2", "[1, 1, 0.5]"},
       {"system.centre_of_mass", "three numbers", "needed", "From the fixed point, in the frame of the body.",
        "length", "[0, 0, 1]"},
@@ -54,16 +54,16 @@ std::vector<Quantity> quantities() {
                  {"spatial_momentum"}});
   all.push_back({"energy",
                  Kind::scalar,
-                 "Kinetic and potential energy; the potential is zero with the centre of mass as high as the "
-                 "fixed point.",
+                 "Kinetic and potential energy; the potential is zero with the centre of "
+                 "mass as high as the fixed point.",
                  "H = \\tfrac12\\langle M, I^{-1}M\\rangle - m|g|\\langle\\chi, \\Gamma\\rangle",
                  "energy",
                  "",
                  {"body_momentum", "angular_velocity", "direction_of_gravity"}});
   all.push_back({"casimir",
                  Kind::list,
-                 "The Casimirs of the dual of se(3), where momentum and direction of gravity move: |Gamma|^2 "
-                 "and M.Gamma.",
+                 "The Casimirs of the dual of se(3), where momentum and direction of "
+                 "gravity move: |Gamma|^2 and M.Gamma.",
                  "|\\Gamma|^2, \\langle M, \\Gamma\\rangle",
                  "1, and energy x time",
                  "",
@@ -179,31 +179,34 @@ void define_top(QuantityGraph& graph, TopScene const& scene) {
   };
   graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector),
                [down = scene.top.down](auto needs, double* gamma) {
-    as_matrix<3, 1>(gamma) = SU2::Ad<double>(SU2::inverse<double>(as_matrix<4, 1>(needs[0])), down);
-  });
+                 as_matrix<3, 1>(gamma) =
+                     SU2::Ad<double>(SU2::inverse<double>(as_matrix<4, 1>(needs[0])), down);
+               });
   graph.define(
       "vertical_momentum", {""},
       [down = scene.top.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
       [unit](auto needs, double const*, std::size_t) {
-    return unit(magnitude(Eigen::Vector3d(ConstVector(needs[0]))));
+        return unit(magnitude(Eigen::Vector3d(ConstVector(needs[0]))));
       });
   graph.define(
       "energy", {""},
       [lever = scene.top.lever](auto needs, double* energy) {
-    *energy = ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 - lever.dot(ConstVector(needs[2]));
+        *energy = ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 - lever.dot(ConstVector(needs[2]));
       },
       [lever = scene.top.lever](auto needs, double const*, std::size_t) {
-    return ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 + std::abs(lever.dot(ConstVector(needs[2])));
-  });
+        return ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 +
+               std::abs(lever.dot(ConstVector(needs[2])));
+      });
   graph.define(
       "casimir", {"_gamma", "_cross"},
       [](auto needs, double* casimir) {
-    ConstVector const M(needs[0]), gamma(needs[1]);
-    casimir[0] = gamma.squaredNorm(), casimir[1] = M.dot(gamma);
+        ConstVector const M(needs[0]), gamma(needs[1]);
+        casimir[0] = gamma.squaredNorm(), casimir[1] = M.dot(gamma);
       },
       [unit](auto needs, double const*, std::size_t component) {
-    return component == 0 ? QuantityGraph::Unit(1) : unit(magnitude(Eigen::Vector3d(ConstVector(needs[0]))));
-  });
+        return component == 0 ? QuantityGraph::Unit(1)
+                              : unit(magnitude(Eigen::Vector3d(ConstVector(needs[0]))));
+      });
 }
 
 Simulation prepare(Request const& request) {
@@ -247,9 +250,9 @@ System heavy_top_system() {
           methods(),
           quantities(),
           prepare,
-          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, "
-          "1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery "
-          "= 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n",
+          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, 1]\n"
+          "gravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\n"
+          "every = 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n",
           shape};
 }
 

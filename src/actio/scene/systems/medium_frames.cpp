@@ -67,20 +67,21 @@ std::vector<Hdf5Frames::Constant> MediumFrames<d>::constants(MediumCells<d> cons
   std::vector<double> periods;
   for (int a = 0; a < d; ++a) periods.push_back(cells.period(a));
   std::vector<Hdf5Frames::Constant> out;
-  out.push_back({{"reference", "the places X of the nodes in the reference space", {cells.nodes(), d}},
-                 [&cells] {
-    std::vector<double> reference;
-    reference.reserve(d * cells.nodes());
-    for (std::size_t k = 0; k < cells.nodes(); ++k)
-      for (double const X : cells.reference(k)) reference.push_back(X);
-    return reference;
-                 }});
+  out.push_back(
+      {{"reference", "the places X of the nodes in the reference space", {cells.nodes(), d}}, [&cells] {
+         std::vector<double> reference;
+         reference.reserve(d * cells.nodes());
+         for (std::size_t k = 0; k < cells.nodes(); ++k)
+           for (double const X : cells.reference(k)) reference.push_back(X);
+         return reference;
+       }});
   out.push_back({{"cells", "the nodes at the corners, counted as VTK counts them", {cells.cells(), corners}},
                  [&cells, corners] {
-    std::vector<std::int64_t> nodes;
-    nodes.reserve(corners * cells.cells());
-    for_corners(cells, [&](auto const& cell, std::size_t b) { nodes.push_back(cell.nodes[b]); });
-    return nodes;
+                   std::vector<std::int64_t> nodes;
+                   nodes.reserve(corners * cells.cells());
+                   for_corners(cells,
+                               [&](auto const& cell, std::size_t b) { nodes.push_back(cell.nodes[b]); });
+                   return nodes;
                  },
                  {{"shape", shape_name(cells.shape())}}});
   if (periods == std::vector<double>(d, 0.0)) return out;
@@ -89,12 +90,12 @@ std::vector<Hdf5Frames::Constant> MediumFrames<d>::constants(MediumCells<d> cons
                   "by how many periods a corner lies beyond the place of its node",
                   {cells.cells(), corners, d}},
                  [&cells, corners] {
-    std::vector<std::int64_t> beyond;
-    beyond.reserve(d * corners * cells.cells());
-    for_corners(cells, [&](auto const& cell, std::size_t b) {
-      for (int a = 0; a < d; ++a) beyond.push_back(cell.wraps[b] >> a & 1);
-    });
-    return beyond;
+                   std::vector<std::int64_t> beyond;
+                   beyond.reserve(d * corners * cells.cells());
+                   for_corners(cells, [&](auto const& cell, std::size_t b) {
+                     for (int a = 0; a < d; ++a) beyond.push_back(cell.wraps[b] >> a & 1);
+                   });
+                   return beyond;
                  }});
   return out;
 }

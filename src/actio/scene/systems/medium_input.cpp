@@ -42,8 +42,8 @@ void require_no_needles(SceneTable const& mesh, MediumMesh const& box) {
   }
   // Energies have the square of the ratio, and doubles have 2^53.
   if (double const ratio = edge(wide) / edge(thin); !(ratio <= 1e8))
-    mesh.fail("cells", fmt::format("cells: the longest edge of a cell over the shortest, of {} along {} over "
-                                   "{} along {}, measured {}, bound 1e8",
+    mesh.fail("cells", fmt::format("cells: the longest edge of a cell over the shortest, of {} along {} "
+                                   "over {} along {}, measured {}, bound 1e8",
                                    edge(wide), axes()[wide], edge(thin), axes()[thin], ratio));
 }
 
@@ -52,8 +52,8 @@ void read_box(SceneTable& mesh, MediumMesh& out) {
   out.lower = mesh.numbers("lower");
   std::size_t const d = out.lower.size();
   if (d < 1 || d > 3)
-    mesh.fail("lower", fmt::format("lower: one to three numbers are expected, as many as the body has "
-                                   "dimensions, found {}",
+    mesh.fail("lower", fmt::format("lower: one to three numbers are expected, as many as "
+                                   "the body has dimensions, found {}",
                                    d));
   out.dimension = static_cast<int>(d);
   out.upper = mesh.numbers("upper", static_cast<long>(d));

@@ -31,10 +31,10 @@ void examine_potentials(SceneFile const& file, MediumMesh const& mesh, BodyMesh 
     for (std::size_t n = 0; n < places.size(); ++n) {
       PointOfBody<d> const g = potential.gradient(places[n]);
       if (!std::isfinite(potential.value(places[n])) || !std::isfinite(size_of(g)))
-        table.fail(
-            key, fmt::format("{}: the potential and its gradient must be finite where the body is; at x = {} "
-                             "they are {} and {}",
-                             key, in_words(places[n]), std::abs(potential.value(places[n])), in_words(g)));
+        table.fail(key,
+                   fmt::format("{}: the potential and its gradient must be finite where the body "
+                               "is; at x = {} they are {} and {}",
+                               key, in_words(places[n]), std::abs(potential.value(places[n])), in_words(g)));
       steepest = std::max(steepest, size_of(g));
     }
     for (std::size_t k = 0; k < mesh.periodic.size(); ++k) {
@@ -46,8 +46,8 @@ void examine_potentials(SceneFile const& file, MediumMesh const& mesh, BodyMesh 
         PointOfBody<d> const g = potential.gradient(places[n]), beyond = potential.gradient(there);
         if (distance(g, beyond) <= 1e-6 * steepest) continue;
         table.fail(
-            key, fmt::format("{}: in a box that is periodic along {}, the potential is periodic along it but "
-                             "for a constant; here its gradient is {} at x = {} and {} a period further",
+            key, fmt::format("{}: in a box that is periodic along {}, the potential is periodic along it "
+                             "but for a constant; here its gradient is {} at x = {} and {} a period further",
                              key, "XYZ"[k], in_words(g), in_words(places[n]), in_words(beyond)));
       }
     }
@@ -69,8 +69,8 @@ void examine_forces(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
   for (auto const& [side, traction] : loads.loads.tractions)
     if (std::string const how = held(side); how == "fixed" || how == "moved")
       load.inside("traction")
-          .fail(side, fmt::format("traction: the side '{}' is {}, so that no force moves it; "
-                                  "a traction acts on a side that is free or sliding",
+          .fail(side, fmt::format("traction: the side '{}' is {}, so that no force moves it; a traction "
+                                  "acts on a side that is free or sliding",
                                   side, how));
   for (auto const& [side, pressure] : loads.loads.pressures)
     if (std::string const how = held(side); !how.empty())
@@ -124,8 +124,8 @@ class MotionExamination {
     std::vector<std::string> out;
     for (auto const& [side, jump] : kicked_)
       out.push_back(
-          fmt::format("motion.{} begins with another velocity than initial.velocity, by up to {:.6g}: it "
-                      "pushes the body at t = 0",
+          fmt::format("motion.{} begins with another velocity than initial.velocity, by up to "
+                      "{:.6g}: it pushes the body at t = 0",
                       side, jump));
     return out;
   }
@@ -148,10 +148,9 @@ class MotionExamination {
     PointOfBody<d> const X = reference(node), there = place(node, one, 0),
                          v = one.does->motion.velocity(X, 0);
     if (!std::isfinite(size_of(there)) || !std::isfinite(size_of(v)))
-      motion_.fail(one.side,
-                   fmt::format("motion: a finite place and velocity are needed, and X = {} has {} and {} at "
-                               "t = 0",
-                               in_words(X), in_words(there), in_words(v)));
+      motion_.fail(one.side, fmt::format("motion: a finite place and velocity are needed, "
+                                         "and X = {} has {} and {} at t = 0",
+                                         in_words(X), in_words(there), in_words(v)));
     if (distance(there, start_.places[n]) > near_)
       motion_.fail(one.side,
                    fmt::format("motion: at t = 0 it has X = {} at {}, and initial.placement has it at {}",
@@ -169,8 +168,8 @@ class MotionExamination {
       if (distance(here, there) <= near_) continue;
       motion_.fail(
           moved.side,
-          fmt::format("motion: the sides '{}' and '{}' share X = {}, and at t = {:.6g} the first has it "
-                      "at {}, the second, which is {}, at {}",
+          fmt::format("motion: the sides '{}' and '{}' share X = {}, and at t = {:.6g} the first has it at "
+                      "{}, the second, which is {}, at {}",
                       moved.side, other.side, in_words(reference(node)), t, in_words(here),
                       other.does->kind == Kind::moved ? "moved" : "fixed", in_words(there)));
     }

@@ -52,27 +52,27 @@ SpacePotential<d> read_potential(SceneTable const& table, std::string const& key
     return y;
   };
   return {[level](Place const& x) {
-    double V;
-    (*level)(x.data(), &V);
-    return V;
+            double V;
+            (*level)(x.data(), &V);
+            return V;
           },
           [slope](Place const& x) {
-    Place out;
-    std::copy_n(slope(x).begin() + 1, d, out.begin());
-    return out;
-  },
-      [second](Place const& x, Place const& u) {
-    double y[size];
-    (*second)(x.data(), y);
-    Place out{};
-    double const* h = y + 1 + d;
-    for (int i = 0; i < d; ++i)
-      for (int j = i; j < d; ++j, ++h) {
-        out[i] += *h * u[j];
-        if (j > i) out[j] += *h * u[i];
-      }
-    return out;
-      }};
+            Place out;
+            std::copy_n(slope(x).begin() + 1, d, out.begin());
+            return out;
+          },
+          [second](Place const& x, Place const& u) {
+            double y[size];
+            (*second)(x.data(), y);
+            Place out{};
+            double const* h = y + 1 + d;
+            for (int i = 0; i < d; ++i)
+              for (int j = i; j < d; ++j, ++h) {
+                out[i] += *h * u[j];
+                if (j > i) out[j] += *h * u[i];
+              }
+            return out;
+          }};
 }
 
 /// A motion of a side, formulas in X, Y, Z and t.
@@ -246,14 +246,11 @@ template MediumLoads<3> read_medium_loads<3>(SceneFile const&, MediumMesh const&
 std::vector<Parameter> load_parameters() {
   return {
       {"system.load", "a table", "no loads",
-       "What acts on the body. gravity: a potential per mass as a formula in x, y, z, whose force is minus "
-       "its "
-       "gradient, so that 9.81*y pulls down along y, and -9.81*y up. pressure: that of the outside; or "
-       "pressure.SIDE, a number or a formula in t, on one side alone, which it follows. traction.SIDE: the "
-       "force "
-       "per reference area on a side, which keeps its direction. motion.SIDE: formulas in X, Y, Z and t of "
-       "where "
-       "that side is.",
+       "What acts on the body. gravity: a potential per mass as a formula in x, y, z, whose force is "
+       "minus its gradient, so that 9.81*y pulls down along y, and -9.81*y up. pressure: that of the "
+       "outside; or pressure.SIDE, a number or a formula in t, on one side alone, which it follows. "
+       "traction.SIDE: the force per reference area on a side, which keeps its direction. motion.SIDE: "
+       "formulas in X, Y, Z and t of where that side is.",
        "", "{ gravity = \"0.1*y\" }"},
       {"system.obstacle", "a table", "none",
        "An obstacle as a potential per mass that rises towards its inside: potential, a formula in x, y, z.",

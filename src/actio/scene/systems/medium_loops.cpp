@@ -192,8 +192,8 @@ std::vector<MaterialLoop<d>> read_loops(SceneFile const& file, MediumCells<d> co
       return std::isalnum(c) || c == '_';
     });
     if (!word)
-      table.fail(name, fmt::format("loops: a name has letters, digits and _, since a column is named by it; "
-                                   "found '{}'",
+      table.fail(name, fmt::format("loops: a name has letters, digits and _, since a "
+                                   "column is named by it; found '{}'",
                                    shown(name)));
     out.push_back(table.is_table(name) ? loop_of_box<d>(table, name, mesh)
                                        : loop_of_side<d>(table, name, mesh));
@@ -204,8 +204,8 @@ std::vector<MaterialLoop<d>> read_loops(SceneFile const& file, MediumCells<d> co
   if (out.back().stops.empty())
     file.section("output").fail(
         "quantities",
-        "quantities: circulation is that of bodies in the plane and of periodic boxes; this body "
-        "has no outermost closed row of nodes");
+        "quantities: circulation is that of bodies in the plane and of periodic boxes; this body has "
+        "no outermost closed row of nodes");
   return out;
 }
 /// Along a line.
@@ -220,11 +220,11 @@ Parameter loops_parameter() {
       "system.loops",
       "a table by names of one's own",
       "the outermost closed row of nodes",
-      "Closed rows of nodes by names of one's own, along which the circulation is taken: the name of a side "
-      "that is closed, along which the body is to the left, so that one around a hole goes clockwise; in a "
-      "box in the plane { lower = [X, Y], upper = [X, Y] }, the edge of the rectangle "
-      "of cells nearest to these corners, counterclockwise; in a periodic box { along = \"X\", through = "
-      "[X, Y] }, the row nearest to a point that goes once around it.",
+      "Closed rows of nodes by names of one's own, along which the circulation is taken: the name of a "
+      "side that is closed, along which the body is to the left, so that one around a hole goes clockwise; "
+      "in a box in the plane { lower = [X, Y], upper = [X, Y] }, the edge of the rectangle of cells "
+      "nearest to these corners, counterclockwise; in a periodic box { along = \"X\", through = [X, Y] }, "
+      "the row nearest to a point that goes once around it.",
       "",
       "{ ring = { lower = [0.25, 0.25], upper = [0.5, 0.5] } }"};
 }

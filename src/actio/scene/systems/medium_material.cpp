@@ -19,8 +19,8 @@ std::vector<NamedMaterial> fluids() {
        true,
        {{"K", "pressure at the density 1", 0, "1"}, {"gamma", "exponent, above 1", 1, "2"}}},
       {"shallow_water",
-       "Water in a layer that is thin beside its waves: the density is the depth of the layer times that of "
-       "water, 1.",
+       "Water in a layer that is thin beside its waves: the density is the depth of "
+       "the layer times that of water, 1.",
        "p = \\tfrac g2\\,(\\rho/J)^2",
        true,
        {{"g", "acceleration of gravity", 0, "9.81"}}},
@@ -39,24 +39,24 @@ std::vector<NamedMaterial> solids() {
   MaterialConstant const lambda{"lambda", "Lame's first modulus, more than -2 mu/d", any, "1"};
   return {
       {"saint_venant_kirchhoff",
-       "The solid of St Venant and Kirchhoff: linear in the Green strain E. It does not resist collapse, and "
-       "is for small strains at any rotation.",
+       "The solid of St Venant and Kirchhoff: linear in the Green strain E. It does not resist collapse, "
+       "and is for small strains at any rotation.",
        "\\rho W = \\tfrac\\lambda2(\\mathrm{tr}\\,E)^2 + \\mu\\,\\mathrm{tr}\\,E^2",
        false,
        {lambda, mu}},
       {"neo_hookean",
-       "A neo-Hookean solid of d dimensions, free of stress at rest, with a quadratic energy of the volume; "
-       "Lame's first modulus at rest is kappa, more than -2 mu/d.",
+       "A neo-Hookean solid of d dimensions, free of stress at rest, with a quadratic energy of the "
+       "volume; Lame's first modulus at rest is kappa, more than -2 mu/d.",
        "\\rho W = \\tfrac\\mu2(\\mathrm{tr}\\,C - d - 2\\ln J) + \\tfrac\\kappa2(J-1)^2",
        false,
        {mu, {"kappa", "modulus of the volume", any, "2"}}},
       {"mooney_rivlin",
-       "The solid of Mooney and Rivlin of d dimensions, free of stress at rest, with I_1 = tr C and I_2 = "
-       "((tr C)^2 - tr C^2)/2. For d > 1 its shear modulus at rest is mu = 2 (c1 + (d - 2) c2) > 0 and "
-       "Lame's "
-       "first modulus lambda + 4 c2 > -2 mu/d; on a line c2 does nothing, and the modulus is 4 c1 + lambda.",
-       "\\rho W = c_1(I_1-d) + c_2(I_2-\\tfrac{d(d-1)}2) - 2(c_1+(d-1)c_2)\\ln J + "
-       "\\tfrac\\lambda2(\\ln J)^2",
+       "The solid of Mooney and Rivlin of d dimensions, free of stress at rest, with I_1 = tr C "
+       "and I_2 = ((tr C)^2 - tr C^2)/2. For d > 1 its shear modulus at rest is mu = 2 (c1 + (d - "
+       "2) c2) > 0 and Lame's first modulus lambda + 4 c2 > -2 mu/d; on a line c2 does nothing, "
+       "and the modulus is 4 c1 + lambda.",
+       "\\rho W = c_1(I_1-d) + c_2(I_2-\\tfrac{d(d-1)}2) - 2(c_1+(d-1)c_2)\\ln "
+       "J + \\tfrac\\lambda2(\\ln J)^2",
        false,
        {{"c1", "modulus of the first invariant", 0, "0.4"},
         {"c2", "modulus of the second invariant", any, "0.1"},
@@ -163,10 +163,10 @@ void require_stable_material(SceneTable const& system, Material const& material,
   double const more = mooney && d > 1 ? 4 * c[1] : 0, first = neo ? c[1] : mooney ? c[2] + more : c[0];
   // What is stored at rest is a minimum where a change of shape takes energy, and so does one of volume.
   if (!(mu > 0))
-    table.fail(
-        "c2", fmt::format("c2: the shear modulus at rest, 2 (c1 + c2), must be positive, and it is {}; c2 is "
-                          "greater than -c1 = {}, found {}",
-                          mu, -c[0], c[1]));
+    table.fail("c2",
+               fmt::format("c2: the shear modulus at rest, 2 (c1 + c2), must be positive, and it is {}; c2 "
+                           "is greater than -c1 = {}, found {}",
+                           mu, -c[0], c[1]));
   if (first > -2 * mu / d) return;
   std::string const key = neo ? "kappa" : "lambda";
   table.fail(

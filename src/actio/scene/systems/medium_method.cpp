@@ -37,8 +37,8 @@ double medium_step(Request const& request, double longest, double frequency,
                step = read_step(method, request.schedule, fastest, stable_turn);
   if (step * frequency > much * (1 + 1e-9))
     remarks.push_back(
-        fmt::format("step: loads change as a wave that turns by {:.2g} rad in a step of {}; steps of "
-                    "{:.2g} follow them",
+        fmt::format("step: loads change as a wave that turns by {:.2g} rad in a step of "
+                    "{}; steps of {:.2g} follow them",
                     step * frequency, step, much / frequency));
   // The largest frequency is known from below, within a per cent.
   bool const stable = step <= 0.99 * longest;
@@ -77,8 +77,8 @@ std::vector<Parameter> medium_method_parameters() {
   return {
       {"method.step", "a number > 0", "four tenths of the longest stable step, or less",
        "The time that a step takes. By default it is at most four tenths of the longest for which small "
-       "motions about the start are stable and viscosity is damping; nine tenths of the former are the most. "
-       "Where viscosity allows less on the way, as in a shock, a step is made in equal parts.",
+       "motions about the start are stable and viscosity is damping; nine tenths of the former are the "
+       "most. Where viscosity allows less on the way, as in a shock, a step is made in equal parts.",
        "time", "0.01"},
       {"method.conserve",
        "a text",
@@ -90,12 +90,10 @@ std::vector<Parameter> medium_method_parameters() {
        "\"energy\"",
        {"form", "energy"}},
       {"method.viscosity", "a table", "none",
-       "The viscosity of von Neumann and Richtmyer, which spreads a shock over a few cells: where a cell of "
-       "extent l is compressed, a pressure of the present density times l r (quadratic l r + linear c) acts "
-       "on "
-       "it, with r the rate at which its volume falls over that volume and c the speed of sound. 2 and 0.5 "
-       "are "
-       "usual. What it takes of the energy is the quantity dissipated.",
+       "The viscosity of von Neumann and Richtmyer, which spreads a shock over a few cells: where a cell "
+       "of extent l is compressed, a pressure of the present density times l r (quadratic l r + linear c) "
+       "acts on it, with r the rate at which its volume falls over that volume and c the speed of sound. 2 "
+       "and 0.5 are usual. What it takes of the energy is the quantity dissipated.",
        "", "{ linear = 0.5, quadratic = 2 }"},
   };
 }

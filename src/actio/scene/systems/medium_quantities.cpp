@@ -101,37 +101,37 @@ void define_momenta(QuantityGraph& graph, Seen<d> const& seen) {
   graph.define(
       "momentum", ends,
       [seen](auto, double* out) {
-    std::fill_n(out, d, 0.0);
-    seen->for_nodes([&](double m, auto const&, auto const& v) {
-      for (std::size_t a = 0; a < d; ++a) out[a] += m * v[a];
-    });
+        std::fill_n(out, d, 0.0);
+        seen->for_nodes([&](double m, auto const&, auto const& v) {
+          for (std::size_t a = 0; a < d; ++a) out[a] += m * v[a];
+        });
       },
       [seen](auto, double const*, std::size_t) {
-    double sum = 0, mass = 0;
-    seen->for_nodes([&](double m, auto const&, auto const& v) { sum += m * length_of(v), mass += m; });
-    return seen->unit(sum, mass);
-  });
+        double sum = 0, mass = 0;
+        seen->for_nodes([&](double m, auto const&, auto const& v) { sum += m * length_of(v), mass += m; });
+        return seen->unit(sum, mass);
+      });
   // On a line there is none: the zero has a column all the same.
   graph.define(
       "angular_momentum",
       d == 3 ? std::vector<std::string>{"_x", "_y", "_z"} : std::vector<std::string>{"_z"},
       [seen](auto, double* out) {
-    double sum[3] = {};
-    seen->for_nodes([&](double m, auto const& x, auto const& v) {
-      for (std::size_t a = 0; a < 3; ++a) {
-        std::size_t const b = (a + 1) % 3, c = (a + 2) % 3;
-        sum[a] += m * (x[b] * v[c] - x[c] * v[b]);
-      }
-    });
-    std::copy_n(d == 3 ? sum : sum + 2, d == 3 ? 3 : 1, out);
+        double sum[3] = {};
+        seen->for_nodes([&](double m, auto const& x, auto const& v) {
+          for (std::size_t a = 0; a < 3; ++a) {
+            std::size_t const b = (a + 1) % 3, c = (a + 2) % 3;
+            sum[a] += m * (x[b] * v[c] - x[c] * v[b]);
+          }
+        });
+        std::copy_n(d == 3 ? sum : sum + 2, d == 3 ? 3 : 1, out);
       },
       [seen](auto, double const*, std::size_t) {
-    double sum = 0, arms = 0;
-    seen->for_nodes([&](double m, auto const& x, auto const& v) {
-      sum += m * length_of(x) * length_of(v), arms += m * length_of(x);
-    });
-    return seen->unit(sum, arms);
-  });
+        double sum = 0, arms = 0;
+        seen->for_nodes([&](double m, auto const& x, auto const& v) {
+          sum += m * length_of(x) * length_of(v), arms += m * length_of(x);
+        });
+        return seen->unit(sum, arms);
+      });
 }
 
 template <int d>
@@ -162,20 +162,20 @@ void define_circulation(QuantityGraph& graph, Seen<d> const& seen,
   graph.define(
       "circulation", ends,
       [seen, loops](auto, double* out) {
-    for (auto const& loop : loops) *out++ = circulation_along(*seen, loop);
+        for (auto const& loop : loops) *out++ = circulation_along(*seen, loop);
       },
       [seen, loops](auto, double const*, std::size_t which) {
-    auto const &x = seen->places(), &v = seen->velocities();
-    auto const& stops = loops[which].stops;
-    double sum = 0, length = 0;
-    for (std::size_t k = 1; k < stops.size(); ++k) {
-      auto const &a = stops[k - 1], &b = stops[k];
-      std::array<double, d> edge;
-      for (int i = 0; i < d; ++i) edge[i] = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
-      sum += 0.5 * (size_of(v[a.node]) + size_of(v[b.node])) * size_of(edge), length += size_of(edge);
-    }
-    return seen->unit(sum, length);
-  });
+        auto const &x = seen->places(), &v = seen->velocities();
+        auto const& stops = loops[which].stops;
+        double sum = 0, length = 0;
+        for (std::size_t k = 1; k < stops.size(); ++k) {
+          auto const &a = stops[k - 1], &b = stops[k];
+          std::array<double, d> edge;
+          for (int i = 0; i < d; ++i) edge[i] = x[b.node][i] + b.beyond[i] - x[a.node][i] - a.beyond[i];
+          sum += 0.5 * (size_of(v[a.node]) + size_of(v[b.node])) * size_of(edge), length += size_of(edge);
+        }
+        return seen->unit(sum, length);
+      });
 }
 
 /// Of the balance over the cells of space-time, and of the cells themselves.
@@ -202,8 +202,8 @@ std::vector<Quantity> sums_of_body(bool fluid) {
        {}},
       {"dissipated",
        Kind::scalar,
-       "The energy that method.viscosity has taken since the start: energy and this together are constant to "
-       "the square of the step. Zero without viscosity.",
+       "The energy that method.viscosity has taken since the start: energy and this together are constant "
+       "to the square of the step. Zero without viscosity.",
        "\\int_0^t\\!\\int q\\,|\\dot J|",
        "energy",
        "",
@@ -217,8 +217,8 @@ std::vector<Quantity> sums_of_body(bool fluid) {
        {}},
       {"angular_momentum",
        Kind::vector,
-       "The angular momentum about the origin of space, in the plane its component across it. The steps keep "
-       "it to rounding.",
+       "The angular momentum about the origin of space, in the plane its component across it. "
+       "The steps keep it to rounding.",
        "\\int\\rho\\,\\phi\\times\\dot\\phi",
        "mass x length^2/time",
        "",
@@ -226,13 +226,12 @@ std::vector<Quantity> sums_of_body(bool fluid) {
       {"circulation",
        Kind::scalar,
        std::string(
-           "The circulation of the velocity along each of system.loops, a side being run through with the "
-           "body "
-           "at the left (the edge of a hole clockwise); where these are left out along "
-           "the outermost closed row of nodes of a body in the plane, counterclockwise, or the row that "
+           "The circulation of the velocity along each of system.loops, a side being run through with "
+           "the body at the left (the edge of a hole clockwise); where these are left out along the "
+           "outermost closed row of nodes of a body in the plane, counterclockwise, or the row that "
            "goes once around a periodic box. ") +
-           (fluid ? "In the continuum the motion of a barotropic fluid conserves it; on a mesh it does so to "
-                    "the order of the scheme."
+           (fluid ? "In the continuum the motion of a barotropic fluid conserves it; on a mesh it does "
+                    "so to the order of the scheme."
                   : "A solid does not conserve it."),
        "\\oint\\dot\\phi\\cdot d\\phi",
        "length^2/time",

@@ -260,8 +260,8 @@ SnapshotKind medium_snapshots(bool fluid) {
                      "grids for ParaView in snapshots/000000.vtu, ... with the fields in each cell, and "
                      "snapshots/series.pvd, which lists them with their times"}},
                    "all of them in one file snapshots/frames.h5, with time, place, velocity and what was "
-                   "asked for of each frame and node, and reference and cells; tables are written beside it "
-                   "where csv is among the formats"};
+                   "asked for of each frame and node, and reference and cells; tables are written beside "
+                   "it where csv is among the formats"};
   if (!fluid)
     out.columns.push_back({"stress", "Cauchy's, its components xx, xy, yy or xx, xy, xz, yy, yz, zz"});
   return out;

@@ -24,8 +24,8 @@ double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, 
   double const needed = bytes_for_medium(mesh, fast, request), there = bytes_of_machine();
   if (needed > there)
     file.section("system.mesh")
-        .fail("cells", fmt::format("cells: {:.0f} cells take about {} of memory in this scene, where {} are "
-                                   "there; about {:.0f} would do",
+        .fail("cells", fmt::format("cells: {:.0f} cells take about {} of memory in this scene, where {} "
+                                   "are there; about {:.0f} would do",
                                    mesh.cell_count(), bytes_in_words(needed), bytes_in_words(there),
                                    std::floor(0.9 * mesh.cell_count() * there / needed)));
   return needed;
@@ -58,8 +58,8 @@ void finish(Simulation& simulation, Request const& request, std::unique_ptr<Medi
   simulation.snapshots = write_medium(request, view);
   simulation.steps_at_once = std::max(1L, static_cast<long>(5e-3 / (cells * 1e-8)));
   simulation.companion = {nullptr, 0, 0, false,
-                          "not estimated: a run with half the step and twice the cells along each direction "
-                          "tells it"};
+                          "not estimated: a run with half the step and twice the "
+                          "cells along each direction tells it"};
   simulation.motion = std::move(motion);
 }
 

@@ -65,16 +65,17 @@ void define_casimirs(Simulation& simulation, Request const& request, ReducedScen
   simulation.quantities.define(
       "casimir", numbered(1, static_cast<int>(all->size())),
       [all, now](auto, double* out) {
-    Vector<double> const x = now();
-    for (auto const& casimir : *all) *out++ = casimir.evaluate(x);
+        Vector<double> const x = now();
+        for (auto const& casimir : *all) *out++ = casimir.evaluate(x);
       },
       // Its terms may cancel: their moduli added up.
       [all, now](auto, double const*, std::size_t k) {
-    Vector<double> const x = now();
-    double sum = 0;
-    for (auto const& t : (*all)[k].terms) sum += std::abs(t.coefficient * x[t.i] * (t.j < 0 ? 1 : x[t.j]));
-    return sum;
-  });
+        Vector<double> const x = now();
+        double sum = 0;
+        for (auto const& t : (*all)[k].terms)
+          sum += std::abs(t.coefficient * x[t.i] * (t.j < 0 ? 1 : x[t.j]));
+        return sum;
+      });
 }
 
 }  // namespace actio::scene

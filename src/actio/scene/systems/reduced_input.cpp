@@ -20,10 +20,9 @@ MatrixAlgebra read_algebra(SceneTable const& system) {
   bool const named = system.has("group");
   if (named == system.has("algebra"))
     throw SceneError(named ? system.place("algebra") : system.place(),
-                     named
-                         ? "[system] has 'group' and 'algebra'; one of them says what the group is"
-                         : "[system] needs 'group', for instance group = \"SE(2)\", or 'algebra', a basis of "
-                           "matrices");
+                     named ? "[system] has 'group' and 'algebra'; one of them says what the group is"
+                           : "[system] needs 'group', for instance group = \"SE(2)\", or "
+                             "'algebra', a basis of matrices");
   std::string const key = named ? "group" : "algebra";
   try {
     return named ? named_algebra(system.text(key)) : spanned_algebra(system.matrices(key));
@@ -76,8 +75,8 @@ Eigen::VectorXd padded(SceneTable const& table, std::string const& key, MatrixAl
   if (motions && numbers.size() + 1 == rows) numbers.push_back(0);
   if (numbers.size() != rows)
     table.fail(
-        key, fmt::format("{}: {}{} numbers are expected, as many as the matrices of the group have rows, "
-                         "found {}",
+        key, fmt::format("{}: {}{} numbers are expected, as many as the matrices "
+                         "of the group have rows, found {}",
                          key, rows,
                          motions ? fmt::format(" (a point has 1 last) or, of a direction, {}", rows - 1) : "",
                          numbers.size()));
@@ -132,10 +131,9 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
     if (!occurs && std::ranges::find(asked, vector.name) == asked.end())
       system.inside("advected")
           .fail(vector.name,
-                fmt::format(
-                    "advected: {0}1 to {0}{1} do not occur in the lagrangian, and output.quantities has "
-                    "no {0}{2}",
-                    vector.name, algebra.size, meant_used_name(vector.name + "1", used)));
+                fmt::format("advected: {0}1 to {0}{1} do not occur in the lagrangian, and "
+                            "output.quantities has no {0}{2}",
+                            vector.name, algebra.size, meant_used_name(vector.name + "1", used)));
   }
 }
 
@@ -161,11 +159,11 @@ Eigen::MatrixXd read_configuration(SceneTable& initial, MatrixAlgebra const& alg
     initial.fail(
         "configuration",
         std::isfinite(distance)
-            ? fmt::format("configuration: an element of the group is expected; this matrix is {:.3g} "
-                          "away from it, and at most 1e-9 is allowed",
+            ? fmt::format("configuration: an element of the group is expected; this matrix is {:.3g} away "
+                          "from it, and at most 1e-9 is allowed",
                           distance)
-            : "configuration: an element of the group is expected; this matrix is so far from it that "
-              "no distance can be told");
+            : "configuration: an element of the group is expected; this matrix is so far from "
+              "it that no distance can be told");
   if (double const rounding = 1e-14 * static_cast<double>(algebra.size) * g.norm(); distance > rounding)
     remarks.push_back(
         fmt::format("configuration: it is taken as it is, {:.2g} away from the group", distance));

@@ -50,9 +50,9 @@ std::vector<Quantity> quantities_of_states() {
        {}},
       {"casimir",
        Kind::list,
-       "The functions of degree one and two that every motion on the dual of the algebra conserves, as far "
-       "as there are any, with the carried vectors where there are some: `actio run SCENE --dry-run` writes "
-       "them out.",
+       "The functions of degree one and two that every motion on the dual of the algebra "
+       "conserves, as far as there are any, with the carried vectors where there are some: `actio "
+       "run SCENE --dry-run` writes them out.",
        "C(\\Pi, a)",
        "of the momentum, or its square",
        "",
@@ -66,8 +66,8 @@ std::vector<Quantity> quantities_of_steps() {
   return {
       {"poisson_defect",
        Kind::scalar,
-       "How far the next step is from preserving the Lie-Poisson bracket: 0 to rounding where it does, 1 "
-       "where nothing cancels.",
+       "How far the next step is from preserving the Lie-Poisson bracket: 0 to rounding where it "
+       "does, 1 where nothing cancels.",
        "|A B A^T - B|/(|A B A^T| + |B|)",
        "1",
        "thm_3_2_1",
@@ -96,8 +96,8 @@ std::vector<Quantity> quantities_of_steps() {
        {}},
       {"tangent_map",
        Kind::matrix,
-       "How momentum and carried vectors now change with those at the start: the product of the exact "
-       "derivatives of all steps.",
+       "How momentum and carried vectors now change with those at the start: the product of the "
+       "exact derivatives of all steps.",
        "\\partial(\\Pi, a)(t)/\\partial(\\Pi, a)(0)",
        "1",
        "",

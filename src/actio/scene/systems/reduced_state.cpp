@@ -49,8 +49,8 @@ class Reader {
     double const lost = 0x1p-52 * g.norm() * back.norm();
     if (!(lost < 1e-3))
       throw NumericsError(
-          fmt::format("{}: the configuration has entries up to {:.3g}, and what it makes of the "
-                      "other momentum is lost in rounding; leave this quantity out",
+          fmt::format("{}: the configuration has entries up to {:.3g}, and what it makes of the other "
+                      "momentum is lost in rounding; leave this quantity out",
                       left ? "spatial_momentum" : "body_momentum", g.cwiseAbs().maxCoeff()));
     for (std::size_t a = 0; a < p.size(); ++a) {
       auto const& e = system_->algebra.basis[a];
@@ -88,13 +88,13 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   graph.define(
       "energy", {""}, [reader](auto, double* out) { *out = reader->energy(); },
       [reader](auto, double const* E, std::size_t) {
-    return std::abs(reader->kinetic()) + std::abs(*E - reader->kinetic());
+        return std::abs(reader->kinetic()) + std::abs(*E - reader->kinetic());
       });
-  graph.define("configuration", column_ends(Quantity::Kind::matrix, algebra.size),
-               [&motion](auto, double* out) {
-    Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
-        out, motion.configuration().rows(), motion.configuration().cols()) = motion.configuration();
-  });
+  graph.define(
+      "configuration", column_ends(Quantity::Kind::matrix, algebra.size), [&motion](auto, double* out) {
+        Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
+            out, motion.configuration().rows(), motion.configuration().cols()) = motion.configuration();
+      });
   for (std::size_t k = 0; k < scene.carried.size(); ++k) {
     auto const n = static_cast<std::size_t>(algebra.size);
     graph.define(scene.carried[k].name, numbered(1, algebra.size), [&motion, k, n](auto, double* out) {

@@ -19,8 +19,8 @@ std::vector<Method> methods() {
        "eq_5_9"},
       {"natural_chart",
        {"2", "4", "6"},
-       "The kinetic energy through the natural chart, order 2; composed of substeps 4 (Suzuki) and 6 (Kahan "
-       "and Li).",
+       "The kinetic energy through the natural chart, order 2; composed of substeps 4 "
+       "(Suzuki) and 6 (Kahan and Li).",
        "eq_5_4"},
       variational_method("the torque"),
   };
@@ -31,8 +31,8 @@ std::vector<Parameter> parameters() {
       {"system.body", "a text", "or system.inertia",
        "A body of the library, with its inertia (actio list bodies).", "", "\"apophis\"", names_of_bodies()},
       {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "or system.body",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
-       "that frame.",
+       "The moments of inertia about the centre of mass, along the axes of the body "
+       "frame, or the tensor in that frame.",
        "mass x length^2", "[1, 2, 3]"},
   };
   auto const torque = torque_parameters();
@@ -52,8 +52,8 @@ std::vector<Quantity> quantities() {
   auto all = turning_body_quantities(true);
   all.push_back({"energy",
                  Kind::scalar,
-                 "The kinetic energy, and under a torque the potential energy as well; conserved unless the "
-                 "potential depends on time.",
+                 "The kinetic energy, and under a torque the potential energy as well; conserved unless "
+                 "the potential depends on time.",
                  "H = \\tfrac12\\langle M, I^{-1}M\\rangle + V(q, t)",
                  "energy",
                  "eq_5_1",
@@ -65,22 +65,21 @@ std::vector<Quantity> quantities() {
                  "(energy x time)^2",
                  "claim_5_3_dual_casimir",
                  {"body_momentum"}});
-  all.push_back(
-      {"axial_momentum",
-       Kind::scalar,
-       "The angular momentum in space about the axis of the torque: the direction to the centre, or "
-       "the normal of the orbit; the vertical; the axis of space whose row alone is in the potential; "
-       "otherwise the third axis of space. Conserved where turns about that axis do not change the "
-       "potential.",
-       "\\pi_a = \\langle\\pi, a\\rangle",
-       "energy x time",
-       "claim_5_2_spatial_momentum",
-       {"spatial_momentum"}});
+  all.push_back({"axial_momentum",
+                 Kind::scalar,
+                 "The angular momentum in space about the axis of the torque: the direction to the "
+                 "centre, or the normal of the orbit; the vertical; the axis of space whose row alone is "
+                 "in the potential; otherwise the third axis of space. Conserved where turns about that "
+                 "axis do not change the potential.",
+                 "\\pi_a = \\langle\\pi, a\\rangle",
+                 "energy x time",
+                 "claim_5_2_spatial_momentum",
+                 {"spatial_momentum"}});
   all.push_back(
       {"jacobi_integral",
        Kind::scalar,
-       "The energy minus the rate of the orbit times the axial momentum, conserved where the direction "
-       "to the centre turns; the energy where it does not.",
+       "The energy minus the rate of the orbit times the axial momentum, conserved where the direction to "
+       "the centre turns; the energy where it does not.",
        "J = H - n\\langle\\pi, a\\rangle",
        "energy",
        "",
@@ -112,8 +111,8 @@ void check_phase(RigidBodyScene& scene, SceneTable const& run, double until) {
                                     angle, 1 / rounding));
   if (angle * rounding > 1e-6)
     scene.remarks.push_back(
-        fmt::format("until: the body turns by as much as {:.3g} rad, of which rounding leaves an error of "
-                    "about {:.1g} rad",
+        fmt::format("until: the body turns by as much as {:.3g} rad, of which rounding "
+                    "leaves an error of about {:.1g} rad",
                     angle, angle * rounding));
 }
 
@@ -172,13 +171,13 @@ void define_energy(QuantityGraph& graph, RigidBodyScene const& scene, EnergiesFr
   graph.define(
       "energy", {""},
       [energies](Needs n, double* energy) {
-    auto const [kinetic, potential] = energies(n[0], n[1], n[2]);
-    *energy = kinetic + potential;
+        auto const [kinetic, potential] = energies(n[0], n[1], n[2]);
+        *energy = kinetic + potential;
       },
       [energies](Needs n, double const*, std::size_t) {
-    auto const [kinetic, potential] = energies(n[0], n[1], n[2]);
-    return kinetic + std::abs(potential);
-  });
+        auto const [kinetic, potential] = energies(n[0], n[1], n[2]);
+        return kinetic + std::abs(potential);
+      });
 }
 
 /// What goes with the axis of the torque.
@@ -190,18 +189,18 @@ void define_about_axis(QuantityGraph& graph, RigidBodyScene const& scene, Energi
       "axial_momentum", {""}, [axis](Needs n, double* momentum) { *momentum = axis.dot(ConstVector(n[0])); },
       [inertia = scene.inertia, pace = scene.torque ? scene.fastest : 0](Needs n, double const*,
                                                                          std::size_t) {
-    return unit_of_momentum(magnitude(Eigen::Vector3d(ConstVector(n[0]))), inertia, pace);
+        return unit_of_momentum(magnitude(Eigen::Vector3d(ConstVector(n[0]))), inertia, pace);
       });
   graph.define(
       "jacobi_integral", {""},
       [energies, rate](Needs n, double* integral) {
-    auto const [kinetic, potential] = energies(n[1], n[2], n[0]);
-    *integral = kinetic + potential - rate * *n[3];
+        auto const [kinetic, potential] = energies(n[1], n[2], n[0]);
+        *integral = kinetic + potential - rate * *n[3];
       },
       [energies, rate](Needs n, double const*, std::size_t) {
-    auto const [kinetic, potential] = energies(n[1], n[2], n[0]);
-    return kinetic + std::abs(potential) + std::abs(rate * *n[3]);
-  });
+        auto const [kinetic, potential] = energies(n[1], n[2], n[0]);
+        return kinetic + std::abs(potential) + std::abs(rate * *n[3]);
+      });
 }
 
 Simulation prepare(Request const& request) {
@@ -257,8 +256,9 @@ System rigid_body_system() {
           methods(),
           quantities(),
           prepare,
-          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.1, 2, "
-          "0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"angular_velocity\", \"energy\"]\n",
+          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\n"
+          "angular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\n"
+          "quantities = [\"angular_velocity\", \"energy\"]\n",
           shape,
           {{"polhode", "body_momentum", polhode_picture}}};
 }

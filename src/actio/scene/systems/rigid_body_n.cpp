@@ -49,9 +49,9 @@ std::vector<Method> methods() {
   return {
       {"moser_veselov",
        {"6", "4", "2"},
-       "The scheme of Moser and Veselov, order 2: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T; composed "
-       "of substeps 4 (Suzuki) and 6 (Kahan and Li). It conserves the spectrum of M, "
-       "and that of a matrix polynomial with it.",
+       "The scheme of Moser and Veselov, order 2: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T; "
+       "composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It conserves the spectrum of M, and that "
+       "of a matrix polynomial with it.",
        "thm_5_2_1"},
       {"natural_chart",
        {"2", "4", "6"},
@@ -107,7 +107,7 @@ Companion companion_of(StepsOfBodyN const& choice, StartOfBodyN const& start, do
   Sweeps const sweeps = choice.order == 2 ? Sweeps::to_half_the_digits : Sweeps::to_rounding;
   return companions(
       [&](long multiple) {
-    return stepped_motion_n(choice, start, static_cast<double>(multiple) * step, sweeps);
+        return stepped_motion_n(choice, start, static_cast<double>(multiple) * step, sweeps);
       },
       {4, 3, 2}, choice.order, choice.attitude);
 }
@@ -167,8 +167,8 @@ std::vector<Parameter> parameters() {
   };
   auto const velocities = angle_parameters({"initial.angular_velocity", "n(n-1)/2 numbers", "needed",
                                             "The upper triangle of the body velocity g^-1 g', row by row: "
-                                            "xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = 3: "
-                                            "(xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
+                                            "xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = "
+                                            "3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
                                             "1/time", "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]"},
                                            "[5, 10, 15, 20, 25, 30]");
   all.insert(all.end(), velocities.begin(), velocities.end());
@@ -193,9 +193,9 @@ System rigid_body_n_system() {
           methods(),
           turning_body_n_quantities(),
           prepare,
-          "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\nangular_velocity = [0.1, "
-          "0.2, 0.3, 0.4, 0.5, 0.6]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"momentum\", "
-          "\"energy\"]\n"};
+          "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\n"
+          "angular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]\n[run]\nuntil = 20\nevery = 0.1\n[output]\n"
+          "quantities = [\"momentum\", \"energy\"]\n"};
 }
 
 }  // namespace actio::scene

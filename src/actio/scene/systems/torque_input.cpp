@@ -59,8 +59,8 @@ SceneTorque::SceneTorque(SceneTable const& torque, PrincipalInertia const& inert
                      "[system.torque] needs one of 'gravity_gradient', 'uniform_gravity' and 'potential'");
   if (given.size() > 1)
     torque.fail(given[1],
-                fmt::format("{} and {} exclude each other: a body is under one torque; a sum of "
-                            "several is that of the sum of their potentials, written as one formula",
+                fmt::format("{} and {} exclude each other: a body is under one torque; a sum of several is "
+                            "that of the sum of their potentials, written as one formula",
                             given[0], given[1]));
   try {
     if (given[0] == "gravity_gradient")
@@ -89,8 +89,8 @@ void SceneTorque::read_gradient(SceneTable const& gradient) {
     table.fail("rate", "rate: it is zero; without 'rate' and 'normal' the direction stands still");
   if (!turns && !table.has("strength"))
     throw SceneError(table.place(),
-                     "[system.torque.gravity_gradient] needs 'strength', which is mu/r^3, or the 'rate' of a "
-                     "circular orbit, whose square it is");
+                     "[system.torque.gravity_gradient] needs 'strength', which is mu/r^3, or the 'rate' of "
+                     "a circular orbit, whose square it is");
   if (!table.has("strength")) {
     if (!is_finite(rate * rate) || !(rate * rate > 0))
       table.fail("rate", "rate: its square, which is mu/r^3, is beyond all numbers; 'strength' would say it");
@@ -118,8 +118,8 @@ void SceneTorque::read_uniform(SceneTable const& uniform) {
                         weight = mass * pull.stableNorm() * lever;
   if (!is_finite(weight) || !is_finite(weight.squaredNorm()))
     throw SceneError(uniform.place(),
-                     "[system.torque.uniform_gravity]: the numbers are too large: mass times "
-                     "lever times acceleration is beyond 1e154");
+                     "[system.torque.uniform_gravity]: the numbers are too large: mass times lever "
+                     "times acceleration is beyond 1e154");
   torque_ = actio::uniform_gravity(weight, pull);
   axis_ = -pull.stableNormalized().normalized(), symmetric_ = true;
 }
@@ -167,8 +167,8 @@ std::vector<Parameter> torque_parameters() {
        "At which the direction turns about the normal, as on a circular orbit, where its square is mu/r^3.",
        "1/time", "0.5"},
       {gradient + ".normal", "three components, not all zero", "needed where " + gradient + ".rate is given",
-       "Of the orbit, in space, at right angles to the direction, which turns about it counter-clockwise as "
-       "seen from its tip.",
+       "Of the orbit, in space, at right angles to the direction, which turns about it "
+       "counter-clockwise as seen from its tip.",
        "", "[0, 0, 1]"},
       {uniform, "a table with mass, lever and acceleration", "or " + gradient + " or " + potential,
        "The weight of a body that is held at a point, about which the inertia is that of the scene; a "

@@ -67,10 +67,9 @@ void SceneTorque::check_start(FormulaPotential const& potential, FreeState const
   double const value = potential(rotation, 0, slope);
   Three<double> const torque = torque_of_slope(rotation, slope);
   if (!is_finite(value) || !is_finite(dot(torque, torque)))
-    throw SceneError(place_,
-                     fmt::format("potential: at the start it is {}, and the torque [{}, {}, {}], where "
-                                 "finite numbers are needed",
-                                 told(value), told(torque[0]), told(torque[1]), told(torque[2])));
+    throw SceneError(place_, fmt::format("potential: at the start it is {}, and the torque [{}, {}, {}], "
+                                         "where finite numbers are needed",
+                                         told(value), told(torque[0]), told(torque[1]), told(torque[2])));
 }
 
 double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, FreeState const& start,
@@ -106,8 +105,8 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
                                          moves * moves * (change.most - change.least)));
   if (!change.settled)
     remarks.push_back(fmt::format(
-        "potential: from t = {:.9g} to {:.9g} it may change faster than the steps know of: the bound of its "
-        "second derivative by the time is {:.2g}, and {:.2g} was found",
+        "potential: from t = {:.9g} to {:.9g} it may change faster than the steps know of: the bound of "
+        "its second derivative by the time is {:.2g}, and {:.2g} was found",
         change.from, change.to, change.bound, change.bend));
   return std::max(moves, change.frequency());
 }

@@ -64,8 +64,8 @@ class StepsOfTorque : public TorquedMotion {
     double const turn = (inverse_ * body_momentum()).norm() * body_->step_length();
     if (turn > turn_of_a_step::most)
       throw Error(
-          fmt::format("step: under this torque the body has come to turn by {:.3g} rad in a step of "
-                      "{}, and the scheme is meant for at most {} rad; a step of {:.3g} would do here",
+          fmt::format("step: under this torque the body has come to turn by {:.3g} rad in a step of {}, "
+                      "and the scheme is meant for at most {} rad; a step of {:.3g} would do here",
                       turn, body_->step_length(), turn_of_a_step::most,
                       body_->step_length() * turn_of_a_step::most / turn));
   }
@@ -101,8 +101,8 @@ void check_turn_of_step(SceneTable const& method, Schedule const& schedule, doub
                     turn, step, turn_of_a_step::most));
   if (turn > turn_of_a_step::much)
     remarks.push_back(
-        fmt::format("step: {} by {:.2g} rad in a step of {}; up to {} rad, a step of {:.2g}, the scheme is "
-                    "accurate",
+        fmt::format("step: {} by {:.2g} rad in a step of {}; up to {} rad, a step of "
+                    "{:.2g}, the scheme is accurate",
                     what, turn, step, turn_of_a_step::much, turn_of_a_step::much / fastest));
 }
 
@@ -121,8 +121,8 @@ Method variational_method(std::string const& torque) {
   return {"variational",
           {"4", "2"},
           "Kicks of " + torque +
-              " and the exact flow of the free body: the action of the free motion and the trapezoid of the "
-              "potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).",
+              " and the exact flow of the free body: the action of the free motion and the trapezoid of "
+              "the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).",
           ""};
 }
 

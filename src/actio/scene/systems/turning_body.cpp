@@ -30,8 +30,8 @@ std::vector<Quantity> turning_body_quantities(bool free) {
   return {
       {"attitude",
        Kind::quaternion,
-       "The unit quaternion, scalar first, that takes the body to space; its sign is continuous from the one "
-       "given.",
+       "The unit quaternion, scalar first, that takes the body to space; its sign is "
+       "continuous from the one given.",
        "q",
        "1",
        "",
@@ -72,8 +72,8 @@ void define_turning_body(QuantityGraph& graph, TurningBody const& motion, Princi
                [&motion](auto, double* M) { Vector{M} = motion.body_momentum(); });
   graph.define("angular_velocity", column_ends(Kind::vector),
                [inverse = inertia.inverse_tensor()](auto needs, double* w) {
-    Vector{w} = inverse * ConstVector(needs[0]);
-  });
+                 Vector{w} = inverse * ConstVector(needs[0]);
+               });
   graph.define("spatial_momentum", column_ends(Kind::vector), [](auto needs, double* pi) {
     Vector{pi} = Eigen::Vector3d(SU2::Ad<double>(as_matrix<4, 1>(needs[0]), as_matrix<3, 1>(needs[1])));
   });

@@ -35,8 +35,8 @@ std::vector<Quantity> turning_body_n_quantities() {
        {}},
       {"momentum",
        Kind::skew,
-       "The angular momentum in the frame of the body: a skew matrix, for n = 3 with M_12 = -M_z, M_13 = "
-       "M_y, M_23 = -M_x.",
+       "The angular momentum in the frame of the body: a skew matrix, for n = 3 with M_12 = "
+       "-M_z, M_13 = M_y, M_23 = -M_x.",
        "M = \\Lambda\\xi + \\xi\\Lambda",
        "energy x time",
        "eq_5_8",
@@ -51,16 +51,16 @@ std::vector<Quantity> turning_body_n_quantities() {
        {"momentum"}},
       {"spectrum",
        Kind::list,
-       "The moduli of the n eigenvalues of the momentum in ascending order; those that rounding cannot tell "
-       "from zero are zero.",
+       "The moduli of the n eigenvalues of the momentum in ascending order; those that rounding "
+       "cannot tell from zero are zero.",
        "\\sigma_k = |z_k|,\\quad \\det(M-z_k) = 0",
        "energy x time",
        "claim_5_2_update_by_conjugation",
        {"momentum"}},
       {"casimir",
        Kind::list,
-       "The traces of the even powers of the momentum, which name the coadjoint orbit; summed over the "
-       "spectrum.",
+       "The traces of the even powers of the momentum, which name the coadjoint "
+       "orbit; summed over the spectrum.",
        "C_{2k} = (-1)^k\\,\\mathrm{tr}\\,M^{2k},\\quad k = 1,\\dots,\\lfloor n/2\\rfloor",
        "(energy x time)^2k",
        "claim_5_3_dual_casimir",
@@ -86,7 +86,7 @@ void define_turning_body_n(QuantityGraph& graph, TurningBodyN const& motion,
   graph.define(
       "spectrum", numbered(1, n),
       [n](auto needs, double* moduli) {
-    Eigen::Map<Eigen::VectorXd>(moduli, n) = skew_spectrum(skew_matrix(needs[0], n));
+        Eigen::Map<Eigen::VectorXd>(moduli, n) = skew_spectrum(skew_matrix(needs[0], n));
       },
       [n](auto, double const* moduli, std::size_t) { return moduli[n - 1]; });
   graph.define("casimir", numbered(2, n, 2), [n](auto needs, double* casimirs) {

@@ -24,13 +24,13 @@ void define_quadratic_invariants(QuantityGraph& graph, VorticityMotion const& mo
   graph.define(
       "angular_momentum", column_ends(Quantity::Kind::vector),
       [&motion](auto, double* momentum) {
-    Eigen::Map<Eigen::Vector3d>(momentum, 3) = motion.angular_momentum();
+        Eigen::Map<Eigen::Vector3d>(momentum, 3) = motion.angular_momentum();
       },
       [&motion](auto, double const*, std::size_t) {
-    return std::sqrt(4 * M_PI / 3 * 2 *
-                     std::max(enstrophy(motion.vorticity_but_for_rotation()),
-                              1e-20 * enstrophy(motion.absolute_vorticity())));
-  });
+        return std::sqrt(4 * M_PI / 3 * 2 *
+                         std::max(enstrophy(motion.vorticity_but_for_rotation()),
+                                  1e-20 * enstrophy(motion.absolute_vorticity())));
+      });
 }
 
 void define_casimirs(QuantityGraph& graph, VorticityMotion const& motion, Flow const& flow) {
@@ -38,16 +38,16 @@ void define_casimirs(QuantityGraph& graph, VorticityMotion const& motion, Flow c
   graph.define(
       "casimirs", numbered(2, last),
       [&motion, flow](auto, double* casimirs) {
-    Eigen::Map<Eigen::VectorXd>(casimirs, last - 1) =
-        vorticity_casimirs(flow->products, motion.absolute_vorticity());
+        Eigen::Map<Eigen::VectorXd>(casimirs, last - 1) =
+            vorticity_casimirs(flow->products, motion.absolute_vorticity());
       },
       // Odd powers may cancel: theirs is at least that of a vorticity which is everywhere the root of the
       // mean square.
       [](auto, double const* casimirs, std::size_t k) {
-    double const area = 4 * M_PI;
-    double const least = area * std::pow(casimirs[0] / area, 0.5 * (static_cast<double>(k) + 2));
-    return k % 2 == 0 ? 0 : std::max(least, std::abs(casimirs[k]));
-  });
+        double const area = 4 * M_PI;
+        double const least = area * std::pow(casimirs[0] / area, 0.5 * (static_cast<double>(k) + 2));
+        return k % 2 == 0 ? 0 : std::max(least, std::abs(casimirs[k]));
+      });
 }
 
 void define_values(QuantityGraph& graph, VorticityMotion const& motion, Flow const& flow) {
@@ -59,15 +59,15 @@ void define_values(QuantityGraph& graph, VorticityMotion const& motion, Flow con
       "extrema", {"_min", "_max"},
       [n](auto needs, double* extrema) { extrema[0] = needs[0][0], extrema[1] = needs[0][n - 1]; },
       [](auto, double const* extrema, std::size_t) {
-    return std::max(std::abs(extrema[0]), std::abs(extrema[1]));
+        return std::max(std::abs(extrema[0]), std::abs(extrema[1]));
       });
   // The bins are found when the first row asks for them.
   graph.define("histogram", numbered(1, HistogramBins::count),
                [flow, n, bins = std::optional<HistogramBins>()](auto needs, double* shares) mutable {
-    if (!bins) bins = histogram_bins(*flow);
-    Eigen::Map<Eigen::VectorXd>(shares, HistogramBins::count) =
-        bins->shares(Eigen::Map<Eigen::VectorXd const>(needs[0], n));
-  });
+                 if (!bins) bins = histogram_bins(*flow);
+                 Eigen::Map<Eigen::VectorXd>(shares, HistogramBins::count) =
+                     bins->shares(Eigen::Map<Eigen::VectorXd const>(needs[0], n));
+               });
 }
 
 /// `use(l, power)` for each degree, from 1 on.
@@ -90,10 +90,11 @@ void define_spectra(QuantityGraph& graph, VorticityMotion const& motion, Flow co
 void define_splitting(QuantityGraph& graph, VorticityMotion const& motion, Flow const& flow) {
   graph.define("splitting", {"_steady_energy", "_steady_enstrophy", "_rest_energy", "_rest_enstrophy"},
                [&motion, flow](auto, double* out) {
-    auto const [steady, rest] = canonical_splitting(flow->stream, motion.vorticity_but_for_rotation());
-    out[0] = vorticity_energy(flow->stream, steady), out[1] = enstrophy(steady);
-    out[2] = vorticity_energy(flow->stream, rest), out[3] = enstrophy(rest);
-  });
+                 auto const [steady, rest] =
+                     canonical_splitting(flow->stream, motion.vorticity_but_for_rotation());
+                 out[0] = vorticity_energy(flow->stream, steady), out[1] = enstrophy(steady);
+                 out[2] = vorticity_energy(flow->stream, rest), out[3] = enstrophy(rest);
+               });
 }
 
 }  // namespace

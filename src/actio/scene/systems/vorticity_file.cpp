@@ -37,21 +37,21 @@ std::string put_coefficient(SphereHarmonics& f, Eigen::MatrixXi& lines, int line
     return fmt::format("degree and order are whole numbers, found l = {}, m = {}", l, m);
   if (l < 0 || l >= n)
     return fmt::format(
-        "the degree l = {} is outside of what matrices of this size hold: with N = {} degrees go from "
-        "1 to {}",
+        "the degree l = {} is outside of what matrices of this size hold: with "
+        "N = {} degrees go from 1 to {}",
         l, n, n - 1);
   if (m < 0)
     return fmt::format(
-        "the order m = {} is negative; rows have m >= 0, since a real field has at -m the conjugate of "
-        "the coefficient at m, times (-1)^m",
+        "the order m = {} is negative; rows have m >= 0, since a real field has at -m the conjugate of the "
+        "coefficient at m, times (-1)^m",
         m);
   if (m > l) return fmt::format("the order m = {} is greater than the degree l = {}", m, l);
   if (l == 0)
     return fmt::format("the degree 0 is the mean of the vorticity, which is zero on a sphere; found {}", re);
   if (m == 0 && im != 0)
     return fmt::format(
-        "a coefficient of order 0 is real, or the field would be complex; found the imaginary part {} "
-        "at l = {}",
+        "a coefficient of order 0 is real, or the field would be complex; found "
+        "the imaginary part {} at l = {}",
         im, l);
   auto const i = static_cast<Eigen::Index>(l), j = static_cast<Eigen::Index>(m);
   if (lines(i, j) != 0)

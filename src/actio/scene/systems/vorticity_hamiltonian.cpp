@@ -27,14 +27,14 @@ SphereHamiltonian read_hamiltonian(SceneTable system) {
   if (system.choice("hamiltonian", "Hamiltonian", {"euler", "quasi_geostrophic"}) == "euler") {
     if (deforms)
       system.fail("deformation",
-                  "deformation: Euler's fluid has no radius of deformation; hamiltonian = "
-                  "\"quasi_geostrophic\" has one");
+                  "deformation: Euler's fluid has no radius of deformation; hamiltonian "
+                  "= \"quasi_geostrophic\" has one");
     return {};
   }
   if (!deforms)
     system.fail("hamiltonian",
-                "hamiltonian: a quasi-geostrophic layer needs 'deformation', its radius of deformation in "
-                "radii of the sphere");
+                "hamiltonian: a quasi-geostrophic layer needs 'deformation', its radius of "
+                "deformation in radii of the sphere");
   double const radius = system.number("deformation");
   if (!(radius >= least_deformation && radius <= most_deformation))
     system.fail("deformation",

@@ -69,8 +69,8 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
   if (!state.empty()) given.push_back(initial.has("state") ? "state" : state);
   if (given.empty())
     throw SceneError(initial.place(),
-                     fmt::format("[initial] needs 'harmonics', rows l, m, re, im; or 'file', a table of such "
-                                 "rows; or 'state', one of {}",
+                     fmt::format("[initial] needs 'harmonics', rows l, m, re, im; or 'file', a table of "
+                                 "such rows; or 'state', one of {}",
                                  listed(names_of_states())));
   if (given.size() > 1)
     initial.fail(given[1], fmt::format("[initial] has '{}' and '{}'; one of them says how the flow begins",
@@ -83,8 +83,8 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
   } else if (given[0] == "file") {
     start.relative = read_file(initial, start.n);
     remarks.emplace_back(
-        "file: the copy of the scene names it by its whole path; who repeats or resumes the run needs it "
-        "there, as it is now");
+        "file: the copy of the scene names it by its whole path; who repeats or resumes the "
+        "run needs it there, as it is now");
   } else {
     initial.set("state", state);
     NamedFlow flow =

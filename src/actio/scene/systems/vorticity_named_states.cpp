@@ -32,10 +32,9 @@ struct Reader : StateRequest {
     if (!table.has(key)) table.set(key, static_cast<long>(otherwise));
     long const l = table.integer(key, least, std::numeric_limits<int>::max());
     if (l >= n)
-      table.fail(key,
-                 fmt::format("{}: the degree {} is outside of what matrices of this size hold: with N = {} "
-                             "degrees go from 1 to {}",
-                             key, l, n, n - 1));
+      table.fail(key, fmt::format("{}: the degree {} is outside of what matrices of this size hold: with "
+                                  "N = {} degrees go from 1 to {}",
+                                  key, l, n, n - 1));
     return static_cast<int>(l);
   }
   /// Random coefficients, each degree having on average so much of the energy; scaled to the energy, or the
@@ -48,8 +47,8 @@ struct Reader : StateRequest {
   SphereHarmonics scaled(SphereHarmonics f) {
     if (table.has("energy") && table.has("enstrophy"))
       table.fail("enstrophy",
-                 "enstrophy: energy and enstrophy exclude each other; one of them says how strong the "
-                 "flow is");
+                 "enstrophy: energy and enstrophy exclude each other; one of "
+                 "them says how strong the flow is");
     bool const by_enstrophy = table.has("enstrophy");
     double const wanted = by_enstrophy ? table.number("enstrophy") : number("energy", 1);
     char const* const key = by_enstrophy ? "enstrophy" : "energy";
@@ -74,10 +73,9 @@ SphereHarmonics read_rossby_haurwitz(Reader& in) {
 
 SphereHarmonics read_wave_4(Reader& in) {
   if (in.n < 6)
-    throw SceneError(in.table.place(),
-                     fmt::format("rossby_haurwitz_4: it is a wave of degree 5; with N = {} degrees "
-                                 "go from 1 to {}",
-                                 in.n, in.n - 1));
+    throw SceneError(in.table.place(), fmt::format("rossby_haurwitz_4: it is a wave of degree 5; with "
+                                                   "N = {} degrees go from 1 to {}",
+                                                   in.n, in.n - 1));
   // 7.848e-6 beside the 7.292e-5 of the Earth, both per second.
   double const usual = in.rotation != 0 ? 7.848 / 72.92 * std::abs(in.rotation) : 1;
   SphereHarmonics f(in.n);
@@ -115,10 +113,10 @@ SphereHarmonics read_zonal_jet(Reader& in) {
       in.table.fail(key, fmt::format("{}: a latitude in radians is expected, from -pi/2 to pi/2, found {}",
                                      key, in.table.number(key)));
   if (!(jet.north - jet.south >= 0.01))
-    in.table.fail(
-        "north", fmt::format("north: the jet lies between south = {} and north = {}, radians; north is to be "
-                             "greater by at least 0.01",
-                             jet.south, jet.north));
+    in.table.fail("north",
+                  fmt::format("north: the jet lies between south = {} and north = {}, radians; north is "
+                              "to be greater by at least 0.01",
+                              jet.south, jet.north));
   return in.hamiltonian.vorticity_of(zonal_jet(in.n, jet));
 }
 

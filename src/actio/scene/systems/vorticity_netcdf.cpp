@@ -157,12 +157,12 @@ class Coefficients {
         file.define(group_, "order", NC_INT, {coefficient}, {}, {{"long_name", "order m"}, {"units", "1"}});
     for (auto const& [name, part] :
          {std::pair("vorticity_real", "real"), {"vorticity_imaginary", "imaginary"}})
-      file.define(group_, name, NC_DOUBLE, {time, coefficient}, {1, l_.size()},
-                  attributes_of_rate(std::string(part) +
-                                         " part of the coefficient of the orthonormal complex harmonic with "
-                                         "the Condon-Shortley phase; that of order -m is (-1)^m times the "
-                                         "conjugate",
-                                     unit));
+      file.define(
+          group_, name, NC_DOUBLE, {time, coefficient}, {1, l_.size()},
+          attributes_of_rate(std::string(part) + " part of the coefficient of the orthonormal complex "
+                                                 "harmonic with the Condon-Shortley phase; that of order "
+                                                 "-m is (-1)^m times the conjugate",
+                             unit));
   }
   void fill() const { file_.put(group_, at_l_, l_), file_.put(group_, at_m_, m_); }
 

@@ -15,9 +15,9 @@ Parameter table(std::string const& name, std::string const& meaning, std::string
 std::vector<Parameter> parameters_of_sphere() {
   return {
       {"system.N", "a whole number, 2 or more", "needed",
-       "The size of the matrices: functions have the degrees 0 to N - 1. Time grows with N^3 and memory with "
-       "N^2; interactions of waves of the degree l are those of the sphere but for a part of about l^4/(6 "
-       "N^2).",
+       "The size of the matrices: functions have the degrees 0 to N - 1. Time grows with N^3 "
+       "and memory with N^2; interactions of waves of the degree l are those of the sphere but "
+       "for a part of about l^4/(6 N^2).",
        "", "64"},
       {"system.rotation", "a number", "0",
        "The angular velocity of the sphere about the pole. The flow is told relative to the sphere, d "
@@ -30,13 +30,13 @@ std::vector<Parameter> parameters_of_start() {
   return {
       {"initial.harmonics", "a list of rows of four numbers: l, m, re, im",
        "or initial.file or initial.state",
-       "The coefficients of the vorticity relative to the sphere, in orthonormal complex spherical harmonics "
-       "with the Condon-Shortley phase. 0 <= m <= l, 1 <= l < N; those of -m follow, since the field is "
-       "real. What is left out is zero.",
+       "The coefficients of the vorticity relative to the sphere, in orthonormal complex spherical "
+       "harmonics with the Condon-Shortley phase. 0 <= m <= l, 1 <= l < N; those of -m follow, since the "
+       "field is real. What is left out is zero.",
        "1/time", "[[5, 3, 0.2, 0.1], [1, 0, 0.5, 0.0]]"},
       {"initial.file", "a text, the path of a file beside the scene", "or initial.harmonics or initial.state",
-       "The same as a file with the heading l,m,re,im, as snapshots write it: every order of every degree up "
-       "to the last one.",
+       "The same as a file with the heading l,m,re,im, as snapshots write it: every order of "
+       "every degree up to the last one.",
        "", "\"vorticity.csv\""},
       {"initial.state", "a text", other_starts,
        "A flow by its name; its parameters are in a table of that name, for instance [initial.random] with "
@@ -48,9 +48,9 @@ std::vector<Parameter> parameters_of_start() {
 std::vector<Parameter> parameters_of_waves() {
   return {
       table("rossby_haurwitz",
-            "A wave of one degree on a zonal rotation, for which the exact motion is known: relative to the "
-            "sphere it turns about the pole with the angular velocity a - ((2 + gamma) a + 2 rotation)/(l (l "
-            "+ 1) + gamma), a = zonal_rate; gamma is zero but for a layer.",
+            "A wave of one degree on a zonal rotation, for which the exact motion is known: relative to "
+            "the sphere it turns about the pole with the angular velocity a - ((2 + gamma) a + 2 "
+            "rotation)/(l (l + 1) + gamma), a = zonal_rate; gamma is zero but for a layer.",
             "{ degree = 5, order = 4 }"),
       {"initial.rossby_haurwitz.degree", "a whole number, 1 to N - 1", "5", "The degree l of the wave.", "",
        "5"},
@@ -96,8 +96,8 @@ std::vector<Parameter> parameters_of_random_flow() {
 std::vector<Parameter> parameters_of_ring() {
   return {
       table("ring",
-            "Random coefficients around one degree, from which turbulence grows: the energy in the degree l "
-            "is on average proportional to exp(-(l - degree)^2/(2 width^2)).",
+            "Random coefficients around one degree, from which turbulence grows: the energy in the degree "
+            "l is on average proportional to exp(-(l - degree)^2/(2 width^2)).",
             "{ degree = 12 }"),
       {"initial.ring.degree", "a whole number, 1 to N - 1", "N/4", "The degree in the middle.", "", "12"},
       {"initial.ring.width", "a real > 0, in degrees l", "1", "How far the energy reaches on either side.",
@@ -133,8 +133,8 @@ std::vector<Parameter> parameters_of_vortices() {
        "For each the vorticity strength exp(-(1 - cos(gamma))/width^2) at the angle gamma from its centre.",
        "radians, and 1/time", "[[0, 0.4, 0.3, 1], [0.9, 0.4, 0.3, 1]]"},
       table("point_vortices",
-            "Vortices as narrow as matrices of the size N have them, about 1/sqrt(N) radians; their mean is "
-            "taken out.",
+            "Vortices as narrow as matrices of the size N have them, about 1/sqrt(N) "
+            "radians; their mean is taken out.",
             "{ rows = [[0, 0.4, 1], [1, -0.2, 1]] }"),
       {"initial.point_vortices.rows", "a list of rows of three numbers: longitude, latitude, circulation",
        "three vortices", "For each where it is, and the integral of its vorticity.", "radians, and 1/time",

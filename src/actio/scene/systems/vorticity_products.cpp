@@ -33,10 +33,10 @@ Products products_of_flow(SkewHermitian<> const& absolute, std::vector<std::stri
   if (size >= smallest_for_blas)
     if (Products const by_blas = blas_products(threads_for(size), remarks)) products = by_blas;
   if (fold <= 1) return products;
-  remarks.push_back(fmt::format(
-      "the flow looks the same after 1/{} of a turn about the pole: matrices are multiplied in {} "
-      "blocks of the size {}",
-      fold, fold, size));
+  remarks.push_back(
+      fmt::format("the flow looks the same after 1/{} of a turn about the pole: matrices are "
+                  "multiplied in {} blocks of the size {}",
+                  fold, fold, size));
   return std::make_shared<SymmetricProducts>(fold, products);
 }
 

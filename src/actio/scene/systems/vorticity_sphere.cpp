@@ -29,9 +29,9 @@ std::vector<Method> methods() {
        {"2", "4"},
        "Energy and all Casimir functions: the stream function is that of the mean of the vorticity before "
        "and after the step. Order 2; composed of substeps 4. On a sphere that rotates it also keeps the "
-       "angular momentum about the pole, and so energy and enstrophy relative to the sphere; on one at rest "
-       "the angular momentum along the direction that it has at the start. It gives up the Poisson bracket, "
-       "and keeps the other components of the angular momentum to the order of the step.",
+       "angular momentum about the pole, and so energy and enstrophy relative to the sphere; on one at "
+       "rest the angular momentum along the direction that it has at the start. It gives up the Poisson "
+       "bracket, and keeps the other components of the angular momentum to the order of the step.",
        "claim_10_0_reduced_hydrodynamics"},
       {"lie_poisson",
        {"2", "4"},
@@ -48,8 +48,8 @@ bool to_rounding(SceneTable method, bool layer) {
   bool const rounding = method.choice("precision", "precision", {"mixed", "double"}) == "double";
   if (layer && !rounding)
     method.fail("precision",
-                "precision: a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's "
-                "fluid");
+                "precision: a quasi-geostrophic layer is stepped in double "
+                "precision; mixed is for Euler's fluid");
   return rounding;
 }
 
@@ -71,11 +71,10 @@ void require_memory(SceneTable const& system, SphereScheme const& scheme,
   double const needed = bytes(n), there = bytes_of_machine();
   if (needed <= there) return;
   int const largest = static_cast<int>(n * std::sqrt(there / needed));
-  system.fail(
-      "N",
-      fmt::format("N: matrices of the size {} take about {} of memory in this scene, where {} are there; "
-                  "N = {} takes {}",
-                  n, bytes_in_words(needed), bytes_in_words(there), largest, bytes_in_words(bytes(largest))));
+  system.fail("N", fmt::format("N: matrices of the size {} take about {} of memory in this scene, "
+                               "where {} are there; N = {} takes {}",
+                               n, bytes_in_words(needed), bytes_in_words(there), largest,
+                               bytes_in_words(bytes(largest))));
 }
 
 /// Squares and cubes of the numbers, and what else was asked for, are numbers.
@@ -102,9 +101,9 @@ std::string resolution(SphereHarmonics relative, SphereHamiltonian const& hamilt
   Resolution const told = resolution_of(relative);
   if (!(told.energy_degree > 0)) return "";
   return fmt::format(
-      "resolution: the energy, a rigid rotation aside, is around the degree {:.0f}, where the bracket of "
-      "the matrices is that of the sphere to about {:.1g} (l^4/(6 N^2)); from about the degree {:.0f} on "
-      "it is another one",
+      "resolution: the energy, a rigid rotation aside, is around the degree {:.0f}, where the "
+      "bracket of the matrices is that of the sphere to about {:.1g} (l^4/(6 N^2)); from about the "
+      "degree {:.0f} on it is another one",
       told.energy_degree, told.error, told.lost_degree);
 }
 
@@ -142,9 +141,9 @@ Companion companion_of(std::shared_ptr<SphereFlow const> const& flow, SphereSche
             "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
   Companion out = companions(
       [&](long multiple) {
-    double const longer = static_cast<double>(multiple) * step;
-    stepped_vorticity(flow, scheme, longer)->advance(2);  // so long a step may be beyond the iteration
-    return stepped_vorticity(flow, scheme, longer);
+        double const longer = static_cast<double>(multiple) * step;
+        stepped_vorticity(flow, scheme, longer)->advance(2);  // so long a step may be beyond the iteration
+        return stepped_vorticity(flow, scheme, longer);
       },
       {4, 3, 2}, order, false);
   out.momentum = "vorticity";
@@ -157,8 +156,8 @@ void tell(Simulation& simulation, VorticityStart const& start, SphereFlow const&
     simulation.remarks.push_back(told);
   if (start.hamiltonian.layer())
     simulation.remarks.push_back(
-        "a quasi-geostrophic layer is stepped in double precision, which takes several times as long as "
-        "the steps of Euler's fluid");
+        "a quasi-geostrophic layer is stepped in double precision, which takes several times as "
+        "long as the steps of Euler's fluid");
   if (!histogram) return;
   HistogramBins const bins = histogram_bins(flow);
   simulation.remarks.push_back(fmt::format("histogram: {} bins of the width {} from {} to {}", bins.count,
@@ -198,22 +197,21 @@ std::vector<Parameter> parameters() {
   auto all = vorticity_parameters();
   all.push_back(
       {"method.step", "a number > 0", "from the time asked",
-       "The time that a step takes, a whole number of times in the time between two rows. By default at most "
-       "0.2 hbar/|P| with the largest eigenvalue of the stream function: then the equation of a step is "
-       "solved in few iterations, which from about four times as long on do not converge.",
+       "The time that a step takes, a whole number of times in the time between two rows. By default at "
+       "most 0.2 hbar/|P| with the largest eigenvalue of the stream function: then the equation of a step "
+       "is solved in few iterations, which from about four times as long on do not converge.",
        "time", "0.01"});
   all.push_back(
       {"method.precision",
        "a text",
        "\"mixed\"; \"double\" for a layer",
-       "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the change "
-       "in a step, or double, to rounding, which takes several times as long. What the method conserves it "
-       "conserves to rounding in both, that of the absolute vorticity. Where what turns as a whole, as the "
-       "sphere does, has more than 16 times the vorticity of the rest of the flow, the rest is stepped apart "
-       "from it, to the rounding of its own and in double precision in either case; a remark says so. "
-       "With double a run that goes back returns to where it began. A layer (system.hamiltonian) takes "
-       "double "
-       "alone.",
+       "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the "
+       "change in a step, or double, to rounding, which takes several times as long. What the method "
+       "conserves it conserves to rounding in both, that of the absolute vorticity. Where what turns as a "
+       "whole, as the sphere does, has more than 16 times the vorticity of the rest of the flow, the rest "
+       "is stepped apart from it, to the rounding of its own and in double precision in either case; a "
+       "remark says so. With double a run that goes back returns to where it began. A layer "
+       "(system.hamiltonian) takes double alone.",
        "",
        "\"double\"",
        {"mixed", "double"}});
@@ -227,9 +225,9 @@ std::vector<Parameter> parameters() {
 System vorticity_sphere_system() {
   return {"vorticity_sphere",
           "Ideal fluid on the sphere",
-          "The vorticity of an incompressible fluid without friction on a rotating sphere of unit radius, or "
-          "the potential vorticity of a quasi-geostrophic layer, as a matrix of the size N whose spectrum "
-          "stays.",
+          "The vorticity of an incompressible fluid without friction on a rotating sphere of "
+          "unit radius, or the potential vorticity of a quasi-geostrophic layer, as a matrix of "
+          "the size N whose spectrum stays.",
           "chapter 10",
           parameters(),
           methods(),

@@ -22,9 +22,7 @@ std::string_view bytes_of(std::vector<T> const& values) {
   return {reinterpret_cast<char const*>(values.data()), values.size() * sizeof(T)};
 }
 template <class T>
-char const* vtk_name() {
-  return std::is_same_v<T, double> ? "Float64" : sizeof(T) == 8 ? "Int64" : "UInt8";
-}
+char const* vtk_name() { return std::is_same_v<T, double> ? "Float64" : sizeof(T) == 8 ? "Int64" : "UInt8"; }
 
 }  // namespace
 
@@ -82,12 +80,10 @@ std::string VtuFile::head() const {
   std::string out = fmt::format(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
-      "  <UnstructuredGrid>\n"
+      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n"
       "    <FieldData>\n"
       "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-      "format=\"ascii\">{:.17g}</DataArray>\n"
-      "    </FieldData>\n"
+      "format=\"ascii\">{:.17g}</DataArray>\n    </FieldData>\n"
       "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
       time_, points_count_, cells_count_);
   auto const part = [&out](char const* name, std::string const& arrays) {
@@ -108,8 +104,7 @@ void VtuFile::end(bool durable) {
 
 std::string pvd_beginning() {
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
-         "byte_order=\"LittleEndian\">\n"
-         "  <Collection>\n";
+         "byte_order=\"LittleEndian\">\n  <Collection>\n";
 }
 std::string pvd_entry(double time, std::string const& file) {
   return fmt::format("    <DataSet timestep=\"{:.17g}\" group=\"\" part=\"0\" file=\"{}\"/>\n", time, file);
