@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -57,6 +58,34 @@ class Process {
 };
 
 inline void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+/// What a run of the command took. The pages of memory that it touched, those of processes that it started
+/// included, are counted: the same on a machine that has much else to do.
+struct Cost {
+  int status;
+  long pages;
+  double work;  ///< seconds of the processor
+  double peak_megabytes;
+};
+inline Cost cost(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), ACTIO_COMMAND);
+  std::vector<char*> words;
+  for (auto& word : arguments) words.push_back(word.data());
+  words.push_back(nullptr);
+  pid_t const child = ::fork();
+  if (child == 0) {
+    ::execv(words[0], words.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  ::wait4(child, &status, 0, &usage);
+  auto const seconds = [](timeval const& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, usage.ru_minflt,
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024};
+}
 
 /// Waits until a file is there; false where that takes too long.
 inline bool appears(std::string const& path, double seconds = 20) {

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(an_interrupted_run_keeps_whole_rows_says_so_and_goes_on_to_
 BOOST_AUTO_TEST_CASE(steps_without_rows_are_interrupted_and_kept_between_rows) {
   command::Folder const folder;
   std::string const scene = folder.write("long.toml", apophis(without_rows)), out = folder / "long";
-  double steps = 0;
+  double steps = 0, seconds = 0;
   for (int part = 0; part < 2; ++part) {
     {  // Killed after some checkpoints.
       command::Process process(part == 0 ? std::vector<std::string>{"run", scene}
@@ -72,15 +72,14 @@ BOOST_AUTO_TEST_CASE(steps_without_rows_are_interrupted_and_kept_between_rows) {
     }
     command::Process process({"resume", out});
     command::sleep_for(0.2);
-    auto const sent = std::chrono::steady_clock::now();
     process.send(SIGINT);
     BOOST_TEST(process.wait().status == 130);
-    // The steps between two looks take milliseconds; the rest is for a machine with much else to do.
-    BOOST_TEST((std::chrono::steady_clock::now() - sent < std::chrono::seconds(2)));
+    // Long before the end, at 1e10 steps.
+    BOOST_TEST(in_summary(out, "steps") < 5e9);
     BOOST_TEST(in_summary(out, "rows") == 1);
     BOOST_TEST(in_summary(out, "steps") > steps);
-    BOOST_TEST(in_summary(out, "wall_seconds") > 0.2 * (part + 1));
-    steps = in_summary(out, "steps");
+    BOOST_TEST(in_summary(out, "wall_seconds") > seconds);
+    steps = in_summary(out, "steps"), seconds = in_summary(out, "wall_seconds");
   }
 }
 

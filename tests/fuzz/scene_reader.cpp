@@ -3,7 +3,6 @@
 //
 // The bytes are a scene; lines at the end that begin with `--set ` are overrides. Where they begin with `=`,
 // the rest is a formula. A sanitiser watches, and what is checked here besides holds for every input.
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -115,15 +114,10 @@ void read(Input const& input) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
-  using Clock = std::chrono::steady_clock;
-  auto const begun = Clock::now();
   std::string_view const bytes(reinterpret_cast<char const*>(data), size);
   if (bytes.starts_with('='))
     read_formula(std::string(bytes.substr(1)));
   else
     read(input_of(bytes));
-  double const seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-  // A second on a machine that does nothing else, ten where it is busy and every access is watched.
-  require(seconds < 10, "the reader takes its time", std::to_string(seconds) + " s");
   return 0;
 }

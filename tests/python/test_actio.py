@@ -19,6 +19,7 @@ import os
 import pathlib
 import pickle
 import re
+import resource
 import signal
 import subprocess
 import sys
@@ -98,6 +99,11 @@ def table_of_the_command(*arguments):
 def momentum_of_a_scene(until):
     """The last momentum of a run, for another process."""
     return actio.run(text=SCENE, set={"run.until": until})
+
+
+def pages_touched():
+    """Pages of memory that this process and those that it started have touched: a cost that no load changes."""
+    return sum(resource.getrusage(who).ru_minflt for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
 
 
 def interrupt_after(seconds):
@@ -815,10 +821,9 @@ class Failures(unittest.TestCase):
 class LongRuns(unittest.TestCase):
     def test_ctrl_c_ends_a_run_and_leaves_its_rows(self):
         interrupt_after(0.4)
-        began = time.monotonic()
+        # It would take days.
         with self.assertRaises(KeyboardInterrupt) as caught:
             actio.run(text=SCENE, set={**LONG, "run.every": 2.5e4})
-        self.assertLess(time.monotonic() - began, 30)
         run = caught.exception.run
         self.assertEqual(run.summary["status"], "interrupted")
         self.assertEqual((run.rows, run.summary["rows"]), (len(run.t), len(run.t)))
@@ -1095,11 +1100,9 @@ class Sweeps(unittest.TestCase):
         )
         self.assertEqual(seen[-1], (1.0, 3))
         self.assertEqual(seen, sorted(seen))
-        began = time.monotonic()
         sweep = actio.sweep(
             text=SCENE, over={"method.step": [0.25, 0.125]}, set=LONG, progress=lambda fraction, done: True
         )
-        self.assertLess(time.monotonic() - began, 20)
         self.assertEqual([member.status for member in sweep], [130, 130])
         self.assertIsInstance(sweep[0].error, actio.Stopped)
         with self.assertRaisesRegex(LookupError, "mine") as caught:
@@ -1122,10 +1125,11 @@ class Sweeps(unittest.TestCase):
 
     def test_a_small_member_costs_little(self):
         over = {"initial.angular_velocity": [[0.0649, 0.001 * k, 0.22321] for k in range(500)]}
-        began = time.perf_counter()
+        before = pages_touched()
         sweep = actio.sweep(text=SCENE, over=over)
         self.assertEqual(sweep.errors, [])
-        self.assertLess((time.perf_counter() - began) / 500, 0.02)
+        # A few hold the rows of a member; a process for each would touch a thousand.
+        self.assertLess((pages_touched() - before) / 500, 100)
 
 
 class WhatThereIs(unittest.TestCase):
