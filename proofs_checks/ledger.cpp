@@ -2,7 +2,7 @@
 // its promise. A slip is counted where it occurs first.
 //
 //   ledger merge  REPORT            REPORT/checks/*.json -> REPORT/statements.json; prints the counts
-//   ledger verify REPORT [--scalars double,rational]
+//   ledger verify REPORT [--scalars double,rational]     of these columns alone, which must have been run
 //       fails (status 1) on an owed statement without record, a record without control (but `scope`), scalars
 //       that disagree on the verdict, a check that failed, evidence outside its bound, a control under its
 //       floor, a slip that has another verdict where it occurs first, an id that is not in the registry
@@ -47,8 +47,9 @@ std::vector<Statement> read_registry(std::string const& path) {
   return all;
 }
 
-/// All records of all scalars, by id.
-std::map<std::string, std::vector<ordered_json>> read_records(fs::path const& report) {
+/// All records, by id; of these scalars, where some are named.
+std::map<std::string, std::vector<ordered_json>> read_records(fs::path const& report,
+                                                              std::set<std::string> const& scalars = {}) {
   std::map<std::string, std::vector<ordered_json>> records;
   if (!fs::is_directory(report / "checks")) return records;
   std::vector<fs::path> files;
@@ -60,7 +61,9 @@ std::map<std::string, std::vector<ordered_json>> read_records(fs::path const& re
     ordered_json const all = ordered_json::parse(in, nullptr, false);
     if (all.is_discarded() || !all.is_array())
       throw std::runtime_error(file.string() + ": not a report; run the checks again");
-    for (auto const& record : all) records[record.at("id")].push_back(record);
+    for (auto const& record : all)
+      if (scalars.empty() || scalars.contains(record.at("scalar").get<std::string>()))
+        records[record.at("id")].push_back(record);
   }
   return records;
 }
@@ -136,7 +139,7 @@ int merge(fs::path const& report) {
 
 int verify(fs::path const& report, std::set<std::string> const& scalars) {
   auto const registry = read_registry(ACTIO_REGISTRY);
-  auto const records = read_records(report);
+  auto const records = read_records(report, scalars);
   std::set<std::string> known;
   std::vector<std::string> complaints;
   auto const complain = [&](std::string const& id, std::string const& what) {
