@@ -74,7 +74,7 @@ for (const page of names) {
     errors.add(
       page, 1,
       `${empty.length} empty place${empty.length > 1 ? 's' : ''}, the first: ${empty[0][2] ?? empty[0][3]}; ` +
-        './run bench, ./run stress, ./run test and ./run proofs measure what is missing, ./run record keeps it for all builds');
+        './run bench, ./run stress, ./run test --all and ./run proofs measure what is missing, ./run record keeps it for all builds');
 }
 errors.exitIfAny('pages');
 console.log(`book: ${names.length} pages, each in the tree where it is listed, with ways to the others`);

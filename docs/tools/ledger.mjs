@@ -124,7 +124,7 @@ export function evidence(book, id, anchor) {
   }
   const foot = [
     r.left ? `<b>Not shown:</b> ${prose(r.left)}` : '',
-    released.length ? `${released.map(c => columnNames[c] ?? c).join(' and ')}: <span class="figure from-release" title="${escapeHtml(`measured ${measuredAt(book.release.checks.release)}`)}">of the release</span>, until <code>./run test</code>` : '',
+    released.length ? `${released.map(c => columnNames[c] ?? c).join(' and ')}: <span class="figure from-release" title="${escapeHtml(`measured ${measuredAt(book.release.checks.release)}`)}">of the release</span>, until <code>./run test --all</code>` : '',
     missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
   ].filter(Boolean).map(s => `<span>${s}</span>`).join('');
   return `<details class="evidence"${idAttribute}><summary>${evidenceLine(book, r)}<span class="evidence-where">${where}</span></summary>${foot ? `<div class="evidence-foot">${foot}</div>` : ''}${worstOnly}${unfolded}</details>`;

@@ -101,7 +101,7 @@ if (what.includes('checks')) {
     console.log(`checks: this build has run fewer columns than are recorded; the record stays that of ${
         measuredAt(before.release)}`);
   else
-    missing.push('checks: never recorded, and no column beyond those of ./run is there; type ./run test');
+    missing.push('checks: never recorded, and no column beyond those of ./run is there; type ./run test --all');
 }
 
 if (what.includes('proofs')) {

@@ -24,7 +24,7 @@ expect 2 "did you mean 'mutate'" mutat
 expect 2 "--jobs wants a positive number, not 'many'" --jobs many
 expect 2 "--jobs wants a positive number, not '0'" --jobs=0
 expect 2 "--jobs wants a positive number" --jobs
-expect 2 "only --again" test --agian
+expect 2 "there are --all and --again" test --agian
 expect 2 "which statement" check
 expect 2 "proofs takes no argument" proofs eq_5_8
 expect 2 "there are bench, stress, checks and proofs" record everything
