@@ -69,8 +69,8 @@ endfunction()
 
 # actio_together(OUT NAME PER SOURCE...): sources that compile SOURCE... by PER at a time, into the variable
 # OUT (tools/together.awk says how, and for which sources). What several of them instantiate is compiled once,
-# in two thirds of the time. Those that add to a namespace of others stay as they are, and those whose name
-# matches ACTIO_ALONE, which are as large as a unit may be.
+# in two thirds of the time. Those that add to a namespace of others stay as they are, and those that say of
+# themselves, in a line of their own, that they are `// In a unit of its own`, as large as a unit may be.
 find_program(AWK awk REQUIRED)
 function(actio_together out name per)
   set(result "")
@@ -80,8 +80,8 @@ function(actio_together out name per)
   list(SORT ARGN COMPARE NATURAL)
   foreach(source IN LISTS ARGN ITEMS "")
     if(source)
-      file(STRINGS "${source}" adds REGEX "^(namespace [a-zA-Z]|extern |template (class|struct|<>))")
-      if(adds OR (ACTIO_ALONE AND source MATCHES "/(${ACTIO_ALONE})\\.cpp$"))
+      file(STRINGS "${source}" stays REGEX "^(// In a unit of its own|namespace [a-zA-Z]|extern |template (class|struct|<>))")
+      if(stays)
         list(APPEND result "${source}")
         continue()
       endif()

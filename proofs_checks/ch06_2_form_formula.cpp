@@ -1,5 +1,7 @@
 // Section 6.2: the multisymplectic form formula and its case of mechanics, and the maps that bundle
 // automorphisms act on. Variations move space-time as well; integrals over boxes are exact.
+//
+// In a unit of its own, which is as large as a unit may be.
 
 #include "bundle_maps.hpp"
 #include "fields.hpp"

@@ -1,5 +1,7 @@
 // Section 6.2: the variational principle and the Cartan form that comes out of it. Variations move space-time
 // as well; integrals over boxes are exact.
+//
+// In a unit of its own, which is as large as a unit may be.
 
 #include "fields.hpp"
 #include "off_shell.hpp"

@@ -1,5 +1,7 @@
 // Section 7.2: pointwise constraints, the augmented action, the constrained field equations and the extended
 // bundle.
+//
+// In a unit of its own, which is as large as a unit may be.
 #include "actio/constraints/augmented.hpp"
 #include "actio/jets/action.hpp"
 #include "constrained_models.hpp"

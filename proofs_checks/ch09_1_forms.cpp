@@ -1,5 +1,7 @@
 // Section 9.1: the covariant momentum map as a form on the jet bundle, and what prolongations do to the
 // Cartan form.
+//
+// In a unit of its own, which is as large as a unit may be.
 
 #include "actio/noether/isometries.hpp"
 #include "actio/noether/time_translation.hpp"

@@ -1,4 +1,6 @@
 // Section 9.1: invariance of the action, Noether's theorem, and the relabelling currents of the two fluids.
+//
+// In a unit of its own, which is as large as a unit may be.
 
 #include "actio/jets/first_variation.hpp"
 #include "actio/noether/isometries.hpp"

@@ -1,4 +1,6 @@
 // Chapter 10: field theories of second order, and the averaged Euler equations as one of them.
+//
+// In a unit of its own, which is as large as a unit may be.
 #include "bundle_maps.hpp"
 #include "fields.hpp"
 #include "second_order_theory.hpp"

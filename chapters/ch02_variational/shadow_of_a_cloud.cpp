@@ -8,6 +8,8 @@
 //   w        tangent vector to TG at v                theta  Lagrange one-form, p dq
 //   rim      closed curve of states, each a dual      omega  Lagrange two-form, dq ^ dp
 //            number that carries its tangent          h      step
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/groups/rotations.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "book/plot.hpp"

@@ -11,6 +11,8 @@
 //   g     attitude in SO(3)                        L    discrete Lagrangian on pairs of attitudes, J s
 //   f     relative motion g0 g1^-1                 l    reduced discrete Lagrangian, J s
 //   mu    spatial momentum, J s                    h    time between two pictures, s
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "book/measure.hpp"

@@ -10,6 +10,8 @@
 //   xi       spatial velocity g' g^-1, 1/s            action  discrete Lagrangian on pairs of attitudes, J s
 //   Omega    body velocity                            J       momentum about the vertical, J s
 //   h        step, s                                  E       energy, J
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/discrete_momentum.hpp"
 #include "actio/reduction/natural_chart.hpp"

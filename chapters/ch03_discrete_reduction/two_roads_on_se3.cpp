@@ -10,6 +10,8 @@
 //   g        configuration in SE(3), body to space    l     reduced discrete Lagrangian, J s
 //   f        relative motion g1^-1 g0                 L     the same on pairs of configurations, l(g1^-1 g0)
 //   xi       turning and gliding                      h     step, s
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/discrete_forms.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"

@@ -8,6 +8,8 @@
 //
 //   l        Lagrangian on the algebra              Pi    body momentum
 //   I, b     inertia; momentum of a wheel inside    h     step
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/composition.hpp"

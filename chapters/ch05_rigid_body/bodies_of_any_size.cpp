@@ -9,6 +9,8 @@
 //
 //   M   body momentum             longest   the largest step that has a solution, as the angle |omega| h
 //   m   momentum in space         growth    exponent a in: change ~ steps^a (1/2 is a random walk)
+//
+// Compiled at -O2: it takes many steps.
 #include <random>
 
 #include "actio/bodies/body_catalogue.hpp"

@@ -10,6 +10,8 @@
 //   I      principal moments                  delta, T   numbers of the half turn and the twist of a step
 //   M      body momentum, L its amount        f          relative motion, g1^T g0
 //   g, q   attitude, matrix and quaternion    h          step
+//
+// Compiled at -O2: it takes many steps.
 #include <Eigen/Geometry>
 
 #include "actio/bodies/body_catalogue.hpp"

@@ -8,6 +8,8 @@
 //
 //   n        dimensions                     f   relative motion of a step
 //   Lambda   second moments, random         M   body momentum, with an angular velocity of norm 1
+//
+// Compiled at -O2: it takes many steps.
 #include <random>
 
 #include <Eigen/Eigenvalues>

@@ -13,6 +13,8 @@
 //   P_rot  period of M, once round its curve
 //   g      attitude, body to space
 //   P_prec mean period of the long axis about the momentum in space
+//
+// Compiled at -O2: it takes many steps.
 #include <Eigen/Geometry>
 
 #include "actio/bodies/body_catalogue.hpp"

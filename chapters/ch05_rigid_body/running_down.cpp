@@ -9,6 +9,8 @@
 //   I      principal moments, ascending, kg m^2        h     step, s
 //   omega  body velocity, rad/s                        q     attitude as a unit quaternion (Runge-Kutta)
 //   M      body momentum, J s                          m     spatial momentum, J s
+//
+// Compiled at -O2: it takes many steps.
 #include <Eigen/Geometry>
 
 #include "actio/bodies/body_catalogue.hpp"

@@ -6,6 +6,8 @@
 //
 //   Omega, Pi   body velocity, rad/s, and body momentum, J s     p     weight times centre of mass, J
 //   Gamma       the vertical in the body frame
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/rigid_body/heavy_top.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

@@ -7,6 +7,8 @@
 // digit.
 //
 // Dirichlet, Ovsyannikov and Dyson found the solution; graded_body.hpp has the three lines that prove it.
+//
+// Compiled at -O2: it takes many steps.
 #include <numbers>
 
 #include "actio/continuum/stresses.hpp"

@@ -7,6 +7,8 @@
 // with one that does not, Piola's transformation fails, and the angular momentum of the ball with it. Blown
 // up and let go, a neo-Hookean ball bounces for ever. One of St Venant and Kirchhoff collapses into its
 // centre, for its energy has no objection. Read first. gas_ellipse; graded_body.hpp proves the motion exact.
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/continuum/stresses.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "book/plot.hpp"

@@ -6,6 +6,8 @@
 // form; for variations that move space-time too, only if the form has its last term. On a motion that solves
 // nothing the rest is the integral of the Euler-Lagrange derivative inside. And two first variations of the
 // solution have no flux through the boundary. Read first. gas_ellipse.
+//
+// Compiled at -O2: it takes many steps.
 #include <array>
 
 #include "actio/jets/prolongation.hpp"

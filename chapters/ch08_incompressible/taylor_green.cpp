@@ -9,6 +9,8 @@
 //
 //   X  particle, its place at t = 0     y  place              P  pressure on the body
 //   phi(t, X)  place of a particle      u  velocity in space  p  pressure in space
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/incompressible/ideal_fluid.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
 #include "actio/numbers/gauss_quadrature.hpp"

@@ -5,6 +5,8 @@
 // multisymplectic form, and the momenta of shifts and turns of space, sum up to zero over the boundary, to
 // rounding. A variation of no solution, and a growth of space, which is no symmetry, leave a remainder. Read
 // first. Sections 10B.4 and 10B.5.
+//
+// Compiled at -O2: it takes many steps.
 #include <numbers>
 
 #include "actio/continuum/materials.hpp"

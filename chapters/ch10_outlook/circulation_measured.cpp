@@ -7,6 +7,8 @@
 //
 // A row of nodes of a periodic box is a closed curve. Its circulation, the integral of u.dphi, is evaluated
 // with differences of order 12 along the row, so that the measuring adds nothing that is seen.
+//
+// Compiled at -O2: it takes many steps.
 #include <numbers>
 
 #include "actio/multisymplectic/fast_medium_2d.hpp"

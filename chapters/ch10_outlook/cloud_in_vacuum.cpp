@@ -5,6 +5,8 @@
 // `conserve = form` the step is explicit and the energy oscillates; with `conserve = energy` it is implicit
 // and the energy is constant, to rounding. Both conserve the angular momentum. Read first. ch06_gas_ellipse,
 // section 10B.7.
+//
+// Compiled at -O2: it takes many steps.
 #include <array>
 #include <numbers>
 

@@ -5,6 +5,8 @@
 // or of McLachlan, is of order 4; each composition conserves what its form does, and the projection along the
 // orbit adds what is left. Each is run with several steps: its error, against order 6 with short ones, is set
 // against the products of matrices that it took. Read first. "Order four" of section 10A.4.
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/vorticity/diagonal_runge_kutta.hpp"
 #include "actio/vorticity/orbit_projection.hpp"
 #include "book/measure.hpp"

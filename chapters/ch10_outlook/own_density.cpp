@@ -5,6 +5,8 @@
 // Patrick and Shkoller tried their first multisymplectic scheme. A kink, one full turn of the row, runs along
 // it without change of shape, and the discrete one follows it with an error of second order. Read first.
 // Section 10B.6.
+//
+// Compiled at -O2: it takes many steps.
 #include <numbers>
 
 #include "actio/multisymplectic/discrete_multisymplectic_form.hpp"

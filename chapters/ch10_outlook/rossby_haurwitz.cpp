@@ -7,6 +7,8 @@
 //
 //   zeta   vorticity in the rotating frame       W   absolute vorticity, zeta + 2 Omega cos(theta)
 //   l, m   degree and order of the wave          h   length of a step
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/vorticity/sphere_invariants.hpp"
 #include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/vorticity_step.hpp"

@@ -1,5 +1,7 @@
 // Lines to try of chapter 10: a sheet of rubber, a density of one's own, a step for each cell; a step of the
 // fluid on the sphere, and how good its bracket is.
+//
+// Compiled at -O2: it takes many steps.
 #include "book/try_it.hpp"
 #include "actio/multisymplectic/asynchronous_steps.hpp"
 #include "actio/multisymplectic/body_shapes.hpp"

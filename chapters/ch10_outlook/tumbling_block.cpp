@@ -5,6 +5,8 @@
 // symmetries. The energy is not conserved: it oscillates, with half the step a quarter as much, and with the
 // longer step its mean drifts as well. Mean and deviation in each eighth of the run show it. Read first.
 // Section 10B.7.
+//
+// Compiled at -O2: it takes many steps.
 #include <numbers>
 
 #include "actio/multisymplectic/fast_medium_2d.hpp"

@@ -6,6 +6,8 @@
 // Section 10A.6.
 //
 //   W   vorticity as a matrix, of angular momentum zero       l   degree of a harmonic
+//
+// Compiled at -O2: it takes many steps.
 #include "actio/vorticity/sphere_invariants.hpp"
 #include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/symbols.hpp"

@@ -6,6 +6,8 @@
 //
 //   q  stretch along the direction d of the wave      c  speed of sound at this stretch
 //   s  d.X, the label of a plane of particles         a  label of a characteristic, s = a + c t
+//
+// Compiled at -O2: it takes many steps.
 #include <numbers>
 
 #include "actio/multisymplectic/fast_medium_2d.hpp"

@@ -1,4 +1,6 @@
 // The laws of the larger groups over the rationals and in many digits.
+//
+// In a unit of its own, which is as large as a unit may be.
 #include "actio/numbers/schur_form_in_digits.hpp"
 #include "laws_of_more_groups.hpp"
 

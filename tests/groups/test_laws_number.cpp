@@ -1,4 +1,6 @@
 // The laws of the smaller groups over the rationals and in many digits.
+//
+// In a unit of its own, which is as large as a unit may be.
 #include "laws_of_the_groups.hpp"
 
 using namespace actio;

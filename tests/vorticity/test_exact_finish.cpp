@@ -1,5 +1,7 @@
 // The step in mixed precision beside the plain one: the same motion to its tolerance, the same invariants to
 // rounding.
+//
+// In a unit of its own, which is as large as a unit may be.
 #include <boost/test/unit_test.hpp>
 #include <random>
 

@@ -1,5 +1,7 @@
 // Steps of order 4: diagonally implicit Runge-Kutta methods are compositions, every form is of order 4 when
 // composed, and the projection along the orbit leaves it so.
+//
+// In a unit of its own, which is as large as a unit may be.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/diagonal_runge_kutta.hpp"

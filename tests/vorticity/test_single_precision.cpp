@@ -1,5 +1,7 @@
 // What a step finds in single precision, against complex matrices: the transform on several tiles and within
 // the reach of its factors, its degree, and the finish.
+//
+// In a unit of its own, which is as large as a unit may be.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/isospectral_finish.hpp"
