@@ -142,7 +142,10 @@ STATEMENT(claim_10_0_form_formula_directions,
         return divergence([&]<class T>(Event<T, n> const& at) { return here.curl(at, both); }, x);
       };
       S const whole = out_of(true), part = out_of(false);
-      claim.zero("divergence of that current", model, whole, part, 10);
+      auto const each = derivative([&]<class T>(Event<T, n> const& at) { return here.curl(at, false); }, x);
+      S terms_of_it(0);
+      for (int mu = 0; mu <= n; ++mu) terms_of_it += size_of(S(each.matrix(mu, mu)));
+      claim.zero("divergence of that current", model, whole, terms_of_it, 10);
       claim.refutes("divergence of its first term", model, part, S(magnitude(curl) + magnitude(part)));
       // The balance, off the solutions.
       auto const j = second_jet(phi, x);
@@ -187,8 +190,8 @@ STATEMENT(claim_10_0_form_formula_directions,
                  boundary_integral(solved.contracted(), box, 4), scale, 10);
       claim.zero("the change of stress and energy through the boundary", model, balance(solved), scale, 10);
       claim.refutes("with W not a first variation", model, balance(other), scale);
-      claim.equal("both agree where W is none", model, boundary_integral(other.contracted(), box, 4),
-                  balance(other), 10);
+      claim.zero("both agree where W is none", model,
+                 S(boundary_integral(other.contracted(), box, 4) - balance(other)), scale, 10);
     }
   });
   // What the columns are for a medium.
