@@ -1,5 +1,5 @@
-// Section 3.3: the exponential map is a chart near the identity, and where there are infinitely many dimensions
-// it need not be.
+// Section 3.3: the exponential map is a chart near the identity, and where there are infinitely many
+// dimensions it need not be.
 #include "actio/numbers/determinant.hpp"
 
 #include "chart_models.hpp"
@@ -35,9 +35,9 @@ Matrix<S> exponential_series(Matrix<S> const& w) {
   return sum;
 }
 
-/// On a box of velocities, a lower bound of 1 less the row norm of \f$P\circ T\exp - 1\f$, with the projection P
-/// of matrices on the algebra. Where it is positive on a convex set, exp is one to one there and its
-/// differential has an inverse.
+/// On a box of velocities, a lower bound of 1 less the row norm of \f$P\circ T\exp - 1\f$, with the
+/// projection P of matrices on the algebra. Where it is positive on a convex set, exp is one to one there and
+/// its differential has an inverse.
 ///
 /// The series is taken to 40 terms, and the others are bounded: with \f$|w|\le r\f$ they are at most
 /// \f$|e|\,\frac{r^K}{K!}\bigl(1-\frac r{K+1}\bigr)^{-1}\f$ in the direction e.
@@ -85,8 +85,8 @@ Vector<Number> cube(int dimension, Number const& radius) {
   return box;
 }
 
-/// A matrix near 1 that is in none of these groups: over a field without exp the difference from 1 is strictly
-/// triangular, so that its logarithm is a polynomial.
+/// A matrix near 1 that is in none of these groups: over a field without exp the difference from 1 is
+/// strictly triangular, so that its logarithm is a polynomial.
 template <class S>
 Matrix<S> draw_outside(Draw& draw, Matrix<S> m) {
   for (Index i = 0; i < m.rows(); ++i)
@@ -95,8 +95,8 @@ Matrix<S> draw_outside(Draw& draw, Matrix<S> m) {
   return m;
 }
 
-/// \f$\frac{2\pi}n(1 + a\cos nx)^{\mp1}\f$ on the circle: the flow of the first for a unit of time turns it by
-/// \f$2\pi/n\f$.
+/// \f$\frac{2\pi}n(1 + a\cos nx)^{\mp1}\f$ on the circle: the flow of the first for a unit of time turns it
+/// by \f$2\pi/n\f$.
 template <class S>
 struct FieldOnCircle {
   int n;
@@ -124,15 +124,17 @@ struct FieldOnCircle {
 
 STATEMENT(claim_3_3_exponential_chart, "exponential map near the identity") {
   claim.holds(
-      "The differential at 0 is the identity, and the theorem of inverse functions does the rest. In balls: on "
+      "The differential at 0 is the identity, and the theorem of inverse functions does the rest. In balls: "
+      "on "
       "the cube of velocities with coordinates up to $1/4$ the map is one to one and its differential has an "
-      "inverse, for each of the groups tried; elements near the identity have a logarithm in the algebra. It is "
+      "inverse, for each of the groups tried; elements near the identity have a logarithm in the algebra. It "
+      "is "
       "no more than local: on $\\SO(3)$ velocities by half a turn either way have one exponential, and by a "
       "whole turn the differential has no inverse. And for the circle's diffeomorphisms not even that: the "
-      "fields $\\frac{2\\pi}n(1 + a\\cos nx)^{-1}$ are as small as one likes with all of their derivatives, and "
+      "fields $\\frac{2\\pi}n(1 + a\\cos nx)^{-1}$ are as small as one likes with all of their derivatives, "
+      "and "
       "the exponential of each is the turn by $2\\pi/n$.");
-  claim.leaves(
-      "Of groups of infinite dimension this one is tried, by which the chart is not general there.");
+  claim.leaves("Of groups of infinite dimension this one is tried, by which the chart is not general there.");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const zeta = draw_exponent<S>(draw, group), eta = draw_exponent<S>(draw, group);
     auto const zero = S(0) * eta;
@@ -140,7 +142,8 @@ STATEMENT(claim_3_3_exponential_chart, "exponential map near the identity") {
     claim.differs("elsewhere the differential is the identity too", model,
                   state_of(exp(moving(eta, zeta))).velocity, zeta);
     // Inverse maps, and inverse differentials.
-    Algebra<S> const rate{group, Vector<S>(rate_part<S>(Matrix<Dual<S>>(log(exp(moving(eta, zeta))).coordinates)))};
+    Algebra<S> const rate{group,
+                          Vector<S>(rate_part<S>(Matrix<Dual<S>>(log(exp(moving(eta, zeta))).coordinates)))};
     // The logarithm solves for the velocity: an allowance of ten times that of plain evaluation.
     claim.equal("differential of log, after that of exp", model, rate, zeta, 10);
     // An element that no exponential made: its logarithm by the power series.
@@ -148,8 +151,8 @@ STATEMENT(claim_3_3_exponential_chart, "exponential map near the identity") {
     Matrix<S> const one = Matrix<S>::Identity(k.value.rows(), k.value.cols()),
                     series = logarithm_series(Matrix<S>(k.value - one));
     Algebra<S> const logarithm{group, group.vee(series)};
-    claim.equal("the logarithm of an element lies in the algebra", model, Matrix<S>(group.hat(logarithm.coordinates)),
-                series, 10);
+    claim.equal("the logarithm of an element lies in the algebra", model,
+                Matrix<S>(group.hat(logarithm.coordinates)), series, 10);
     claim.equal("and is that of the library", model, log(k), logarithm, 10);
     claim.equal("its exponential is the element", model, exponential_series(series), k.value, 10);
     claim.equal("the library's exponential", model, exp(logarithm), k, 10);
@@ -171,8 +174,8 @@ STATEMENT(claim_3_3_exponential_chart, "exponential map near the identity") {
     });
   auto const so3 = spanned("SO(3)", SO<3>{});
   claim.refutes_enclosure("on a cube that reaches beyond half a turn", "SO(3)", [&] {
-    return positive_on([&](Vector<Number> const& x) { return room_of_exponential(so3, x); }, cube(3, Number(4)),
-                       512);
+    return positive_on([&](Vector<Number> const& x) { return room_of_exponential(so3, x); },
+                       cube(3, Number(4)), 512);
   });
   using std::cos;
   auto const determinant_along = [](Number const& s) { return Number(Number(2) - Number(cos(s)) * 2); };
@@ -189,7 +192,9 @@ STATEMENT(claim_3_3_exponential_chart, "exponential map near the identity") {
   axis << ratio<S>(2, 3), ratio<S>(-1, 3), ratio<S>(2, 3);
   auto const by = [&](S const& angle) { return Algebra<S>{so3, Vector<S>(axis * angle)}; };
   S const angle = S(2) + draw.number<S>();
-  auto const determinant_at = [&](S const& s) { return determinant_by_elimination(Matrix<S>(iex(ad_matrix(by(s))))); };
+  auto const determinant_at = [&](S const& s) {
+    return determinant_by_elimination(Matrix<S>(iex(ad_matrix(by(s)))));
+  };
   claim.equal("determinant of the differential", "SO(3)", determinant_at(angle),
               S(S(2) * (S(1) - cos(angle)) / (angle * angle)), 10);
   claim.differs("its determinant without the square", "SO(3)", determinant_at(angle),
@@ -206,8 +211,8 @@ STATEMENT(claim_3_3_exponential_chart, "exponential map near the identity") {
       ad(1, 2) = speed * S(n), ad(2, 1) = -speed * S(n);
       return determinant_by_elimination(Matrix<S>(iex(ad)));
     };
-    claim.zero("determinant of the differential at the turn by 1/n", model, determinant_of(S(turn / S(n))), S(1),
-               10);
+    claim.zero("determinant of the differential at the turn by 1/n", model, determinant_of(S(turn / S(n))),
+               S(1), 10);
     claim.refutes("at half of that", model, determinant_of(S(pi / S(n))), S(1));
     // One turn for many fields: x + (a/n) sin nx grows at the constant rate 2 pi/n along the first.
     S const a = (S(2) + draw.number<S>()) / S(n % 2 == 0 ? 6 : -6), x = draw.number<S>();

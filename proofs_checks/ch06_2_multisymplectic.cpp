@@ -29,8 +29,8 @@ void over_sets(int D, int k, Visit const& visit) {
     for (int l = i + 1; l < k; ++l) set[l] = set[l - 1] + 1;
   }
 }
-/// The map \f$V\mapsto V\lrcorner\,\Omega\f$ of a form of degree k at a point with D coordinates: a row for each
-/// set of k - 1 basis vectors.
+/// The map \f$V\mapsto V\lrcorner\,\Omega\f$ of a form of degree k at a point with D coordinates: a row for
+/// each set of k - 1 basis vectors.
 template <int k, class S, int D, class Form>
 Matrix<S> contractions(Form const& omega, Matrix<S, D, 1> const& at) {
   std::map<std::vector<int>, Vector<S>> rows;
@@ -148,7 +148,8 @@ struct OfDeterminant {
 STATEMENT(claim_6_2_multisymplectic_manifold,
           "the first jet bundle with the form of the density as a multisymplectic manifold") {
   claim.convention(
-      "Where the second derivatives of $L$ in $v$ have an inverse and the body has a dimension: then the form, "
+      "Where the second derivatives of $L$ in $v$ have an inverse and the body has a dimension: then the "
+      "form, "
       "which is closed, has no kernel. On the jet of derivatives alone $V\\lrcorner\\,\\Omega = "
       "-\\frac{\\partial^2L}{\\partial v^a{}_\\mu\\partial v^b{}_\\nu}V^b{}_\\nu\\,(dy^a - v^a{}_\\kappa "
       "dx^\\kappa)\\wedge d^nx_\\mu$, so that the condition is needed. A medium (6.3) may fail it: in a body "
@@ -178,7 +179,8 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
           for (int b = 0; b < N; ++b) change(a, mu) += hessian(N * mu + a, N * nu + b) * direction(b, nu);
       }
     S const value = contracted(L, j, along_derivatives<S, n, N>(direction), X),
-            along = change.cwiseProduct(j.v).sum(), scale = magnitude(change) * S(N * (n + 1)) + magnitude(along);
+            along = change.cwiseProduct(j.v).sum(),
+            scale = magnitude(change) * S(N * (n + 1)) + magnitude(along);
     auto const at = coordinates(j);
     claim.zero("contraction along the derivatives", model,
                S(value + by_exterior_products<n, N>(change, S(-along), at, X)), scale);
@@ -187,8 +189,7 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
 
     // The kernel of all contractions.
     claim.fact("the second derivatives in v have an inverse", model, matrix_rank(hessian) == N * (n + 1));
-    claim.fact("then no vector but zero is in the kernel", model,
-               matrix_rank(contractions_of(L, j)) == all);
+    claim.fact("then no vector but zero is in the kernel", model, matrix_rank(contractions_of(L, j)) == all);
     Matrix<S, N, n + 1> dual;
     for (int mu = 0; mu <= n; ++mu) dual.col(mu) = draw.vector<S, Matrix<S, N, 1>>(N);
     dual /= S(dual.cwiseProduct(direction).sum());
@@ -196,8 +197,8 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
     auto const kernel = along_derivatives<S, n, N>(direction);
     S const sizes = magnitude(momenta(degenerate, j)) * magnitude(dual) * S(N * (n + 1)) + scale;
     // The projection divides by a product of drawn vectors.
-    claim.zero("a derivative that does not enter is in the kernel", model, contracted(degenerate, j, kernel, X),
-               sizes, 100);
+    claim.zero("a derivative that does not enter is in the kernel", model,
+               contracted(degenerate, j, kernel, X), sizes, 100);
     claim.refutes("and where it enters", model, value, scale);
     claim.fact("the rank is less there", model, matrix_rank(contractions_of(degenerate, j)) < all);
   });
@@ -246,9 +247,10 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
                     size_of(second_derivatives(L, first)) * size_of(acceleration);
     // The accelerations come out of an elimination.
     claim.zero("the motion is in it", model, contracted(L, first, along(acceleration), X), scale, 100);
-    claim.refutes("with another acceleration", model,
-                  contracted(L, first, along(Matrix<S, N, 1>(acceleration + draw.vector<S, Matrix<S, N, 1>>(N))), X),
-                  scale);
+    claim.refutes(
+        "with another acceleration", model,
+        contracted(L, first, along(Matrix<S, N, 1>(acceleration + draw.vector<S, Matrix<S, N, 1>>(N))), X),
+        scale);
   });
   // A body without stress, and one with.
   over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<3, 3>>{},
@@ -283,7 +285,8 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
     claim.zero("turns of F without stress are in the kernel", model, contracted(unstressed, j, rotation, X),
                scale, 100);
     claim.refutes("turns of F under stress", model, contracted(strained, j, rotation, X), scale);
-    claim.refutes("turns with the metric of coordinates", model, contracted(unstressed, j, along(turn), X), scale);
+    claim.refutes("turns with the metric of coordinates", model, contracted(unstressed, j, along(turn), X),
+                  scale);
     if constexpr (n == 2 && N == 2) {
       claim.fact("without stress that is all of the kernel", model,
                  matrix_rank(contractions_of(unstressed, j)) == all - 1);
@@ -306,8 +309,9 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
     S const slope = a + b * det_F * S(2), closed = determinant_for_fluid(n, det_F, slope, S(b + b));
     // A determinant of n^2 rows, by elimination.
     claim.equal("determinant of the second derivatives in F", model, root_of(fluid), closed, 100);
-    claim.differs("with n and n - 1 interchanged", model, root_of(fluid),
-                  S(closed / (slope * S(n - 1) + b * det_F * S(2 * n)) * (slope * S(n) + b * det_F * S(2 * (n - 1)))));
+    claim.differs(
+        "with n and n - 1 interchanged", model, root_of(fluid),
+        S(closed / (slope * S(n - 1) + b * det_F * S(2 * n)) * (slope * S(n) + b * det_F * S(2 * (n - 1)))));
     claim.zero("it vanishes where (n-1) w' + n D w'' does", model, root_of(special),
                S(determinant_for_fluid(n, det_F, S(-b * det_F * S(2 * n) / S(n - 1)), S(b + b + b))), 100);
     // Changes of F that keep the volume, without pressure.

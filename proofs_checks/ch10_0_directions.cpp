@@ -104,11 +104,14 @@ struct AlongDirection {
 STATEMENT(claim_10_0_form_formula_directions,
           "relations from the form formula in other directions of space-time") {
   claim.holds(
-      "Put as an identity: where $L$ is the same along $x^\\nu$, the form contracted with $\\partial/\\partial "
+      "Put as an identity: where $L$ is the same along $x^\\nu$, the form contracted with "
+      "$\\partial/\\partial "
       "x^\\nu$ and a vertical $W$ is $\\delta_WT^\\mu{}_\\nu\\,d^nx_\\mu$ less the current "
       "$\\partial_\\nu(p^\\mu W) - \\delta^\\mu_\\nu\\partial_\\kappa(p^\\kappa W)$, which flows out of no "
-      "region. So (6.11) with the first variation along $x^\\nu$ is the balance of column $\\nu$ of stress and "
-      "energy, $T^\\mu{}_\\nu = p^\\mu v_\\nu - L\\delta^\\mu_\\nu$, linearised: of the energy along time, of "
+      "region. So (6.11) with the first variation along $x^\\nu$ is the balance of column $\\nu$ of stress "
+      "and "
+      "energy, $T^\\mu{}_\\nu = p^\\mu v_\\nu - L\\delta^\\mu_\\nu$, linearised: of the energy along time, "
+      "of "
       "the tensor of Eshelby along the body. The relation depends on the direction in that a medium which "
       "varies along $x^\\nu$ has it not. Off the solutions, for any density; on boxes about uniform strain.");
   claim.leaves(
@@ -135,8 +138,8 @@ STATEMENT(claim_10_0_form_formula_directions,
                     scale);
       claim.refutes("the column of another direction", model,
                     Event<S, n>(contracted - here.change(x, n - nu) + curl), scale);
-      claim.refutes("without the current that flows out of no region", model, Event<S, n>(contracted - change),
-                    scale);
+      claim.refutes("without the current that flows out of no region", model,
+                    Event<S, n>(contracted - change), scale);
       // That current has no divergence.
       auto const out_of = [&](bool both) {
         return divergence([&]<class T>(Event<T, n> const& at) { return here.curl(at, both); }, x);
@@ -154,10 +157,10 @@ STATEMENT(claim_10_0_form_formula_directions,
       auto const gained = divergence([&]<class T>(Event<T, n> const& at) { return here.change(at); }, x);
       S const by_forces = delta_E.dot(j.v.col(nu)) + E.dot(w.v.col(nu)),
               terms = magnitude(gained) + size_of(delta_E) * size_of(j.v) + size_of(E) * size_of(w.v);
-      claim.zero("what the change of stress and energy loses to the forces", model, S(gained + by_forces), terms,
-                 10);
-      claim.refutes("without the force of the section itself", model,
-                    S(gained + delta_E.dot(j.v.col(nu))), terms);
+      claim.zero("what the change of stress and energy loses to the forces", model, S(gained + by_forces),
+                 terms, 10);
+      claim.refutes("without the force of the section itself", model, S(gained + delta_E.dot(j.v.col(nu))),
+                    terms);
       auto const varying_gain =
           divergence([&]<class T>(Event<T, n> const& at) { return varying.change(at); }, x);
       claim.refutes("in a medium that varies along the direction", model,
@@ -177,8 +180,7 @@ STATEMENT(claim_10_0_form_formula_directions,
     auto const W = first_variation_at(L, j, any);
     for (int const nu : {0, n}) {
       std::string const model = (nu == 0 ? "time, box, " : "body, box, ") + dimensions;
-      using Here =
-          AlongDirection<S, n, N, AnyDensity<S, n, N>, AnySection<S, n, N>, Accelerated<S, n, N>>;
+      using Here = AlongDirection<S, n, N, AnyDensity<S, n, N>, AnySection<S, n, N>, Accelerated<S, n, N>>;
       Here const solved{L, phi, W, nu}, other{L, phi, any, nu};
       auto const balance = [&](Here const& here) {
         return boundary_integral(form_of<n>([&](auto const& at) { return here.change(at); }), box, 4);
@@ -224,8 +226,8 @@ STATEMENT(claim_10_0_form_formula_directions,
       auto const column = stress_energy(medium, j, k + 1);
       columns.col(k) = column.template tail<n>(), pseudomomentum[k] = column[0];
     }
-    claim.zero("along the body: the tensor of Eshelby", model, Matrix<S, n, n>(columns - eshelby * root), size,
-               10);
+    claim.zero("along the body: the tensor of Eshelby", model, Matrix<S, n, n>(columns - eshelby * root),
+               size, 10);
     claim.refutes("the tensor of Eshelby with the work added", model,
                   Matrix<S, n, n>(columns - (eshelby + work * S(2)) * root), size);
     claim.equal("and the momentum of the particles per length of the body", model, pseudomomentum,

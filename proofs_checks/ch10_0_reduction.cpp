@@ -84,15 +84,15 @@ Matrix<S> tangent_of_flow(L const& lagrangian, GroupElements<S> const& g) {
   return tangent;
 }
 
-/// A Legendre transformation of reduced pairs, in coordinates of \f$T^*M/G\f$: the momentum, translated to the
-/// identity on the right, and heights of the image of the vector that G fixes.
+/// A Legendre transformation of reduced pairs, in coordinates of \f$T^*M/G\f$: the momentum, translated to
+/// the identity on the right, and heights of the image of the vector that G fixes.
 template <class S, class L>
 struct ReducedLegendre {
   SymmetricSpace const& space;
   L const& lagrangian;
-  Matrix<S> heights;     ///< a row for each
-  S sign = S(-1);        ///< of \f$D_1\mathbb L\f$
-  bool at_end = false;   ///< \f$D_2\mathbb L\f$ at the end of the step in place of it
+  Matrix<S> heights;    ///< a row for each
+  S sign = S(-1);       ///< of \f$D_1\mathbb L\f$
+  bool at_end = false;  ///< \f$D_2\mathbb L\f$ at the end of the step in place of it
 
   template <class T>
   Momentum<SpannedGroup, T> momentum(GroupElement<T> const& p, GroupElement<T> const& q) const {
@@ -229,7 +229,8 @@ STATEMENT(claim_10_0_reduced_pair_space,
 namespace {
 
 /// A function on the dual of the algebra of G that is constant on its orbits, of the momenta of G: of one
-/// dimension the momentum, of three the square of its length, of those of Aff(1), whose orbits are open, none.
+/// dimension the momentum, of three the square of its length, of those of Aff(1), whose orbits are open,
+/// none.
 template <class T>
 T casimir_of(std::vector<T> const& momenta) {
   if (momenta.size() == 1) return momenta[0];
@@ -246,7 +247,8 @@ STATEMENT(claim_10_0_reduced_leaves, "leaves of reduced pairs as images under Le
       "$\\mathbb L$, near the pair; the images are those of their local inverses, and the integrator is the "
       "flow of $\\mathbb L$. Both map the leaf through a pair onto the leaf through its image, in which the "
       "functions of the momentum of $G$ that are constant on coadjoint orbits have one value, and the flow "
-      "keeps it. A Poisson map need not: a momentum shifted by a character of the group has the same brackets "
+      "keeps it. A Poisson map need not: a momentum shifted by a character of the group has the same "
+      "brackets "
       "and lies in another leaf. The spaces are those of claim_10_0_reduced_pair_space.");
   claim.leaves(
       "A set of one value may have several components: that the flow stays in one of them is not shown, nor "
@@ -267,7 +269,8 @@ STATEMENT(claim_10_0_reduced_leaves, "leaves of reduced pairs as images under Le
     };
     int const dimension = 2 * d - space.symmetries;
     std::vector<Vector<S>> invariants;
-    for (int i = 0; i <= dimension; ++i) invariants.push_back(slopes(draw_invariant<S>(draw, space), g[0], g[1]));
+    for (int i = 0; i <= dimension; ++i)
+      invariants.push_back(slopes(draw_invariant<S>(draw, space), g[0], g[1]));
     Matrix<S> const pi = discrete_bivector(L, g[0], g[1]), forms = beside(invariants);
     Matrix<S> const leaf = pi * forms;  // its tangent vectors
     auto const heights = draw_matrix<S>(draw, m.matrix_size(), m.matrix_size());
@@ -335,8 +338,8 @@ STATEMENT(claim_10_0_reduced_leaves, "leaves of reduced pairs as images under Le
         claim.refutes("a square that is not constant on orbits is one", model, change(weighed), terms);
       Vector<S> const slope_of_value = slopes(constant, g[0], g[1]);
       auto const moved = S(magnitude(forms) * magnitude(pi) * magnitude(slope_of_value));
-      claim.zero("its brackets with invariant functions", model,
-                 Vector<S>(leaf.transpose() * slope_of_value), moved, 100);
+      claim.zero("its brackets with invariant functions", model, Vector<S>(leaf.transpose() * slope_of_value),
+                 moved, 100);
       claim.refutes("those of any invariant function", model, Vector<S>(leaf.transpose() * invariants[0]),
                     S(magnitude(forms) * magnitude(pi) * magnitude(invariants[0])));
       claim.refutes("it is the same on all of the reduced space", model, slope_of_value,

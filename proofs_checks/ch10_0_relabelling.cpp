@@ -11,8 +11,8 @@ using namespace actio::checks;
 
 namespace {
 
-/// A motion that keeps the volumes of two charts; in space and over a field of finite size one with fewer terms,
-/// whose compositions have a degree that is far below that size.
+/// A motion that keeps the volumes of two charts; in space and over a field of finite size one with fewer
+/// terms, whose compositions have a degree that is far below that size.
 template <class S, int n>
 Shears<S, n> draw_motion(Draw& draw, Chart<S, n> const& body, Chart<S, n> const& space) {
   auto phi = draw_shears<S, n>(draw, body, space);
@@ -21,8 +21,8 @@ Shears<S, n> draw_motion(Draw& draw, Chart<S, n> const& body, Chart<S, n> const&
   return phi;
 }
 
-/// A motion before which the particles are relabelled: \f$\phi_t\circ\eta\f$, by the relabelling that a motion
-/// makes at one moment; or at all times by what it makes then, where it is no relabelling.
+/// A motion before which the particles are relabelled: \f$\phi_t\circ\eta\f$, by the relabelling that a
+/// motion makes at one moment; or at all times by what it makes then, where it is no relabelling.
 template <class Phi, class Eta, class S>
 struct Relabelled {
   Phi phi;
@@ -118,7 +118,8 @@ auto change_in_space(Phi const& phi, Field const& w, V const& at, Make const& ma
 
 /// \f$\partial_tw + [u, w]\f$ with the bracket of Jacobi and Lie, or with that turned round.
 template <class U, class W, class S, int rows>
-Matrix<S, rows - 1, 1> constrained_change(U const& u, W const& w, Matrix<S, rows, 1> const& at, int sign = 1) {
+Matrix<S, rows - 1, 1> constrained_change(U const& u, W const& w, Matrix<S, rows, 1> const& at,
+                                          int sign = 1) {
   auto const ju = first_jet(u, at), jw = first_jet(w, at);
   return jw.velocity() + (jw.gradient() * ju.y - ju.gradient() * jw.y) * S(sign);
 }
@@ -178,18 +179,21 @@ STATEMENT(claim_10_0_material_to_eulerian, "reduction by relabelling and the spa
   claim.holds(
       "Motions $\\phi$ and $\\phi\\circ\\eta$ have one velocity in space, for each $\\eta$ that keeps the "
       "volume and does not change in time. Conversely $\\frac{d}{dt}(\\phi^{-1}\\circ\\psi) = "
-      "T\\phi^{-1}(v-u)\\circ\\psi$ for two motions with velocities $u$ and $v$, so that two with one velocity "
+      "T\\phi^{-1}(v-u)\\circ\\psi$ for two motions with velocities $u$ and $v$, so that two with one "
+      "velocity "
       "differ by a relabelling; and a variation $w$ leaves $u$ alone if and only if the motion carries it "
       "along. The kinetic energy is a function of $u$. What the field equations become is "
       "claim_8_3_euler_equations.");
   claim.leaves(
-      "That each field without divergence is the velocity of some motion is the existence theorem of ordinary "
+      "That each field without divergence is the velocity of some motion is the existence theorem of "
+      "ordinary "
       "differential equations. The set of motions modulo relabellings is not shown to be a manifold.");
   over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using V = Matrix<S, n, 1>;
     auto const g = draw_metric_of_volume<S, n>(draw);
-    auto const phi = draw_motion<S, n>(draw, g.chart, g.chart), psi = draw_motion<S, n>(draw, g.chart, g.chart),
+    auto const phi = draw_motion<S, n>(draw, g.chart, g.chart),
+               psi = draw_motion<S, n>(draw, g.chart, g.chart),
                eta = draw_motion<S, n>(draw, g.chart, g.chart);
     Event<S, n> const x = draw_event<S, n>(draw), y = draw_event<S, n>(draw);
     S const moment = (S(2) + draw.number<S>()) / S(6);
@@ -397,8 +401,8 @@ struct FluidInBox {
     for (auto& component : below.component) component = component * D;
     return integral(below, change);
   }
-  /// \f$\int w\cdot\bigl(D\,(\partial_tu + \nabla_uu) + u\,(\partial_tD + \mathrm{div}(Du)) + dp\bigr)\f$; the
-  /// middle term may be left out.
+  /// \f$\int w\cdot\bigl(D\,(\partial_tu + \nabla_uu) + u\,(\partial_tD + \mathrm{div}(Du)) + dp\bigr)\f$;
+  /// the middle term may be left out.
   Integral<S> work(P const& p, bool continuity = true) const {
     auto force = acceleration_in_box(g, u), below = lowered_in_box(g, u);
     P const left = D.slope(0) + flux(u, D);
@@ -417,7 +421,9 @@ Integral<S> sum_of(std::vector<std::pair<int, Integral<S>>> const& parts) {
   return total;
 }
 template <class S, int k>
-Integral<S> integral_of(BoxPolynomial<S, k> const& a) { return integral(a, BoxPolynomial<S, k>::constant(S(1))); }
+Integral<S> integral_of(BoxPolynomial<S, k> const& a) {
+  return integral(a, BoxPolynomial<S, k>::constant(S(1)));
+}
 
 }  // namespace
 
@@ -425,19 +431,23 @@ STATEMENT(claim_10_0_compressible_reduction,
           "reduction of a compressible fluid with density and entropy as fields") {
   claim.holds(
       "With $e(D, s)$, $D = \\rho/J$, the density of the Lagrangian changes along $\\xi$ by a divergence, by "
-      "$(\\tfrac12|\\dot\\phi|^2 - e - De_D)\\,\\mathrm{div}(\\rho\\xi)$ and by $\\rho\\,e_s\\,\\xi\\cdot\\nabla "
-      "s$: relabellings that keep mass and entropy are its symmetries, and no others for any motion. Carried to "
+      "$(\\tfrac12|\\dot\\phi|^2 - e - De_D)\\,\\mathrm{div}(\\rho\\xi)$ and by "
+      "$\\rho\\,e_s\\,\\xi\\cdot\\nabla "
+      "s$: relabellings that keep mass and entropy are its symmetries, and no others for any motion. Carried "
+      "to "
       "space, $D$ and $s$ are advected; with $\\delta u = \\dot w + [u, w]$, $\\delta D = "
       "-\\mathrm{div}(Dw)$, $\\delta s = -w\\cdot\\nabla s$ the action varies by the work of "
-      "$D(\\partial_tu + \\nabla_uu) + \\nabla p$, $p = D^2e_D$, which is what the field equations on the body "
-      "say. For any metrics of body and space, off the solutions; as integrals in a box with a metric of volume "
+      "$D(\\partial_tu + \\nabla_uu) + \\nabla p$, $p = D^2e_D$, which is what the field equations on the "
+      "body "
+      "say. For any metrics of body and space, off the solutions; as integrals in a box with a metric of "
+      "volume "
       "1.");
   over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using V = Matrix<S, n, 1>;
     auto const G = draw_any_metric<S, n>(draw), g = draw_any_metric<S, n>(draw);
-    EntropyFluid<S, n, AnyMass<S, n>, Cubic<S, n>> const fluid{G, g, draw_mass<S, n>(draw),
-                                                               draw_cubic<S, n>(draw), draw_cubic<S, 2>(draw)};
+    EntropyFluid<S, n, AnyMass<S, n>, Cubic<S, n>> const fluid{
+        G, g, draw_mass<S, n>(draw), draw_cubic<S, n>(draw), draw_cubic<S, 2>(draw)};
     auto const phi = draw_motion<S, n>(draw, draw_chart<S, n>(draw), draw_chart<S, n>(draw));
     auto const j = second_jet(phi, draw_event<S, n>(draw));
     Event<S, n> const x = j.x, y = event_in_space(static_cast<Jet<S, n, n> const&>(j));
@@ -453,7 +463,8 @@ STATEMENT(claim_10_0_compressible_reduction,
     S const here = density(y);
     auto const [as_function, as_density] = advected(g, density, u, y);
     auto const [kept, spread] = advected(g, entropy, u, y);
-    S const of_density = size_of(derivative(density, y).gradient()) + size_of(first_jet(u, y).v) * size_of(here),
+    S const of_density =
+                size_of(derivative(density, y).gradient()) + size_of(first_jet(u, y).v) * size_of(here),
             of_entropy = size_of(derivative(entropy, y).gradient()) * (S(1) + size_of(u(y)));
     claim.zero("conservation of mass in space", model, as_density, of_density, condition);
     claim.refutes("density as a function that is carried", model, as_function, of_density);
@@ -496,8 +507,8 @@ STATEMENT(claim_10_0_compressible_reduction,
                   S(-derivative(density, y).gradient().template tail<n>().dot(w(y))));
     claim.equal("change of the entropy", model, S(change_in_space(phi, w, y, entropy_of)), S(-carried),
                 condition);
-    claim.differs("change of the entropy as of a density", model,
-                  S(change_in_space(phi, w, y, entropy_of)), S(-divergence(g, w_spread, y)));
+    claim.differs("change of the entropy as of a density", model, S(change_in_space(phi, w, y, entropy_of)),
+                  S(-divergence(g, w_spread, y)));
 
     // Relabellings: finite ones with mass and entropy carried along, and an infinitesimal one without.
     auto const chart = draw_chart<S, n>(draw);
@@ -506,9 +517,8 @@ STATEMENT(claim_10_0_compressible_reduction,
     Relabelled const relabelled{phi, eta, moment};
     auto const before = first_jet(phi, relabelled.label(x));
     auto const after = first_jet(relabelled, x);
-    auto const map = first_jet([&](auto const& at) {
-      return relabelled.label(at).template tail<n>().eval();
-    }, x);
+    auto const map =
+        first_jet([&](auto const& at) { return relabelled.label(at).template tail<n>().eval(); }, x);
     S const stretch = determinant(Matrix<S, n, n>(map.gradient())),
             mass = fluid.rho(map.y) * volume<S>(G(map.y)) * stretch / volume<S>(G(after.particle()));
     claim.zero("the density of the Lagrangian, with mass and entropy relabelled", model,
@@ -538,7 +548,7 @@ STATEMENT(claim_10_0_compressible_reduction,
       return fluid(first_jet(moved, x.template cast<T>().eval()));
                        },
                        S(0))
-                       .rate;
+        .rate;
     auto const lagrangian_flux = [&](auto const& at) {
       using T = ScalarOf<decltype(at)>;
       Event<T, n> event;
@@ -561,15 +571,16 @@ STATEMENT(claim_10_0_compressible_reduction,
     // Some relabellings that keep both.
     MetricOfVolume<S, n> const body{draw_triangular_metric<S, n>(draw), chart};
     using Level = OfOtherCoordinates<S, n>;
-    EntropyFluid<S, n, Level, Level> const layered{body, g, Level(draw, chart, S(2)), Level(draw, chart, S(0)),
-                                                   fluid.e};
+    EntropyFluid<S, n, Level, Level> const layered{body, g, Level(draw, chart, S(2)),
+                                                   Level(draw, chart, S(0)), fluid.e};
     auto shear = eta;
     for (int k = 1; k < n; ++k)
       shear.added[k] = {S(0), Matrix<S, n + 1, 1>::Zero(), Matrix<S, n + 1, 1>::Zero(),
                         Matrix<S, n + 1, 1>::Zero(), Matrix<S, n + 1, 1>::Zero()};
     auto const by = [&](Shears<S, n> const& map_of_labels) {
       Relabelled const labels{phi, map_of_labels, moment};
-      auto const jet = first_jet([&](auto const& at) { return labels.label(at).template tail<n>().eval(); }, x);
+      auto const jet =
+          first_jet([&](auto const& at) { return labels.label(at).template tail<n>().eval(); }, x);
       auto const there = first_jet(phi, labels.label(x));
       S const growth = determinant(Matrix<S, n, n>(jet.gradient()));
       return std::array{S(layered(first_jet(labels, x)) - layered(there) * growth),
@@ -606,7 +617,8 @@ STATEMENT(claim_10_0_compressible_reduction,
     claim.refutes("with the entropy left as it is", model,
                   sum_of<S>({{1, part(1)}, {1, density}, {1, fluid.work(p)}}).value, scale);
     claim.refutes("without the term of the mass that is not conserved here", model,
-                  sum_of<S>({{1, part(1)}, {1, density}, {1, entropy}, {1, fluid.work(p, false)}}).value, scale);
+                  sum_of<S>({{1, part(1)}, {1, density}, {1, entropy}, {1, fluid.work(p, false)}}).value,
+                  scale);
   });
 }
 
@@ -614,14 +626,19 @@ STATEMENT(claim_10_0_reduced_principle,
           "constrained variational principle on the reduced bundle of an incompressible fluid") {
   claim.convention(
       "The extra field is the density $D = 1/J$ in space, and the multiplier becomes the pressure $p = "
-      "P\\circ\\phi^{-1}$: the reduced density is $\\tfrac12D|u|^2 + p(1 - D)$, whose integral is that of the "
-      "extended one. With $\\delta u = \\dot w + [u, w]$, $\\delta D = -\\mathrm{div}(Dw)$ and $\\delta p = q - "
+      "P\\circ\\phi^{-1}$: the reduced density is $\\tfrac12D|u|^2 + p(1 - D)$, whose integral is that of "
+      "the "
+      "extended one. With $\\delta u = \\dot w + [u, w]$, $\\delta D = -\\mathrm{div}(Dw)$ and $\\delta p = "
+      "q - "
       "w\\cdot\\nabla p$, which are the variations of motion and multiplier, it gives $D(\\partial_tu + "
-      "\\nabla_uu) + \\nabla p = 0$ and $D = 1$, so $\\mathrm{div}\\,u = 0$: over $D$, the field equations of "
-      "the extended bundle, and on the constraint (8.11). The body is of density 1. Off the solutions and off "
+      "\\nabla_uu) + \\nabla p = 0$ and $D = 1$, so $\\mathrm{div}\\,u = 0$: over $D$, the field equations "
+      "of "
+      "the extended bundle, and on the constraint (8.11). The body is of density 1. Off the solutions and "
+      "off "
       "the constraint, for any metrics; as integrals in a box with a metric of volume 1.");
   claim.leaves(
-      "The bundle is given by its coordinates; that it is the quotient of the extended jet bundle by the group "
+      "The bundle is given by its coordinates; that it is the quotient of the extended jet bundle by the "
+      "group "
       "of relabellings, which has no finite dimension, is not shown.");
   over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -658,7 +675,8 @@ STATEMENT(claim_10_0_reduced_principle,
     claim.differs("and D (a + dp), of a pressure that is not carried", model, left,
                   V((acceleration + slope) * here * J));
     S const multiplier = euler_lagrange(fluid, extended)[n];
-    claim.equal("the equation of the multiplier, and 1 - D", model, multiplier, S((S(1) - here) * J), condition);
+    claim.equal("the equation of the multiplier, and 1 - D", model, multiplier, S((S(1) - here) * J),
+                condition);
     claim.differs("the equation of the multiplier without J", model, multiplier, S(S(1) - here));
     auto const [as_function, as_density] = advected(g, density, u, y);
     S const scale = size_of(derivative(density, y).gradient()) * (S(1) + size_of(speed)) +
@@ -671,7 +689,7 @@ STATEMENT(claim_10_0_reduced_principle,
     auto const held = draw_motion<S, n>(draw, body.chart, space.chart);
     auto const solid = ideal_fluid<S, n>(body, space, S(0));
     Event<S, n> const at = event_in_space(first_jet(held, draw_event<S, n>(draw)));
-    claim.zero("D = 1 on the constraint", model, S(DensityInSpace{solid, held}(at) - S(1)), S(1), condition);
+    claim.zero("D = 1 on the constraint", model, S(DensityInSpace{solid, held}(at)-S(1)), S(1), condition);
     claim.zero("and no divergence", model, divergence(space, VelocityInSpace{held}, at),
                size_of(first_jet(VelocityInSpace{held}, at).v), condition);
 
@@ -688,10 +706,10 @@ STATEMENT(claim_10_0_reduced_principle,
                          [&]<class T>(T const& e) {
       VariedInSpace const motion{phi, w, e};
       Event<T, n> const from = motion.particle(y.template cast<T>().eval());
-      return T(P(from) + CarriedBy{q, phi}(from) * e);
+      return T(P(from) + CarriedBy{q, phi}(from)*e);
                          },
                          S(0))
-                         .rate;
+        .rate;
     claim.equal("change of the pressure", model, change, S(q(y) - slope.dot(w(y))), condition);
     claim.differs("change of the pressure at a particle", model, change, S(q(y)));
   });
