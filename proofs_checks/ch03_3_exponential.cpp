@@ -124,16 +124,13 @@ struct FieldOnCircle {
 
 STATEMENT(claim_3_3_exponential_chart, "exponential map near the identity") {
   claim.holds(
-      "The differential at 0 is the identity, and the theorem of inverse functions does the rest. In balls: "
-      "on "
-      "the cube of velocities with coordinates up to $1/4$ the map is one to one and its differential has an "
-      "inverse, for each of the groups tried; elements near the identity have a logarithm in the algebra. It "
-      "is "
-      "no more than local: on $\\SO(3)$ velocities by half a turn either way have one exponential, and by a "
-      "whole turn the differential has no inverse. And for the circle's diffeomorphisms not even that: the "
-      "fields $\\frac{2\\pi}n(1 + a\\cos nx)^{-1}$ are as small as one likes with all of their derivatives, "
-      "and "
-      "the exponential of each is the turn by $2\\pi/n$.");
+      "The differential at 0 is the identity, and the theorem of inverse functions does the rest. In "
+      "balls: on the cube of velocities with coordinates up to $1/4$ the map is one to one and its "
+      "differential has an inverse, for each of the groups tried; elements near the identity have a "
+      "logarithm in the algebra. It is no more than local: on $\\SO(3)$ velocities by half a turn either "
+      "way have one exponential, and by a whole turn the differential has no inverse. And for the circle's "
+      "diffeomorphisms not even that: the fields $\\frac{2\\pi}n(1 + a\\cos nx)^{-1}$ are as small as one "
+      "likes with all of their derivatives, and the exponential of each is the turn by $2\\pi/n$.");
   claim.leaves("Of groups of infinite dimension this one is tried, by which the chart is not general there.");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const zeta = draw_exponent<S>(draw, group), eta = draw_exponent<S>(draw, group);

@@ -149,14 +149,13 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
           "the first jet bundle with the form of the density as a multisymplectic manifold") {
   claim.convention(
       "Where the second derivatives of $L$ in $v$ have an inverse and the body has a dimension: then the "
-      "form, "
-      "which is closed, has no kernel. On the jet of derivatives alone $V\\lrcorner\\,\\Omega = "
+      "form, which is closed, has no kernel. For $V$ along the derivatives alone $V\\lrcorner\\,\\Omega = "
       "-\\frac{\\partial^2L}{\\partial v^a{}_\\mu\\partial v^b{}_\\nu}V^b{}_\\nu\\,(dy^a - v^a{}_\\kappa "
-      "dx^\\kappa)\\wedge d^nx_\\mu$, so that the condition is needed. A medium (6.3) may fail it: in a body "
-      "without stress whose energy does not depend on how it is turned, turns of $F$ are in the kernel; in a "
-      "fluid changes of $F$ that keep the volume, where there is no pressure. For time alone the form has a "
-      "kernel of one dimension, the motions. The field equations that the section derives do not need the "
-      "condition: claim_6_2_el_by_contraction.");
+      "dx^\\kappa)\\wedge d^nx_\\mu$, so that the condition is needed. A medium (6.3) may fail it: in a "
+      "body without stress whose energy does not depend on how it is turned, turns of $F$ are in the "
+      "kernel; in a fluid changes of $F$ that keep the volume, where there is no pressure. For time alone "
+      "the form has a kernel of one dimension, the motions. The field equations that the section derives "
+      "do not need the condition: claim_6_2_el_by_contraction.");
   claim.leaves(
       "That the condition is enough is found at random jets of bodies of one and two dimensions, from all "
       "contractions of the form there.");

@@ -105,18 +105,16 @@ STATEMENT(claim_10_0_form_formula_directions,
           "relations from the form formula in other directions of space-time") {
   claim.holds(
       "Put as an identity: where $L$ is the same along $x^\\nu$, the form contracted with "
-      "$\\partial/\\partial "
-      "x^\\nu$ and a vertical $W$ is $\\delta_WT^\\mu{}_\\nu\\,d^nx_\\mu$ less the current "
-      "$\\partial_\\nu(p^\\mu W) - \\delta^\\mu_\\nu\\partial_\\kappa(p^\\kappa W)$, which flows out of no "
-      "region. So (6.11) with the first variation along $x^\\nu$ is the balance of column $\\nu$ of stress "
-      "and "
-      "energy, $T^\\mu{}_\\nu = p^\\mu v_\\nu - L\\delta^\\mu_\\nu$, linearised: of the energy along time, "
-      "of "
-      "the tensor of Eshelby along the body. The relation depends on the direction in that a medium which "
-      "varies along $x^\\nu$ has it not. Off the solutions, for any density; on boxes about uniform strain.");
+      "$\\partial/\\partial x^\\nu$ and a vertical $W$ is $\\delta_WT^\\mu{}_\\nu\\,d^nx_\\mu$ less the "
+      "current $\\partial_\\nu(p^\\mu W) - \\delta^\\mu_\\nu\\partial_\\kappa(p^\\kappa W)$, which flows "
+      "out of no region. So (6.11) with the first variation along $x^\\nu$ is the balance of column $\\nu$ "
+      "of stress and energy, $T^\\mu{}_\\nu = p^\\mu v_\\nu - L\\delta^\\mu_\\nu$, linearised: of the "
+      "energy along time, of the tensor of Eshelby along the body. The relation depends on the direction "
+      "in that a medium which varies along $x^\\nu$ has it not. Off the solutions, for any density; on "
+      "boxes about uniform strain.");
   claim.leaves(
-      "Two of a solution's own shifts give nothing beyond this. Whether the formula has relations for other "
-      "variations that were not known is a question that no computation answers.");
+      "Two of a solution's own shifts give nothing beyond this. Whether the formula has relations for "
+      "other variations that were not known is a question that no computation answers.");
   over_points<S>(Bodies{}, [&]<class D>(D, std::string const& dimensions) {
     constexpr int n = D::n, N = D::N;
     auto const any = draw_density<S, n, N>(draw);

@@ -39,7 +39,9 @@ struct Relabelled {
     return at;
   }
   template <class V>
-  auto operator()(V const& x) const { return phi(label(x)); }
+  auto operator()(V const& x) const {
+    return phi(label(x));
+  }
   template <class V>
   auto particle(V const& y) const {
     auto at = phi.particle(y).eval();
@@ -99,7 +101,9 @@ struct VariedInSpace {
     return displaced(at, 1).template tail<V::RowsAtCompileTime - 1>().eval();
   }
   template <class V>
-  auto particle(V const& y) const { return phi.particle(displaced(y.eval(), -1)); }
+  auto particle(V const& y) const {
+    return phi.particle(displaced(y.eval(), -1));
+  }
 };
 template <class Phi, class Field, class Epsilon>
 VariedInSpace(Phi, Field, Epsilon) -> VariedInSpace<Phi, Field, Epsilon>;
@@ -180,14 +184,13 @@ STATEMENT(claim_10_0_material_to_eulerian, "reduction by relabelling and the spa
       "Motions $\\phi$ and $\\phi\\circ\\eta$ have one velocity in space, for each $\\eta$ that keeps the "
       "volume and does not change in time. Conversely $\\frac{d}{dt}(\\phi^{-1}\\circ\\psi) = "
       "T\\phi^{-1}(v-u)\\circ\\psi$ for two motions with velocities $u$ and $v$, so that two with one "
-      "velocity "
-      "differ by a relabelling; and a variation $w$ leaves $u$ alone if and only if the motion carries it "
-      "along. The kinetic energy is a function of $u$. What the field equations become is "
+      "velocity differ by a relabelling; and a variation $w$ leaves $u$ alone if and only if the motion "
+      "carries it along. The kinetic energy is a function of $u$. What the field equations become is "
       "claim_8_3_euler_equations.");
   claim.leaves(
       "That each field without divergence is the velocity of some motion is the existence theorem of "
-      "ordinary "
-      "differential equations. The set of motions modulo relabellings is not shown to be a manifold.");
+      "ordinary differential equations. The set of motions modulo relabellings is not shown to be a "
+      "manifold.");
   over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using V = Matrix<S, n, 1>;
@@ -299,7 +302,9 @@ struct EntropyFluid {
     return root * mass * (inner(g(j.y), v, v) / T(2) - energy(T(mass / J), entropy));
   }
   template <class T>
-  T operator()(Jet<T, n, n> const& j) const { return density(j, T(rho(j.particle())), T(s(j.particle()))); }
+  T operator()(Jet<T, n, n> const& j) const {
+    return density(j, T(rho(j.particle())), T(s(j.particle())));
+  }
   /// The size of what is subtracted in it.
   S terms(Jet<S, n, n> const& j) const {
     S const mass = rho(j.particle()) * volume<S>(G(j.particle())), whole = (*this)(j),
@@ -349,7 +354,9 @@ struct OfOtherCoordinates {
     for (auto* vector : {&f.a, &f.b, &f.d, &f.e}) (*vector)[0] = S(0);
   }
   template <class V>
-  auto operator()(V const& x) const { return ScalarOf<V>(f(chart(x)) + ScalarOf<V>(least)); }
+  auto operator()(V const& x) const {
+    return ScalarOf<V>(f(chart(x)) + ScalarOf<V>(least));
+  }
 };
 
 /// \f$\partial_tf + df(u)\f$ and \f$\partial_tf + \mathrm{div}(fu)\f$ at a point.
@@ -430,18 +437,14 @@ Integral<S> integral_of(BoxPolynomial<S, k> const& a) {
 STATEMENT(claim_10_0_compressible_reduction,
           "reduction of a compressible fluid with density and entropy as fields") {
   claim.holds(
-      "With $e(D, s)$, $D = \\rho/J$, the density of the Lagrangian changes along $\\xi$ by a divergence, by "
-      "$(\\tfrac12|\\dot\\phi|^2 - e - De_D)\\,\\mathrm{div}(\\rho\\xi)$ and by "
-      "$\\rho\\,e_s\\,\\xi\\cdot\\nabla "
-      "s$: relabellings that keep mass and entropy are its symmetries, and no others for any motion. Carried "
-      "to "
-      "space, $D$ and $s$ are advected; with $\\delta u = \\dot w + [u, w]$, $\\delta D = "
-      "-\\mathrm{div}(Dw)$, $\\delta s = -w\\cdot\\nabla s$ the action varies by the work of "
-      "$D(\\partial_tu + \\nabla_uu) + \\nabla p$, $p = D^2e_D$, which is what the field equations on the "
-      "body "
-      "say. For any metrics of body and space, off the solutions; as integrals in a box with a metric of "
-      "volume "
-      "1.");
+      "With $e(D, s)$, $D = \\rho/J$, the density of the Lagrangian changes along $\\xi$ by a divergence, "
+      "less $(\\tfrac12|\\dot\\phi|^2 - e - De_D)\\,\\mathrm{div}(\\rho\\xi)$, plus "
+      "$\\rho\\,e_s\\,\\xi\\cdot\\nabla s$: a relabelling is a symmetry where it keeps mass and entropy, "
+      "and another one is none along motions where these terms do not cancel. Carried to space, $D$ and "
+      "$s$ are advected; with $\\delta u = \\dot w + [u, w]$, $\\delta D = -\\mathrm{div}(Dw)$, $\\delta s "
+      "= -w\\cdot\\nabla s$ the action varies by minus the work of $D(\\partial_tu + \\nabla_uu) + \\nabla "
+      "p$, $p = D^2e_D$, which is what the field equations on the body say. For any metrics of body and "
+      "space, off the solutions; as integrals in a box with a metric of volume 1.");
   over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using V = Matrix<S, n, 1>;
@@ -627,19 +630,15 @@ STATEMENT(claim_10_0_reduced_principle,
   claim.convention(
       "The extra field is the density $D = 1/J$ in space, and the multiplier becomes the pressure $p = "
       "P\\circ\\phi^{-1}$: the reduced density is $\\tfrac12D|u|^2 + p(1 - D)$, whose integral is that of "
-      "the "
-      "extended one. With $\\delta u = \\dot w + [u, w]$, $\\delta D = -\\mathrm{div}(Dw)$ and $\\delta p = "
-      "q - "
-      "w\\cdot\\nabla p$, which are the variations of motion and multiplier, it gives $D(\\partial_tu + "
-      "\\nabla_uu) + \\nabla p = 0$ and $D = 1$, so $\\mathrm{div}\\,u = 0$: over $D$, the field equations "
-      "of "
-      "the extended bundle, and on the constraint (8.11). The body is of density 1. Off the solutions and "
-      "off "
-      "the constraint, for any metrics; as integrals in a box with a metric of volume 1.");
+      "the extended one. With $\\delta u = \\dot w + [u, w]$, $\\delta D = -\\mathrm{div}(Dw)$ and "
+      "$\\delta p = q - w\\cdot\\nabla p$, which are the variations of motion and multiplier, it gives "
+      "$D(\\partial_tu + \\nabla_uu) + \\nabla p = 0$ and $D = 1$, so $\\mathrm{div}\\,u = 0$: over $D$, "
+      "the field equations of the extended bundle, and on the constraint (8.11). The body is of density 1. "
+      "Off the solutions and off the constraint, for any metrics; as integrals in a box with a metric of "
+      "volume 1.");
   claim.leaves(
       "The bundle is given by its coordinates; that it is the quotient of the extended jet bundle by the "
-      "group "
-      "of relabellings, which has no finite dimension, is not shown.");
+      "group of relabellings, which has no finite dimension, is not shown.");
   over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using V = Matrix<S, n, 1>;
