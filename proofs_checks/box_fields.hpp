@@ -241,4 +241,28 @@ BoxMetric<S, n> draw_box_metric(Draw& draw) {
   return g;
 }
 
+/// \f$g_{ab}u^b\f$.
+template <class S, int n>
+FieldsInTime<S, n> lowered_in_box(BoxMetric<S, n> const& g, FieldsInTime<S, n> const& u) {
+  FieldsInTime<S, n> out;
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < n; ++b) out[a] += g.at(a, b) * u[b];
+  return out;
+}
+/// \f$g_{ab}(\partial_tu^b + u^c\partial_cu^b) + \Gamma_{abc}u^bu^c\f$.
+template <class S, int n>
+FieldsInTime<S, n> acceleration_in_box(BoxMetric<S, n> const& g, FieldsInTime<S, n> const& u) {
+  FieldsInTime<S, n> out;
+  for (int b = 0; b < n; ++b) out[b] = u[b].slope(0);
+  for (int b = 0; b < n; ++b)
+    for (int c = 0; c < n; ++c) out[b] += u[c] * u[b].slope(c + 1);
+  out = lowered_in_box(g, out);
+  for (int b = 0; b < n; ++b)
+    for (int c = 0; c < n; ++c) {
+      auto const product = u[b] * u[c];
+      for (int a = 0; a < n; ++a) out[a] += g.christoffel(a, b, c) * product;
+    }
+  return out;
+}
+
 }  // namespace actio::checks

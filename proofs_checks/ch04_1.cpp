@@ -31,15 +31,21 @@ Matrix<S> commutators_with(SpannedGroup const& group, int a) {
 /// What bracket and anchor are known to be: those of right-invariant vector fields on G, where the bracket is
 /// minus the commutator; of the algebra; of the algebra with its action on vectors; of both.
 template <class S>
-Matrix<S> known_bracket(Pairs const& gamma, int a) { return -commutators_with<S>(gamma.group, a); }
+Matrix<S> known_bracket(Pairs const& gamma, int a) {
+  return -commutators_with<S>(gamma.group, a);
+}
 template <class S>
-Matrix<S> known_bracket(Alone const& gamma, int a) { return commutators_with<S>(gamma.group, a); }
+Matrix<S> known_bracket(Alone const& gamma, int a) {
+  return commutators_with<S>(gamma.group, a);
+}
 template <class S>
 Matrix<S> known_bracket(Opposite<Alone> const& gamma, int a) {
   return -commutators_with<S>(gamma.of.group, a);
 }
 template <class S>
-Matrix<S> known_bracket(Carrying const& gamma, int a) { return commutators_with<S>(gamma.group, a); }
+Matrix<S> known_bracket(Carrying const& gamma, int a) {
+  return commutators_with<S>(gamma.group, a);
+}
 template <class S>
 Matrix<S> known_bracket(Gauge const& gamma, int a) {
   Matrix<S> c = Matrix<S>::Zero(gamma.dimension(), gamma.dimension());
@@ -53,7 +59,9 @@ Matrix<S> known_anchor(Pairs const& gamma, A const&) {
 }
 template <class S, class Gamma, class A>
   requires std::same_as<Point<Gamma, S>, SinglePoint<S>>
-Matrix<S> known_anchor(Gamma const& gamma, A const&) { return Matrix<S>(0, gamma.dimension()); }
+Matrix<S> known_anchor(Gamma const& gamma, A const&) {
+  return Matrix<S>(0, gamma.dimension());
+}
 template <class S, class A>
 Matrix<S> known_anchor(Carrying const& gamma, A const& g) {
   Matrix<S> rho(gamma.base_dimension(), gamma.dimension());
@@ -165,7 +173,9 @@ S rate_along(Gamma const& gamma, X const& point, Vector<S> const& v, F const& f)
 }
 /// The target of an arrow, as a constant of dual numbers.
 template <class S, class Gamma, class A>
-auto constant_target(Gamma const& gamma, A const& g) { return gamma.target(gamma.template over<Dual<S>>(g)); }
+auto constant_target(Gamma const& gamma, A const& g) {
+  return gamma.target(gamma.template over<Dual<S>>(g));
+}
 
 }  // namespace
 

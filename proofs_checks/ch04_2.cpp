@@ -735,7 +735,9 @@ template <class L>
 struct EvenPart {
   L l;
   template <class T>
-  T operator()(GroupElement<T> const& f) const { return l(f) + l(inverse(f)); }
+  T operator()(GroupElement<T> const& f) const {
+    return l(f) + l(inverse(f));
+  }
 };
 
 /// A free left-invariant motion from the witness: the inverse of the configuration moves by the

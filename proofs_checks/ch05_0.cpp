@@ -11,7 +11,9 @@ using namespace actio::checks;
 namespace {
 
 template <class S>
-Vector<S> diagonal_of(Matrix<S> const& m) { return m.diagonal(); }
+Vector<S> diagonal_of(Matrix<S> const& m) {
+  return m.diagonal();
+}
 /// The energy by planes: \f$\tfrac12\sum_{i<j}(\Lambda_i+\Lambda_j)\,\xi_{ij}^2\f$.
 template <class S>
 S energy_by_planes(Matrix<S> const& lambda, Matrix<S> const& xi) {

@@ -65,7 +65,9 @@ template <class S>
 struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
-  T operator()(State<SpannedGroup, T> const& state) const { return contract(w, state.configuration.value); }
+  T operator()(State<SpannedGroup, T> const& state) const {
+    return contract(w, state.configuration.value);
+  }
 };
 
 }  // namespace

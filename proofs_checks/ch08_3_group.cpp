@@ -33,7 +33,9 @@ struct StreamAtWall {
   Wall<S, n> wall;
   Cubic<S, n + 1> cubic;
   template <class V>
-  auto operator()(V const& at) const { return ScalarOf<V>(wall(at) * cubic(at)); }
+  auto operator()(V const& at) const {
+    return ScalarOf<V>(wall(at) * cubic(at));
+  }
 };
 template <class S, int n>
 using FieldAlongWall = SolenoidalField<S, n, MetricOfVolume<S, n>, StreamAtWall<S, n>>;
@@ -76,7 +78,9 @@ template <class Field>
 struct Swollen {
   Field u;
   template <class V>
-  auto operator()(V const& y) const { return (u(y) + y * (y[0] * y[1])).eval(); }
+  auto operator()(V const& y) const {
+    return (u(y) + y * (y[0] * y[1])).eval();
+  }
 };
 template <class Field>
 Swollen(Field) -> Swollen<Field>;
@@ -122,33 +126,12 @@ struct Varied {
     return moved(at, true).template tail<n>().eval();
   }
   template <class V>
-  auto particle(V const& y) const { return motion.particle(moved(y.eval(), false)); }
+  auto particle(V const& y) const {
+    return motion.particle(moved(y.eval(), false));
+  }
 };
 template <class S, int n, class Epsilon>
 Varied(Shears<S, n>, Shears<S, n>, Epsilon) -> Varied<S, n, Epsilon>;
-
-template <class S, int n>
-FieldsInTime<S, n> lowered_in_box(BoxMetric<S, n> const& g, FieldsInTime<S, n> const& u) {
-  FieldsInTime<S, n> out;
-  for (int a = 0; a < n; ++a)
-    for (int b = 0; b < n; ++b) out[a] += g.at(a, b) * u[b];
-  return out;
-}
-/// \f$g_{ab}(\partial_tu^b + u^c\partial_cu^b) + \Gamma_{abc}u^bu^c\f$.
-template <class S, int n>
-FieldsInTime<S, n> acceleration_in_box(BoxMetric<S, n> const& g, FieldsInTime<S, n> const& u) {
-  FieldsInTime<S, n> out;
-  for (int b = 0; b < n; ++b) out[b] = u[b].slope(0);
-  for (int b = 0; b < n; ++b)
-    for (int c = 0; c < n; ++c) out[b] += u[c] * u[b].slope(c + 1);
-  out = lowered_in_box(g, out);
-  for (int b = 0; b < n; ++b)
-    for (int c = 0; c < n; ++c) {
-      auto const product = u[b] * u[c];
-      for (int a = 0; a < n; ++a) out[a] += g.christoffel(a, b, c) * product;
-    }
-  return out;
-}
 
 }  // namespace
 

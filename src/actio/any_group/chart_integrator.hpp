@@ -11,24 +11,8 @@ namespace actio {
 
 /// \f$e^{hv}\f$ applied to the columns of a matrix, by its series over the nonzero entries of the basis.
 /// Accuracy: a few epsilon times \f$e^{|hv|}\f$.
-inline void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
-                              Eigen::MatrixXd& g) {
-  if (size_of_step(algebra, h, v) > 1) {
-    // The series would cancel.
-    g = (matrix_exponential(hat_of_step(algebra, h, v)) * g).eval();
-    return;
-  }
-  Eigen::MatrixXd term = g, next(g.rows(), g.cols());
-  double const size = g.cwiseAbs().maxCoeff();
-  for (int k = 1; k < 400; ++k) {
-    next.setZero();
-    for (auto const& e : algebra.entries)
-      next.row(e.row) += (v[static_cast<std::size_t>(e.direction)] * e.value * h / k) * term.row(e.column);
-    std::swap(term, next);
-    g += term;
-    if (!(term.cwiseAbs().maxCoeff() > 0x1p-55 * size)) return;
-  }
-}
+void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
+                       Eigen::MatrixXd& g);
 
 /// Steps of one length, each of some substeps. For one thread at a time.
 class ChartIntegrator {
@@ -39,31 +23,14 @@ class ChartIntegrator {
   /// @param start      momentum and vectors
   /// @param velocity   near which the first step looks for its own
   ChartIntegrator(std::shared_ptr<ReducedSystem const> system, double h, std::vector<double> const& fractions,
-                  ReducedPoint start, std::vector<double> const& velocity)
-      : system_(std::move(system)), point_(std::move(start)) {
-    for (double const fraction : fractions) {
-      substeps_.emplace_back(*system_, fraction * h);
-      substeps_.back().begin_at(velocity);
-    }
-  }
+                  ReducedPoint start, std::vector<double> const& velocity);
 
   /// Reconstructs configurations from this one on.
   void follow_configuration(Eigen::MatrixXd g) { configuration_ = std::move(g); }
 
   /// A whole step.
   /// @throws NotConverged, Singular, NotFinite  where a substep has no solution; all is then as it was
-  void step() {
-    point_before_ = point_, configuration_before_ = configuration_;
-    try {
-      for (auto& substep : substeps_) {
-        substep(point_);
-        if (configuration_.size()) move_configuration(substep);
-      }
-    } catch (...) {
-      point_ = point_before_, configuration_ = configuration_before_;
-      throw;
-    }
-  }
+  void step();
 
   ReducedPoint const& point() const { return point_; }  ///< momentum and vectors
   /// empty where it is not followed
@@ -88,19 +55,7 @@ class ChartIntegrator {
 
  private:
   /// \f$g_1 = g_0e^{hv}\f$ (left-invariant), \f$g_1 = e^{hv}g_0\f$ (right-invariant).
-  void move_configuration(ChartSolver const& substep) {
-    if (system_->chart == Chart::cayley) {
-      Eigen::MatrixXd const c = cayley(hat_of_step(system_->algebra, substep.length(), substep.velocity()));
-      configuration_ = system_->side == Side::left ? Eigen::MatrixXd(configuration_ * c)
-                                                   : Eigen::MatrixXd(c * configuration_);
-      return;
-    }
-    if (system_->side == Side::right)
-      return apply_exponential(system_->algebra, substep.length(), substep.velocity(), configuration_);
-    Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());
-    apply_exponential(system_->algebra, substep.length(), substep.velocity(), moved);
-    configuration_ = configuration_ * moved;
-  }
+  void move_configuration(ChartSolver const& substep);
 
   std::shared_ptr<ReducedSystem const> system_;
   std::vector<ChartSolver> substeps_;

@@ -28,18 +28,7 @@ namespace actio {
 namespace detail {
 /// \f$B_{2k}/(2k)! = 2(-1)^{k+1}\zeta(2k)/(2\pi)^{2k}\f$: the even part of \f$x/(e^x - 1)\f$ is
 /// \f$1 + \sum_k B_{2k}x^{2k}/(2k)!\f$.
-inline std::array<double, 65> const& coefficients_of_chi() {
-  static auto const all = [] {
-    std::array<double, 65> beta{1, 1.0 / 12, -1.0 / 720, 1.0 / 30240, -1.0 / 1209600, 1.0 / 47900160};
-    for (int k = 6; k < 65; ++k) {
-      double zeta = 0;
-      for (int n = 12; n >= 1; --n) zeta += std::pow(n, -2 * k);
-      beta[static_cast<std::size_t>(k)] = (k % 2 ? 2 : -2) * zeta * std::pow(2 * std::numbers::pi, -2 * k);
-    }
-    return beta;
-  }();
-  return all;
-}
+std::array<double, 65> const& coefficients_of_chi();
 
 /// The largest modulus among a number and its rates.
 inline double largest_part(double x) { return std::abs(x); }

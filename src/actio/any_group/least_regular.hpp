@@ -14,14 +14,7 @@ struct LeastRegular {
   Eigen::VectorXd direction;  ///< of the smallest
 
   /// Of a symmetric matrix, in the units of \ref units_of.
-  explicit LeastRegular(Eigen::MatrixXd const& m) {
-    Eigen::VectorXd const units = units_of(m);
-    auto const [values, vectors] = symmetric_eigen(units.asDiagonal() * m * units.asDiagonal());
-    Eigen::Index at = 0;
-    smallest = values.cwiseAbs().minCoeff(&at);
-    largest = values.cwiseAbs().maxCoeff();
-    direction = (units.asDiagonal() * vectors.col(at)).stableNormalized();
-  }
+  explicit LeastRegular(Eigen::MatrixXd const& m);
 };
 
 }  // namespace actio

@@ -46,21 +46,7 @@ struct ReducedSystem {
   /// @param l  of as many inputs as the algebra has dimensions and the vectors have components
   /// @throws OutsideDomain  where it has another number of inputs
   ReducedSystem(MatrixAlgebra of, Side invariant, int carried_vectors, Tape l,
-                Chart of_steps = Chart::exponential)
-      : algebra(std::move(of)),
-        side(invariant),
-        chart(of_steps),
-        vectors(carried_vectors),
-        lagrangian(std::move(l)) {
-    if (lagrangian.inputs != dimension() + carried())
-      throw OutsideDomain("ReducedSystem", "the inputs of the Lagrangian are velocity and vectors; inputs",
-                          lagrangian.inputs, dimension() + carried());
-    std::vector<int> all(static_cast<std::size_t>(lagrangian.inputs));
-    for (int i = 0; i < lagrangian.inputs; ++i) all[static_cast<std::size_t>(i)] = i;
-    slopes = with_gradient(lagrangian, all);
-    all.resize(static_cast<std::size_t>(dimension()));
-    curvature = with_hessian(lagrangian, all);
-  }
+                Chart of_steps = Chart::exponential);
 
   int dimension() const { return algebra.dimension; }       ///< of the group
   int length() const { return algebra.size; }               ///< of a vector

@@ -15,25 +15,11 @@ inline bool is_of_rotations(MatrixAlgebra const& algebra) {
 
 /// Whether every matrix is ((A, v), (0, 0)) with A skew: elements near the identity turn and shift a space of
 /// one dimension less than the matrices have rows.
-inline bool is_of_rigid_motions(MatrixAlgebra const& algebra) {
-  auto const n = algebra.size - 1;
-  for (auto const& e : algebra.basis)
-    if (e.row(n).any() || e.topLeftCorner(n, n) != -e.topLeftCorner(n, n).transpose()) return false;
-  return true;
-}
+bool is_of_rigid_motions(MatrixAlgebra const& algebra);
 
 /// Whether the coadjoint action preserves the length \f$\sum_a\mu_a^2\f$ of a momentum, and moves some:
 /// structure constants change their sign when any two of their indices are exchanged, and are not all zero.
 /// True of SO(n) and SU(2), in the bases of the library.
-inline bool keeps_length_of_momenta(MatrixAlgebra const& algebra) {
-  auto const constant = [&](int a, int b, int c) {
-    for (auto const& other : algebra.constants)
-      if (other.a == a && other.b == b && other.c == c) return other.value;
-    return 0.0;
-  };
-  for (auto const& c : algebra.constants)
-    if (constant(c.a, c.c, c.b) != -c.value) return false;
-  return !algebra.constants.empty();
-}
+bool keeps_length_of_momenta(MatrixAlgebra const& algebra);
 
 }  // namespace actio

@@ -17,48 +17,7 @@ namespace actio {
 
 namespace detail {
 /// A function over double.
-inline double function_of_double(Operation operation, double x) {
-  switch (operation) {
-    case Operation::sqrt:
-      return std::sqrt(x);
-    case Operation::cbrt:
-      return std::cbrt(x);
-    case Operation::exp:
-      return std::exp(x);
-    case Operation::log:
-      return std::log(x);
-    case Operation::log2:
-      return std::log2(x);
-    case Operation::log10:
-      return std::log10(x);
-    case Operation::sin:
-      return std::sin(x);
-    case Operation::cos:
-      return std::cos(x);
-    case Operation::tan:
-      return std::tan(x);
-    case Operation::asin:
-      return std::asin(x);
-    case Operation::acos:
-      return std::acos(x);
-    case Operation::atan:
-      return std::atan(x);
-    case Operation::sinh:
-      return std::sinh(x);
-    case Operation::cosh:
-      return std::cosh(x);
-    case Operation::tanh:
-      return std::tanh(x);
-    case Operation::asinh:
-      return std::asinh(x);
-    case Operation::acosh:
-      return std::acosh(x);
-    case Operation::atanh:
-      return std::atanh(x);
-    default:
-      return std::numeric_limits<double>::quiet_NaN();
-  }
-}
+double function_of_double(Operation operation, double x);
 
 /// A function over any other field with roots, exponentials and angles: made of these six.
 template <class S>
@@ -145,7 +104,9 @@ Dual<S, N> elementary(Operation operation, Dual<S, N> const& x);
 /// A function of one number, applied to a power series or the like.
 template <class S>
   requires(!Plain<S>)
-S elementary(Operation operation, S const& x) { return detail::function_of_six(operation, x); }
+S elementary(Operation operation, S const& x) {
+  return detail::function_of_six(operation, x);
+}
 
 /// \f$x^c\f$ with a constant c, of plain numbers.
 template <Plain S>
@@ -213,7 +174,9 @@ S half_turn() {
 
 /// A whole number beside a scalar.
 template <Scalar S>
-S whole_beside(S const&, int n) { return S(n); }
+S whole_beside(S const&, int n) {
+  return S(n);
+}
 
 /// The derivative of a function of one number at x, where its value is f.
 /// @tparam T  a scalar, or a term of a tape

@@ -26,14 +26,7 @@ inline std::optional<Operation> function_called(std::string_view name) {
 
 /// `; did you mean 'X'?`: the name that differs by the case of letters alone, else for words of two letters
 /// and more the nearest; nothing where there is none.
-inline std::string meant_name(std::string_view word, std::vector<std::string> const& known) {
-  auto const lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
-  for (auto const& name : known)
-    if (std::equal(name.begin(), name.end(), word.begin(), word.end(),
-                   [&](char a, char b) { return lower(a) == lower(b); }))
-      return "; did you mean '" + name + "'?";
-  return word.size() < 2 ? "" : did_you_mean(word, known);
-}
+std::string meant_name(std::string_view word, std::vector<std::string> const& known);
 
 /// Names of numbers, and which entry of a tape each is.
 class FormulaNames {
@@ -42,70 +35,22 @@ class FormulaNames {
 
   /// Refuses a name that cannot be given to a number, or that another one has.
   /// @param position  where to point
-  void require_free(std::string_view name, std::size_t position) const {
-    if (!is_name(name))
-      throw FormulaError(position, "'" + shown(name) +
-                                       "' is no name of a number; one is a letter or _ "
-                                       "and then letters, digits and _");
-    if (name == "pi" || function_called(name))
-      throw FormulaError(position,
-                         "the name '" + shown(name) + "' has a meaning of its own in formulas; take another");
-    if (entries_.contains(name))
-      throw FormulaError(position,
-                         "the name '" + shown(name) + "' stands for a number already; take another");
-  }
+  void require_free(std::string_view name, std::size_t position) const;
   /// Gives an entry a name that is free.
   void add(std::string_view name, Entry entry) { entries_.emplace(name, entry); }
   /// The entry with this name, which is used now.
-  std::optional<Entry> use(std::string_view name) {
-    auto const found = entries_.find(name);
-    if (found == entries_.end()) return std::nullopt;
-    used_.emplace(name);
-    return found->second;
-  }
+  std::optional<Entry> use(std::string_view name);
   /// The names that were used.
   std::set<std::string, std::less<>> const& used() const { return used_; }
 
   /// Says why a name has no meaning.
   /// @param called  whether a bracket follows it
-  [[noreturn]] void refuse(Token const& name, bool called) const {
-    static constexpr std::string_view with_kinks[] = {"abs",   "fabs", "sign",  "min", "max",
-                                                      "floor", "ceil", "round", "mod", "if"};
-    std::string const quoted = "'" + shown(name.text) + "'";
-    if (std::find(std::begin(with_kinks), std::end(with_kinks), name.text) != std::end(with_kinks))
-      throw FormulaError(name.position,
-                         quoted +
-                             " has kinks or jumps, and a Lagrangian is smooth; |x| is smooth as "
-                             "sqrt(x^2 + e^2) with a small e");
-    if (called)
-      throw FormulaError(name.position, "unknown function " + quoted + did_you_mean(name.text, functions()) +
-                                            " (known: " + listed(functions()) + ")");
-    std::vector<std::string> all = numbers();
-    std::string const known = briefly(all);
-    for (auto const& function : functions()) all.push_back(function);
-    throw FormulaError(name.position,
-                       "unknown name " + quoted + meant_name(name.text, all) + " (known: " + known + ")");
-  }
+  [[noreturn]] void refuse(Token const& name, bool called) const;
 
  private:
-  static std::vector<std::string> functions() {
-    std::vector<std::string> all;
-    for (int i = 0; i < operations; ++i)
-      if (auto const o = static_cast<Operation>(i); is_function(o)) all.emplace_back(name_of(o));
-    return all;
-  }
-  std::vector<std::string> numbers() const {
-    std::vector<std::string> all;
-    for (auto const& [name, entry] : entries_) all.push_back(name);
-    all.emplace_back("pi");
-    return all;
-  }
-  static std::string briefly(std::vector<std::string> const& names) {
-    constexpr std::size_t most = 20;
-    if (names.size() <= most) return listed(names);
-    std::vector<std::string> const first(names.begin(), names.begin() + most);
-    return listed(first) + ", and " + std::to_string(names.size() - most) + " more";
-  }
+  static std::vector<std::string> functions();
+  std::vector<std::string> numbers() const;
+  static std::string briefly(std::vector<std::string> const& names);
 
   std::map<std::string, Entry, std::less<>> entries_;
   std::set<std::string, std::less<>> used_;

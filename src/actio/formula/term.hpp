@@ -36,21 +36,37 @@ class Term {
   friend Term operator-(Term const& x) { return {x.builder(), x.builder().negate(x.entry())}; }
 
   template <BuiltInNumber T>
-  friend Term operator+(Term const& x, T c) { return x + x.constant(c); }
+  friend Term operator+(Term const& x, T c) {
+    return x + x.constant(c);
+  }
   template <BuiltInNumber T>
-  friend Term operator-(Term const& x, T c) { return x - x.constant(c); }
+  friend Term operator-(Term const& x, T c) {
+    return x - x.constant(c);
+  }
   template <BuiltInNumber T>
-  friend Term operator*(Term const& x, T c) { return x * x.constant(c); }
+  friend Term operator*(Term const& x, T c) {
+    return x * x.constant(c);
+  }
   template <BuiltInNumber T>
-  friend Term operator/(Term const& x, T c) { return x / x.constant(c); }
+  friend Term operator/(Term const& x, T c) {
+    return x / x.constant(c);
+  }
   template <BuiltInNumber T>
-  friend Term operator+(T c, Term const& x) { return x.constant(c) + x; }
+  friend Term operator+(T c, Term const& x) {
+    return x.constant(c) + x;
+  }
   template <BuiltInNumber T>
-  friend Term operator-(T c, Term const& x) { return x.constant(c) - x; }
+  friend Term operator-(T c, Term const& x) {
+    return x.constant(c) - x;
+  }
   template <BuiltInNumber T>
-  friend Term operator*(T c, Term const& x) { return x.constant(c) * x; }
+  friend Term operator*(T c, Term const& x) {
+    return x.constant(c) * x;
+  }
   template <BuiltInNumber T>
-  friend Term operator/(T c, Term const& x) { return x.constant(c) / x; }
+  friend Term operator/(T c, Term const& x) {
+    return x.constant(c) / x;
+  }
 
   /// A constant of the same tape: a whole number, or the shortest decimal number that reads as a double.
   /// @throws NotFinite

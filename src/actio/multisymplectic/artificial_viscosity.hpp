@@ -21,10 +21,7 @@ namespace actio {
 struct ViscosityNeedsShorterSteps : OutsideDomain {
   int cell;  ///< in which they are
   /// @param which, step, longest  as above
-  ViscosityNeedsShorterSteps(int which, double step, double longest)
-      : OutsideDomain("medium: viscosity of cell " + std::to_string(which),
-                      "a step is not longer than small motions take to be damped", step, longest),
-        cell(which) {}
+  ViscosityNeedsShorterSteps(int which, double step, double longest);
 };
 
 /// The longest step that viscosity allows, and where.

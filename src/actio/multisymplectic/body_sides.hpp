@@ -56,13 +56,7 @@ using BodySides = std::map<std::string, BodySide<d>>;
 
 /// Refuses a name that is not one of a side.
 /// @throws UnknownSide  with the names that there are
-inline void require_side(BodyMesh const& mesh, std::string const& name) {
-  if (mesh.sides.contains(name)) return;
-  std::vector<std::string> known;
-  for (auto const& [other, facets] : mesh.sides) known.push_back(other);
-  throw UnknownSide("sides of a body: there is no side '" + name + "'" + did_you_mean(name, known) +
-                    "; the mesh has " + (known.empty() ? std::string("none") : listed(known)));
-}
+void require_side(BodyMesh const& mesh, std::string const& name);
 
 /// The unit vector across a side that is plane in the reference space.
 /// @throws NotABodyMesh  where it bends

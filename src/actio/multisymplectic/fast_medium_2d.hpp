@@ -30,7 +30,6 @@ using FastMedium2d = FastMedium<Medium, FastBox2d>;
 
 // Our own programs have the steps of these media compiled once (compiled_media_in_plane.cpp): that takes
 // longer than most of them.
-#ifdef ACTIO_COMPILED_STEPS
 namespace detail {
 extern template class FusedRows2d<CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox2d>>;
 extern template class FusedRows2d<CellOf<FastFluid<PolytropicByRoots<3, 5>>, FastBox2d>>;
@@ -39,6 +38,5 @@ extern template class FusedRows2d<CellOf<FastFluid<PolytropicGas>, FastBox2d>>;
 extern template class FusedRows2d<CellOf<FastNeoHookean<LogarithmicLaw>, FastBox2d>>;
 extern template class FusedRows2d<CellOf<FastStVenantKirchhoff, FastBox2d>>;
 }  // namespace detail
-#endif
 
 }  // namespace actio

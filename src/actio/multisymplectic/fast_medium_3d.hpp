@@ -26,12 +26,10 @@ using FastMedium3d = FastMedium<Medium, FastBox3d>;
 
 // Our own programs have the steps of these media compiled once (compiled_media_in_space.cpp): that takes
 // longer than most of them.
-#ifdef ACTIO_COMPILED_STEPS
 namespace detail {
 extern template class FusedPlanes3d<CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox3d>>;
 extern template class FusedPlanes3d<CellOf<FastNeoHookean<LogarithmicLaw>, FastBox3d>>;
 extern template class FusedPlanes3d<CellOf<FastStVenantKirchhoff, FastBox3d>>;
 }  // namespace detail
-#endif
 
 }  // namespace actio

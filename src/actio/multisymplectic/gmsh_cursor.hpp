@@ -66,38 +66,13 @@ class GmshCursor {
   }
   /// The next word: what stands up to the next blank, or to a quotation mark.
   /// @throws NotAGmshFile  where the file ends
-  std::string_view word(char const* what) {
-    skip_blanks();
-    last_ = at_;
-    if (left() == 0) fail(std::string("the file ends where ") + what + " should be");
-    while (at_ < text_.size() && !blank(text_[at_]) && (at_ == last_ || text_[at_] != '"')) ++at_;
-    return text_.substr(last_, at_ - last_);
-  }
+  std::string_view word(char const* what);
   /// The rest of the line, and on to the next one.
-  std::string_view line() {
-    last_ = at_;
-    auto const end = text_.find('\n', at_);
-    auto const rest = text_.substr(at_, end == text_.npos ? text_.npos : end - at_);
-    at_ = end == text_.npos ? text_.size() : end + 1;
-    return rest;
-  }
+  std::string_view line();
   /// What stands between quotation marks.
-  std::string quoted() {
-    skip_blanks();
-    last_ = at_;
-    if (left() == 0 || text_[at_] != '"') fail("a name in quotation marks is needed");
-    auto const end = text_.find_first_of("\"\n", at_ + 1);
-    if (end == text_.npos || text_[end] != '"') fail("a name is not closed by a quotation mark");
-    at_ = end + 1;
-    return std::string(text_.substr(last_ + 1, end - last_ - 1));
-  }
+  std::string quoted();
   /// On to what follows a word; false, and nowhere, if the word does not come any more.
-  bool pass(std::string const& sought) {
-    auto const found = text_.find(sought, at_);
-    if (found == text_.npos) return false;
-    last_ = found, at_ = found + sought.size();
-    return true;
-  }
+  bool pass(std::string const& sought);
   /// Whether the next thing is a name in quotation marks.
   bool at_quote() {
     skip_blanks();
@@ -141,13 +116,7 @@ class GmshCursor {
   /// Refuses a count of things of which each takes so many numbers, if they cannot be in the rest of the
   /// file: a number in digits takes two bytes at least.
   /// @param bytes  what one takes in a binary file
-  std::size_t checked(std::size_t count, std::size_t numbers, std::size_t bytes, char const* what) const {
-    std::size_t const each = binary ? bytes : 2 * numbers;
-    if (count > (left() + 1) / each)
-      fail(std::to_string(count) + " " + what + " are announced, and the file has room for " +
-           std::to_string((left() + 1) / each));
-    return count;
-  }
+  std::size_t checked(std::size_t count, std::size_t numbers, std::size_t bytes, char const* what) const;
 
  private:
   std::string_view text_;

@@ -59,7 +59,6 @@ Eigen::VectorXd regular_solution(Dense const& gram, Eigen::VectorXd const& b, do
 template <class Dense>
 Dense product_of(Dense const& a, Dense const& b) { return a * b; }
 
-#ifdef ACTIO_COMPILED_STEPS
 extern template Eigen::VectorXd hermitian_values(ComplexMatrix<> const&);
 extern template Eigen::VectorXd hermitian_values(Eigen::MatrixXd const&);
 extern template Eigensystem<ComplexMatrix<>> hermitian_eigensystem(ComplexMatrix<> const&);
@@ -71,6 +70,5 @@ extern template Eigensystem<Eigen::MatrixXd> tridiagonal_eigensystem(Eigen::Vect
 extern template Eigen::VectorXd regular_solution(Eigen::MatrixXd const&, Eigen::VectorXd const&, double);
 extern template ComplexMatrix<> product_of(ComplexMatrix<> const&, ComplexMatrix<> const&);
 extern template Eigen::MatrixXd product_of(Eigen::MatrixXd const&, Eigen::MatrixXd const&);
-#endif
 
 }  // namespace actio

@@ -312,8 +312,6 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
 template <class Stream>
 double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) { return lanczos_radius(a); }
 
-#ifdef ACTIO_COMPILED_STEPS
 extern template class FastVorticityStep<SphereLaplacian>;
-#endif
 
 }  // namespace actio

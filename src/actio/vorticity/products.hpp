@@ -174,7 +174,6 @@ class SkewProducts {
 };
 
 // Our own programs have these compiled once (compiled_products.cpp).
-#ifdef ACTIO_COMPILED_STEPS
 extern template void EigenProducts::whole(Eigen::MatrixXd const&, Eigen::MatrixXd const&,
                                           Eigen::MatrixXd&) const;
 extern template void EigenProducts::whole(Eigen::MatrixXf const&, Eigen::MatrixXf const&,
@@ -183,6 +182,5 @@ extern template void EigenProducts::lower(Eigen::MatrixXd const&, Eigen::MatrixX
                                           Eigen::MatrixXd&) const;
 extern template void EigenProducts::lower(Eigen::MatrixXf const&, Eigen::MatrixXf const&,
                                           Eigen::MatrixXf&) const;
-#endif
 
 }  // namespace actio

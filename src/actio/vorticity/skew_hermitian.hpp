@@ -115,8 +115,6 @@ SkewHermitian<S> commutator(SkewHermitian<S> const& x, SkewHermitian<S> const& y
 }
 
 // Our own programs have it compiled once (compiled_products.cpp).
-#ifdef ACTIO_COMPILED_STEPS
 extern template SkewHermitian<> commutator(SkewHermitian<> const&, SkewHermitian<> const&);
-#endif
 
 }  // namespace actio

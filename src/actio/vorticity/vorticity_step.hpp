@@ -305,8 +305,6 @@ VorticityReport VorticityStep<Stream>::advance(SkewHermitian<>& w) {
 
 // Our own programs have the steps compiled once (compiled_steps.cpp): it takes longer than most of them.
 // What stands outside the class, and what it calls, is then compiled nowhere else.
-#ifdef ACTIO_COMPILED_STEPS
 extern template class VorticityStep<SphereLaplacian>;
-#endif
 
 }  // namespace actio

@@ -9,10 +9,8 @@
 #include "actio/scene/systems/vorticity_products.hpp"
 #include "actio/scene/systems/vorticity_stepped.hpp"
 
-#ifdef ACTIO_COMPILED_STEPS
 // In compiled_layer_steps.cpp.
 extern template class actio::VorticityStep<actio::HelmholtzStream>;
-#endif
 
 namespace actio::scene {
 namespace {
