@@ -18,6 +18,7 @@ CornerJacobian corner_jacobian(BodyMesh const& mesh, int cell, int corner) {
                      e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
   return {det, box};
 }
+
 namespace detail {
 namespace {
 

@@ -1,6 +1,7 @@
 #include "actio/multisymplectic/body_shapes.hpp"
 
 namespace actio {
+
 namespace detail {
 namespace {
 
