@@ -1,6 +1,7 @@
 #include "actio/any_group/group_families.hpp"
 
 namespace actio {
+
 namespace detail {
 namespace {
 

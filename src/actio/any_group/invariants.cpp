@@ -15,6 +15,7 @@ std::string Casimir::text() const {
   }
   return sum;
 }
+
 namespace detail {
 namespace {
 

@@ -1,6 +1,7 @@
 #include "actio/any_group/membership.hpp"
 
 namespace actio {
+
 namespace detail {
 namespace {
 

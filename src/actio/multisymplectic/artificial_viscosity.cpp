@@ -2,8 +2,9 @@
 
 namespace actio {
 
-ViscosityNeedsShorterSteps::ViscosityNeedsShorterSteps(int which, double step, double longest) : OutsideDomain("medium: viscosity of cell " + std::to_string(which),
-                      "a step is not longer than small motions take to be damped", step, longest),
-        cell(which) {}
+ViscosityNeedsShorterSteps::ViscosityNeedsShorterSteps(int which, double step, double longest)
+    : OutsideDomain("medium: viscosity of cell " + std::to_string(which),
+                    "a step is not longer than small motions take to be damped", step, longest),
+      cell(which) {}
 
 }  // namespace actio

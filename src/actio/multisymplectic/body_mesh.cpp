@@ -3,15 +3,15 @@
 namespace actio {
 
 std::string BodyMesh::cell_name(int cell) const {
-    if (!element_tags.empty()) return "element " + std::to_string(element_tags[cell]);
-    bool const in_box =
-        dimension > 1 && cells.size() == std::size_t(grid[0]) * grid[1] * (dimension > 2 ? grid[2] : 1);
-    if (!in_box) return "cell " + std::to_string(cell);
-    std::string name = "cell (" + std::to_string(cell % grid[0]);
-    for (int k = 1, left = cell / grid[0]; k < dimension; left /= grid[k], ++k)
-      name += ", " + std::to_string(left % grid[k]);
-    return name + ")";
-  }
+  if (!element_tags.empty()) return "element " + std::to_string(element_tags[cell]);
+  bool const in_box =
+      dimension > 1 && cells.size() == std::size_t(grid[0]) * grid[1] * (dimension > 2 ? grid[2] : 1);
+  if (!in_box) return "cell " + std::to_string(cell);
+  std::string name = "cell (" + std::to_string(cell % grid[0]);
+  for (int k = 1, left = cell / grid[0]; k < dimension; left /= grid[k], ++k)
+    name += ", " + std::to_string(left % grid[k]);
+  return name + ")";
+}
 
 std::array<int, 4> const& facet_corners(BodyMesh::Shape shape, int facet) {
   using Facets = std::array<std::array<int, 4>, 6>;
@@ -62,21 +62,21 @@ std::vector<CellFacet> facets_of_side(BodyMesh const& mesh, std::string const& s
 namespace detail {
 
 void CellGrid::examine() const {
-    double all = 1;
-    for (int k = 0; k < dimension; ++k) {
-      auto const where = "mesh of a body, direction " + std::to_string(k + 1);
-      if (cells[k] < 1 + around[k])
-        throw NotABodyMesh(where, "there are cells enough; cells", cells[k], 1 + around[k]);
-      all *= cells[k] + 1.0;
-    }
-    double const most = std::numeric_limits<int>::max();
-    if (all > most) throw NotABodyMesh("mesh of a body", "nodes can be counted; nodes", all, most);
+  double all = 1;
+  for (int k = 0; k < dimension; ++k) {
+    auto const where = "mesh of a body, direction " + std::to_string(k + 1);
+    if (cells[k] < 1 + around[k])
+      throw NotABodyMesh(where, "there are cells enough; cells", cells[k], 1 + around[k]);
+    all *= cells[k] + 1.0;
   }
+  double const most = std::numeric_limits<int>::max();
+  if (all > most) throw NotABodyMesh("mesh of a body", "nodes can be counted; nodes", all, most);
+}
 
 }  // namespace detail
 
 BodyMesh box_mesh(std::vector<double> const& lower, std::vector<double> const& upper,
-                         std::vector<int> const& cells, std::vector<bool> const& periodic) {
+                  std::vector<int> const& cells, std::vector<bool> const& periodic) {
   std::size_t const d = cells.size();
   if (d < 1 || d > 3)
     throw NotABodyMesh("box", "a body has one to three dimensions; directions", double(d), 3);

@@ -187,6 +187,6 @@ struct CellGrid {
 /// @throws NotFinite     where a corner is none
 /// Accuracy: places to a rounding of the larger coordinate.
 BodyMesh box_mesh(std::vector<double> const& lower, std::vector<double> const& upper,
-                         std::vector<int> const& cells, std::vector<bool> const& periodic = {});
+                  std::vector<int> const& cells, std::vector<bool> const& periodic = {});
 
 }  // namespace actio

@@ -18,6 +18,8 @@ CornerJacobian corner_jacobian(BodyMesh const& mesh, int cell, int corner) {
                      e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
   return {det, box};
 }
+
+namespace detail {
 namespace {
 
 void require_nodes(BodyMesh const& mesh) {
@@ -71,8 +73,6 @@ void require_volumes(BodyMesh const& mesh) {
 
 }  // namespace
 
-namespace detail {
-
 bool is_turned(std::array<int, 4> const& nodes, int facet) {
   int count = 0, least = 0;
   for (; count < 4 && nodes[count] >= 0; ++count)
@@ -82,7 +82,6 @@ bool is_turned(std::array<int, 4> const& nodes, int facet) {
   return nodes[(least + 1) % count] > nodes[(least + count - 1) % count];
 }
 
-}  // namespace detail
 namespace {
 
 /// All facets, sorted, so that those of neighbours stand side by side.
@@ -148,6 +147,7 @@ void require_one_piece(BodyMesh const& mesh) {
 }
 
 }  // namespace
+}  // namespace detail
 
 void require_body_mesh(BodyMesh const& mesh) {
   detail::require_nodes(mesh);

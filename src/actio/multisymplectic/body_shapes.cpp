@@ -1,11 +1,13 @@
 #include "actio/multisymplectic/body_shapes.hpp"
 
 namespace actio {
+
+namespace detail {
 namespace {
 
 /// Refuses radii that do not increase from zero, and cells that are too few.
 void require_round(char const* what, double inner, double outer, std::array<int, 2> const& cells,
-                          int least_along) {
+                   int least_along) {
   if (!is_finite(inner) || !is_finite(outer)) throw NotFinite(what);
   if (!(inner >= 0)) throw NotABodyMesh(what, "the inner radius is positive; radius", inner, 0);
   if (!(outer > inner))
@@ -41,38 +43,37 @@ std::array<double, 3> in_core(int d, std::array<double, 3> const& u) {
 
 }  // namespace
 
-namespace detail {
-
-LayersOnCube::LayersOnCube(int d, std::array<int, 2> const& cells, bool with_core) : d_(d), layers_(cells[0]), core_(with_core), grid_{d, {cells[1], cells[1], d > 2 ? cells[1] : 1}} {
-    grid_.examine();
-    surface_.assign(std::size_t(grid_.nodes(0)) * grid_.nodes(1) * grid_.nodes(2), -1);
-    for_lattice(grid_.nodes(0), [&](std::array<int, 3> const& at) {
-      for (int k = 0; k < d_; ++k)
-        if (at[k] == 0 || at[k] == grid_.cells[k]) {
-          surface_[grid_.node(at)] = on_surface_++;
-          break;
-        }
-    });
-    double const nodes = double(surface_.size()) + double(layers_ + 1) * on_surface_;
-    double const most = std::numeric_limits<int>::max();
-    if (nodes > most) throw NotABodyMesh("mesh of a body", "nodes can be counted; nodes", nodes, most);
-  }
+LayersOnCube::LayersOnCube(int d, std::array<int, 2> const& cells, bool with_core)
+    : d_(d), layers_(cells[0]), core_(with_core), grid_{d, {cells[1], cells[1], d > 2 ? cells[1] : 1}} {
+  grid_.examine();
+  surface_.assign(std::size_t(grid_.nodes(0)) * grid_.nodes(1) * grid_.nodes(2), -1);
+  for_lattice(grid_.nodes(0), [&](std::array<int, 3> const& at) {
+    for (int k = 0; k < d_; ++k)
+      if (at[k] == 0 || at[k] == grid_.cells[k]) {
+        surface_[grid_.node(at)] = on_surface_++;
+        break;
+      }
+  });
+  double const nodes = double(surface_.size()) + double(layers_ + 1) * on_surface_;
+  double const most = std::numeric_limits<int>::max();
+  if (nodes > most) throw NotABodyMesh("mesh of a body", "nodes can be counted; nodes", nodes, most);
+}
 
 void LayersOnCube::add_cell(BodyMesh& mesh, std::array<int, 3> const& at, int k, int end, int layer) const {
-    std::array<int, 8> corners{};
-    for (int b = 0; b < 1 << d_; ++b) {
-      auto here = at;
-      for (int i = 0; i < d_; ++i) here[i] += b >> i & 1;
-      bool const outer = k >= 0 && (b >> k & 1) == end;
-      if (k >= 0) here[k] = end * grid_.cells[k];
-      corners[b] = node(here, layer + outer);
-    }
-    int const cell = int(mesh.cells.size());
-    mesh.cells.push_back(corners);
-    if (k < 0) return;
-    if (!core_ && layer == 0) mesh.sides["inner"].push_back(facet_nodes(mesh, {cell, 2 * k + 1 - end}));
-    if (layer + 1 == layers_) mesh.sides["outer"].push_back(facet_nodes(mesh, {cell, 2 * k + end}));
+  std::array<int, 8> corners{};
+  for (int b = 0; b < 1 << d_; ++b) {
+    auto here = at;
+    for (int i = 0; i < d_; ++i) here[i] += b >> i & 1;
+    bool const outer = k >= 0 && (b >> k & 1) == end;
+    if (k >= 0) here[k] = end * grid_.cells[k];
+    corners[b] = node(here, layer + outer);
   }
+  int const cell = int(mesh.cells.size());
+  mesh.cells.push_back(corners);
+  if (k < 0) return;
+  if (!core_ && layer == 0) mesh.sides["inner"].push_back(facet_nodes(mesh, {cell, 2 * k + 1 - end}));
+  if (layer + 1 == layers_) mesh.sides["outer"].push_back(facet_nodes(mesh, {cell, 2 * k + end}));
+}
 
 BodyMesh filled_mesh(char const* what, int d, double radius, std::array<int, 2> const& cells) {
   require_round(what, 0, radius, cells, 1);

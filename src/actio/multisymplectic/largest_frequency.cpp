@@ -4,8 +4,7 @@ namespace actio {
 
 namespace detail {
 
-std::pair<double, double> top_of_lanczos_matrix(std::vector<double> const& a,
-                                                       std::vector<double> const& b) {
+std::pair<double, double> top_of_lanczos_matrix(std::vector<double> const& a, std::vector<double> const& b) {
   std::size_t const n = a.size();
   double low = -HUGE_VAL, up = -HUGE_VAL;
   for (std::size_t k = 0; k < n; ++k) {

@@ -18,8 +18,7 @@ namespace actio::detail {
 /// unit eigenvector.
 /// @param a  the diagonal
 /// @param b  beside the diagonal, positive; one fewer are used than there are in a
-std::pair<double, double> top_of_lanczos_matrix(std::vector<double> const& a,
-                                                       std::vector<double> const& b);
+std::pair<double, double> top_of_lanczos_matrix(std::vector<double> const& a, std::vector<double> const& b);
 
 /// The largest frequency, per time: the root of the largest eigenvalue of \f$M^{-1}K\f$, 0 where none is
 /// positive.

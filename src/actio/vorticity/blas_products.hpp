@@ -46,43 +46,14 @@ class PanelThreads {
   }
   PanelThreads(PanelThreads const&) = delete;
   PanelThreads& operator=(PanelThreads const&) = delete;
-  ~PanelThreads() {
-    {
-      std::lock_guard const lock(mutex_);
-      over_ = true;
-    }
-    wake_.notify_all();
-    for (auto& thread : threads_) thread.join();
-  }
+  ~PanelThreads();
 
   /// Calls `work(0)` to `work(count - 1)`, each once, in any order and on any thread; returns when all are
   /// done.
-  void run(int count, std::function<void(int)> const& work) {
-    {
-      std::lock_guard const lock(mutex_);
-      work_ = &work, count_ = count, next_ = 0, busy_ = static_cast<int>(threads_.size()), ++round_;
-    }
-    wake_.notify_all();
-    for (int k; (k = next_++) < count;) work(k);
-    std::unique_lock lock(mutex_);
-    done_.wait(lock, [this] { return busy_ == 0; });
-  }
+  void run(int count, std::function<void(int)> const& work);
 
  private:
-  void serve() {
-    for (long seen = 0;;) {
-      std::unique_lock lock(mutex_);
-      wake_.wait(lock, [&] { return over_ || round_ != seen; });
-      if (over_) return;
-      seen = round_;
-      auto const& work = *work_;
-      int const count = count_;
-      lock.unlock();
-      for (int k; (k = next_++) < count;) work(k);
-      lock.lock();
-      if (--busy_ == 0) done_.notify_one();
-    }
-  }
+  void serve();
   std::mutex mutex_;
   std::condition_variable wake_, done_;
   std::function<void(int)> const* work_ = nullptr;

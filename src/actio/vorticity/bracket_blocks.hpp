@@ -16,28 +16,11 @@ namespace actio {
 /// of its diagonals that are not zero.
 /// @param bound  entries up to this multiple of the largest one count as zero
 /// @return       0 for a zonal flow, that any turn leaves as it is
-inline int symmetry_of(SkewHermitian<> const& w, double bound = 0) {
-  auto const n = static_cast<int>(w.size());
-  double const zero = bound * std::max(w.real.cwiseAbs().maxCoeff(), w.imaginary.cwiseAbs().maxCoeff());
-  int fold = 0;
-  for (int m = 1; m < n && fold != 1; ++m) {
-    double const largest =
-        std::max(w.real.diagonal(-m).cwiseAbs().maxCoeff(), w.imaginary.diagonal(-m).cwiseAbs().maxCoeff());
-    // What is no number is not zero.
-    if (!(largest <= zero)) fold = std::gcd(fold, m);
-  }
-  return fold;
-}
+int symmetry_of(SkewHermitian<> const& w, double bound = 0);
 
 /// What is not on the diagonals that are multiples of k becomes zero: the part that a turn by 1/k leaves as
 /// it is.
-inline SkewHermitian<> symmetric_part(SkewHermitian<> w, int fold) {
-  auto const n = static_cast<int>(w.size());
-  for (int c = 0; c < n; ++c)
-    for (int r = 0; r < n; ++r)
-      if ((r - c) % fold != 0) w.real(r, c) = w.imaginary(r, c) = 0;
-  return w;
-}
+SkewHermitian<> symmetric_part(SkewHermitian<> w, int fold);
 
 /// Products of k-fold symmetric matrices, block by block, each block by other products.
 ///

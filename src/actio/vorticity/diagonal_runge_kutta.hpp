@@ -20,39 +20,14 @@ namespace actio {
 
 /// The tableau \f$a_{ij}\f$ of the symplectic diagonally implicit method with the weights \f$b_i\f$:
 /// \f$a_{ii} = b_i/2\f$, \f$a_{ij} = b_j\f$ for j < i.
-inline Eigen::MatrixXd diagonal_tableau(std::vector<double> const& weights) {
-  auto const stages = static_cast<Eigen::Index>(weights.size());
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(stages, stages);
-  for (Eigen::Index j = 0; j < stages; ++j) {
-    double const b = weights[static_cast<std::size_t>(j)];
-    a(j, j) = b / 2;
-    a.col(j).tail(stages - j - 1).setConstant(b);
-  }
-  return a;
-}
+Eigen::MatrixXd diagonal_tableau(std::vector<double> const& weights);
 
 /// The palindromes of order 4 in five stages, \f$\gamma_1, \gamma_2, \gamma_3, \gamma_2, \gamma_1\f$: one for
 /// each first weight. With \f$s = 1 - 2\gamma_1\f$ the second solves \f$6\,\gamma_2(\gamma_2 - s)^2 = s^3 +
 /// 2\gamma_1^3\f$, which has one root above s and zero.
 /// @param first  \f$\gamma_1 < 1/(2-\sqrt[3]2)\f$, at which the triple jump is reached
 /// @throws OutsideDomain, NotFinite  for another
-inline std::vector<double> five_stages(double first) {
-  if (!std::isfinite(first)) throw NotFinite("five stages: the first weight");
-  double const s = 1 - 2 * first, cubes = (s * s * s + 2 * first * first * first) / 6;
-  double const bound = triple_jump<double>()[0];
-  if (!(first < bound && cubes > 0))
-    throw OutsideDomain("five stages", "the first weight must be less than that of the triple jump", first,
-                        bound);
-  // Newton's iteration for a convex function, from above.
-  double second = std::max(s, 0.0) + std::cbrt(cubes);
-  for (int k = 0; k < 100; ++k) {
-    double const to_s = second - s;
-    double const next = second - (second * to_s * to_s - cubes) / (to_s * (to_s + 2 * second));
-    if (!(next < second)) break;
-    second = next;
-  }
-  return {first, second, 1 - 2 * (first + second), second, first};
-}
+std::vector<double> five_stages(double first);
 /// Order 4 in five stages (McLachlan): \f$\gamma_1 = 0.28\f$.
 inline std::vector<double> mclachlan() { return five_stages(0.28); }
 

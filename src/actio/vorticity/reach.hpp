@@ -54,11 +54,6 @@ Eigen::Index useful_reach(Part const& real, Part const& imaginary, typename Part
 }
 
 /// That beyond which are no entries that count in single precision.
-inline Eigen::Index reach_in_single(SkewHermitian<float> const& m) {
-  if (m.size() < smallest_with_reach) return Reach::everything;
-  // A sixtieth of the rounding of its eigenvalues, by their root mean square.
-  float const root = norm(m) / std::sqrt(static_cast<float>(m.size()));
-  return useful_reach(m.real, m.imaginary, 1e-9F * root);
-}
+Eigen::Index reach_in_single(SkewHermitian<float> const& m);
 
 }  // namespace actio

@@ -26,18 +26,6 @@ struct FlowFields {
 };
 
 namespace detail {
-/// \f$\sin\theta\,\partial_\theta f\f$, of one degree more.
-inline SphereHarmonics sine_times_slope(SphereHarmonics const& f) {
-  int const degrees = f.degrees() + 1;
-  SphereHarmonics out(degrees);
-  for (int m = 0; m < f.degrees(); ++m)
-    for (int l = m; l < f.degrees(); ++l) {
-      auto const a = [m](double k) { return std::sqrt((k - m) * (k + m) / ((2 * k - 1) * (2 * k + 1))); };
-      out(l + 1, m) += l * a(l + 1) * f(l, m);
-      if (l > m) out(l - 1, m) -= (l + 1) * a(l) * f(l, m);
-    }
-  return out;
-}
 /// \f$\partial_\varphi f\f$.
 inline SphereHarmonics slope_eastwards(SphereHarmonics f) {
   for (int m = 0; m < f.degrees(); ++m) f.coefficient.col(m) *= std::complex<double>(0, m);
@@ -53,14 +41,6 @@ inline SphereHarmonics with_one_degree_more(SphereHarmonics const& f) {
 
 /// Vorticity, stream function and velocity on a grid without poles, in one pass.
 /// @param vorticity  of the fluid; that of its mean does not flow
-inline FlowFields flow_on(SphereGrid const& grid, SphereHarmonics const& vorticity) {
-  SphereHarmonics const psi = stream_function(vorticity);
-  auto const more = detail::with_one_degree_more;
-  auto fields = values_on(
-      grid, {more(vorticity), more(psi), detail::sine_times_slope(psi), more(detail::slope_eastwards(psi))});
-  Eigen::ArrayXd const cosecant = grid.colatitude.sin().inverse();
-  for (std::size_t k : {2, 3}) fields[k].array().colwise() *= cosecant;
-  return {std::move(fields[0]), std::move(fields[1]), std::move(fields[2]), std::move(fields[3])};
-}
+FlowFields flow_on(SphereGrid const& grid, SphereHarmonics const& vorticity);
 
 }  // namespace actio

@@ -34,23 +34,7 @@ inline Eigen::VectorXd vorticity_values(SkewHermitian<> const& w) { return hermi
 
 /// The Casimir functions \f$C_k = \tfrac{4\pi}N\mathrm{Tr}((-iW)^k)\f$, k = 2 .. most: the integrals of the
 /// powers of the vorticity. By products of matrices, about most/2 of them.
-inline Eigen::VectorXd vorticity_casimirs(SkewHermitian<> const& w, int most) {
-  double const area = QuantizedSphere(static_cast<int>(w.size())).area_element();
-  ComplexMatrix<> const x = w.hermitian();
-  ComplexMatrix<> low = x, high = x;  // x^j, and x^j or x^(j+1)
-  Eigen::VectorXd casimirs(std::max(0, most - 1));
-  for (int k = 2; k <= most; ++k) {
-    // Tr(A B) of Hermitian matrices.
-    casimirs[k - 2] = area * (low.conjugate().cwiseProduct(high)).sum().real();
-    if (k == most) break;
-    if (k % 2 == 0) {
-      high = product_of(high, x);
-    } else {
-      low = high;
-    }
-  }
-  return casimirs;
-}
+Eigen::VectorXd vorticity_casimirs(SkewHermitian<> const& w, int most);
 
 /// The energy in each degree, \f$\tfrac12\sum_m|f_{lm}|^2/(l(l+1))\f$ at l; zero at l = 0.
 inline Eigen::VectorXd energy_by_degree(SphereHarmonics const& vorticity) {

@@ -25,12 +25,7 @@ struct NotContracting : Error {
   double step;     ///< that was tried, time
   double largest;  ///< one that does, time; its sign is that of the step
   /// @param tried, do_well  the two lengths
-  NotContracting(double tried, double do_well)
-      : Error("vorticity: the iteration of a step of length " + show(tried) + " does not contract; " +
-              (do_well == 0 ? "nor does that of any shorter step that was tried"
-                            : "the longest that does is about " + show(do_well))),
-        step(tried),
-        largest(do_well) {}
+  NotContracting(double tried, double do_well);
 };
 
 /// Steps of one length for one flow: what they are given.

@@ -21,13 +21,7 @@ enum class Symbol {
 };
 
 /// What each degree is multiplied by, l = 0 .. N - 1.
-inline Eigen::ArrayXd symbol_factors(int n, Symbol symbol) {
-  Eigen::ArrayXd factors = Eigen::ArrayXd::Ones(n);
-  if (symbol == Symbol::berezin)
-    for (int l = 1; l < n; ++l)
-      factors[l] = factors[l - 1] * std::sqrt((n - static_cast<double>(l)) / (n + static_cast<double>(l)));
-  return factors;
-}
+Eigen::ArrayXd symbol_factors(int n, Symbol symbol);
 
 /// The coefficients of the symbol, from those of the matrix.
 inline SphereHarmonics symbol_of(SphereHarmonics f, Symbol symbol) {

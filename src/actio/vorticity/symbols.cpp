@@ -1,0 +1,13 @@
+#include "actio/vorticity/symbols.hpp"
+
+namespace actio {
+
+Eigen::ArrayXd symbol_factors(int n, Symbol symbol) {
+  Eigen::ArrayXd factors = Eigen::ArrayXd::Ones(n);
+  if (symbol == Symbol::berezin)
+    for (int l = 1; l < n; ++l)
+      factors[l] = factors[l - 1] * std::sqrt((n - static_cast<double>(l)) / (n + static_cast<double>(l)));
+  return factors;
+}
+
+}  // namespace actio
