@@ -2,10 +2,10 @@
 # build_budget.sh LOG BUILD: no unit takes more than 1.5 GB to compile, and none makes more than 2 MB of code
 # and constants, those that the linker will drop included.
 #
-# Both are the same on every machine, however busy it is; the seconds that are told decide nothing. LOG is what
-# cmake/compile_log.sh wrote: of several compiles of an object the last counts, those from the cache have no
-# memory, and objects that are no more are left out. At the end a unit over each limit is planted, and must be
-# found.
+# Both are the same on every machine, however busy it is; the seconds that are told decide nothing. LOG is
+# what cmake/compile_log.sh wrote: of several compiles of an object the last counts, those from the cache have
+# no memory, and objects that are no more are left out. At the end a unit over each limit is planted, and must
+# be found.
 set -euo pipefail
 log=$1
 build=$2
