@@ -161,12 +161,10 @@ struct GalerkinStep {
         end.coordinates[a].part[0] += xi.value[nu * n + a] * path.final_slope[nu];
     }
     auto const f = exp(Velocity<G, S>{mu.group, -xi.value.tail(n)});
-    Momentum<G, S> after = mu;
-    if constexpr (side > 0)
-      after = lie_poisson_update_right(f, mu);
-    else
-      after = lie_poisson_update_left(f, mu);
-    return {f, {after, velocity_of_path<side>(end) / S(h)}, solver.report().evaluations};
+    using Invariance = std::conditional_t<(side > 0), RightInvariant, LeftInvariant>;
+    return {f,
+            {Invariance::lie_poisson_update(f, mu), velocity_of_path<side>(end) / S(h)},
+            solver.report().evaluations};
   }
 };
 }  // namespace detail
