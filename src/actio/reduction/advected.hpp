@@ -55,8 +55,7 @@ namespace detail {
 /// l with its vector held fixed: a function of the relative motion alone.
 template <class F, class S, int m>
 auto holding(F const& l, Matrix<S, m, 1> const& a) {
-  return [&l, a](auto const& f) {
-    using T = typename std::decay_t<decltype(f)>::Scalar;
+  return [&l, a]<class G, class T>(Element<G, T> const& f) {
     return l(f, Matrix<T, m, 1>(a.template cast<T>()));
   };
 }
@@ -87,8 +86,7 @@ template <Group G, Scalar S, Scalar R, int m, class F, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<R, m, 1> const& a,
                                      Act const& act = {}) {
-  auto const moved_vector = [&](auto const& g) {
-    using T = typename std::decay_t<decltype(g)>::Scalar;
+  auto const moved_vector = [&]<class T>(Element<G, T> const& g) {
     return l(like(g, f), act(g, Matrix<T, m, 1>(a.template cast<T>())));
   };
   return right_differential(moved_vector, identity<S>(f.group));
@@ -129,17 +127,15 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 auto advected_momentum_equation_left(F const& l, Momentum<G, S> const& pi, Matrix<S, m, 1> const& a,
                                      Act const& act = {}) {
-  return [&l, pi, a, act](auto const& f) {
-    return like(f, pi) - advected_momentum_before_left(l, f, a, act);
-  };
+  return
+      [&l, pi, a, act](auto const& f) { return like(f, pi) - advected_momentum_before_left(l, f, a, act); };
 }
 /// \f$f\mapsto\mu - \mu_0(f, a)\f$: the same, right-invariant.
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 auto advected_momentum_equation_right(F const& l, Momentum<G, S> const& mu, Matrix<S, m, 1> const& a,
                                       Act const& act = {}) {
-  return [&l, mu, a, act](auto const& f) {
-    return like(f, mu) - advected_momentum_before_right(l, f, a, act);
-  };
+  return
+      [&l, mu, a, act](auto const& f) { return like(f, mu) - advected_momentum_before_right(l, f, a, act); };
 }
 
 /// The discrete Euler-Poincare equations with an advected vector, left-invariant: zero along motions, and
@@ -167,7 +163,8 @@ Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10
 }
 /// The same, right-invariant, with \f$a_1 = f_{01}^{-1}a_0\f$; that of \ref lift_advected_right.
 ///
-/// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01}, a_0) \f]
+/// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01},
+///   a_0) \f]
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0,
                                              Element<G, S> const& f12, Act const& act = {}) {
@@ -246,16 +243,14 @@ Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const
 /// @param c  the vector that is fixed in space
 template <class F, class S, int m, class Act = MatrixAction>
 auto lift_advected_left(F l, Matrix<S, m, 1> const& c, Act act = {}) {
-  return [l, c, act](auto const& g0, auto const& g1) {
-    using T = typename std::decay_t<decltype(g0)>::Scalar;
+  return [l, c, act]<class G, class T>(Element<G, T> const& g0, Element<G, T> const& g1) {
     return l(relative_motion_left(g0, g1), act(inverse(g0), Matrix<T, m, 1>(c.template cast<T>())));
   };
 }
 /// The same, right-invariant: \f$(g_0, g_1)\mapsto\ell(g_0g_1^{-1},\, g_0c)\f$.
 template <class F, class S, int m, class Act = MatrixAction>
 auto lift_advected_right(F l, Matrix<S, m, 1> const& c, Act act = {}) {
-  return [l, c, act](auto const& g0, auto const& g1) {
-    using T = typename std::decay_t<decltype(g0)>::Scalar;
+  return [l, c, act]<class G, class T>(Element<G, T> const& g0, Element<G, T> const& g1) {
     return l(relative_motion_right(g0, g1), act(g0, Matrix<T, m, 1>(c.template cast<T>())));
   };
 }

@@ -132,15 +132,13 @@ struct Composed {
 template <class Step, class S>
 struct ComposedRight : Composed<RightInvariant, Step, S> {
   /// @throws OutsideDomain, NotFinite  where the fractions do not add up to 1, or are no numbers
-  ComposedRight(Step step, std::vector<S> fractions_of)
-      : ComposedRight::Composed(std::move(step), std::move(fractions_of)) {}
+  ComposedRight(Step step, std::vector<S> const& parts) : ComposedRight::Composed(std::move(step), parts) {}
 };
 /// Substeps of a left-invariant step as one step, with relative motion \f$f_n\cdots f_2f_1\f$.
 template <class Step, class S>
 struct ComposedLeft : Composed<LeftInvariant, Step, S> {
   /// @throws OutsideDomain, NotFinite  where the fractions do not add up to 1, or are no numbers
-  ComposedLeft(Step step, std::vector<S> fractions_of)
-      : ComposedLeft::Composed(std::move(step), std::move(fractions_of)) {}
+  ComposedLeft(Step step, std::vector<S> const& parts) : ComposedLeft::Composed(std::move(step), parts) {}
 };
 
 }  // namespace actio

@@ -76,23 +76,20 @@ Momentum<G, S> euler_poincare_left(F const& l, Element<G, S> const& f10, Element
 
 /// The next relative motion of a right-invariant system: solves (3.10), \ref euler_poincare_right, for `f12`;
 /// the initial guess repeats the last relative motion.
-///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_right(F const& l, Element<G, S> const& f01) {
   return solve_on_group(euler_poincare_right(l, f01), f01);
 }
 /// The next relative motion of a left-invariant system: solves (3.11), \ref euler_poincare_left, for `f21`.
-///
-/// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
+/// Otherwise as \ref step_euler_poincare_right.
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_left(F const& l, Element<G, S> const& f10) {
   return solve_on_group(euler_poincare_left(l, f10), f10);
 }
 
 namespace detail {
-/// How a covector that depends on f changes when f moves to \f$e^\vartheta f\f$. Row: component; column:
-/// direction.
+/// How a covector at f changes when f moves to \f$e^\vartheta f\f$. Row: component; column: direction.
 template <Group G, Scalar S, class Covector>
 auto change_of(Covector const& covector, Element<G, S> const& f) {
   int const n = f.group.dimension();

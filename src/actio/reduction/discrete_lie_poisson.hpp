@@ -46,8 +46,7 @@ Solved<Element<G, S>> relative_motion_from_momentum_right(F const& l, Momentum<G
   return solve_on_group(momentum_equation_right(l, mu), start);
 }
 /// The relative motion of the step that starts with a given body momentum: solves \f$-L_f^*\ell'(f) = \Pi\f$
-/// near `start`.
-/// @throws NotConverged, Singular  where the step is too long for the momentum
+/// near `start`. Otherwise as \ref relative_motion_from_momentum_right.
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> relative_motion_from_momentum_left(F const& l, Momentum<G, S> const& pi,
                                                          Element<G, S> const& start) {

@@ -4,8 +4,7 @@
 // at the start of the next, whatever the lengths of the two. An integrator on momenta is a callable (state,
 // h) -> MomentumStep. Such steps follow each other, are composed (composition.hpp) and exchanged
 // (galerkin.hpp) independently of each other. The momentum is spatial in right-invariant systems, that of the
-// body in left-invariant ones; configurations are put together from the relative motions where they are asked
-// for.
+// body in left-invariant ones; configurations follow from the relative motions where they are asked for.
 #pragma once
 
 #include <utility>
@@ -49,8 +48,9 @@ void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
 /// The step of an invariant system as a map of the momentum: solves the momentum equation and transports the
 /// momentum by \f$\mathrm{Ad}^*\f$.
 ///
-/// Steps of one length that follow each other are solved for as those of \ref EulerPoincareSteps: what one has
-/// found out about the equation serves the next. A step remembers it, and belongs to one thread at a time.
+/// Steps of one length that follow each other are solved for as those of \ref EulerPoincareSteps: what one
+/// has found out about the equation serves the next. A step remembers it, and belongs to one thread at a
+/// time.
 /// @tparam Invariance  \ref RightInvariant or \ref LeftInvariant
 template <class Invariance, class Family>
 struct LiePoissonStep {
@@ -66,9 +66,9 @@ struct LiePoissonStep {
     detail::require_steppable(from, h);
     auto const l = family(h);
     auto& solver = remembered.template solver<G>(from.velocity, h);
-    auto const f =
-        solver.solve(Invariance::momentum_equation(l, from.momentum), exp(S(-h) * from.velocity));
-    return {f, {Invariance::lie_poisson_update(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
+    auto const f = solver.solve(Invariance::momentum_equation(l, from.momentum), exp(S(-h) * from.velocity));
+    return {
+        f, {Invariance::lie_poisson_update(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
   }
 };
 
@@ -85,9 +85,7 @@ auto lie_poisson_step_right(Family family) {
 /// The step of a left-invariant system: solves \f$-L_f^*\ell_h'(f) = \Pi\f$ and transports \f$\Pi\f$ to
 /// \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18). Otherwise as \ref lie_poisson_step_right.
 template <class Family>
-auto lie_poisson_step_left(Family family) {
-  return LiePoissonStep<LeftInvariant, Family>{std::move(family)};
-}
+auto lie_poisson_step_left(Family family) { return LiePoissonStep<LeftInvariant, Family>{std::move(family)}; }
 
 /// The step by the natural chart (3.25) of a right-invariant system: order 2, self-adjoint.
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
@@ -106,22 +104,17 @@ auto natural_chart_step_left(F l) {
 ///
 /// @param step     (state, h) -> \ref MomentumStep
 /// @param lengths  h_1, h_2, ..., of either sign and as unequal as they may be
-/// @param visit    called with each step done and its length
+/// @param visit    called with each step done and its length, if given
 /// @throws         what the step throws, at the first length that it cannot take
-template <class Step, Group G, Scalar S, class Lengths, class Visit>
+template <class Step, Group G, Scalar S, class Lengths, class Visit = decltype([](auto const&...) {})>
 MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Lengths const& lengths,
-                               Visit const& visit) {
+                               Visit const& visit = {}) {
   for (auto const& h : lengths) {
     auto done = step(state, h);
     visit(std::as_const(done), h);
     state = std::move(done.state);
   }
   return state;
-}
-/// Steps of prescribed lengths, with nothing asked on the way.
-template <class Step, Group G, Scalar S, class Lengths>
-MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> const& start, Lengths const& lengths) {
-  return take_steps(step, start, lengths, [](auto const&, auto const&) {});
 }
 
 }  // namespace actio
