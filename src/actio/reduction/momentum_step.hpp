@@ -104,17 +104,23 @@ auto natural_chart_step_left(F l) {
 ///
 /// @param step     (state, h) -> \ref MomentumStep
 /// @param lengths  h_1, h_2, ..., of either sign and as unequal as they may be
-/// @param visit    called with each step done and its length, if given
+/// @param visit    called with each step done and its length
 /// @throws         what the step throws, at the first length that it cannot take
-template <class Step, Group G, Scalar S, class Lengths, class Visit = decltype([](auto const&...) {})>
+template <class Step, Group G, Scalar S, class Lengths, class Visit>
 MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Lengths const& lengths,
-                               Visit const& visit = {}) {
+                               Visit const& visit) {
   for (auto const& h : lengths) {
     auto done = step(state, h);
     visit(std::as_const(done), h);
     state = std::move(done.state);
   }
   return state;
+}
+
+/// Steps of prescribed lengths, with nothing asked on the way.
+template <class Step, Group G, Scalar S, class Lengths>
+MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> const& start, Lengths const& lengths) {
+  return take_steps(step, start, lengths, [](auto const&, auto const&) {});
 }
 
 }  // namespace actio
