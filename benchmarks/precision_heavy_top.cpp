@@ -20,13 +20,8 @@ class ComposedTop {
   HeavyTopState<double> const& step() {
     for (auto& [h, solver] : stages_) {
       auto const l = trace_lagrangian(top_, h);
-      auto const f = solver.solve(
-          [&](auto const& x) {
-            using T = typename std::decay_t<decltype(x)>::Scalar;
-            return advected_momentum_before_left(l, x, Matrix<T, 3, 1>(state_.vector.template cast<T>())) -
-                   like(x, state_.momentum);
-          },
-          exp(-h * body_velocity(top_.inertia, state_.momentum)));
+      auto const f = solver.solve(advected_momentum_equation_left(l, state_.momentum, state_.vector),
+                                  exp(-h * body_velocity(top_.inertia, state_.momentum)));
       state_ = {advected_lie_poisson_update_left(l, f, state_.vector, state_.momentum),
                 advect_left(f, state_.vector)};
     }

@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(the_chart_by_cayleys_transform) {
   auto const plain = own_system("SE(2)", Side::left, "(w^2 + v1^2 + 6*v2^2)/2");
   auto const system =
       std::make_shared<ReducedSystem const>(plain->algebra, Side::left, 0, plain->lagrangian, Chart::cayley);
-  auto const general = LiePoissonStepLeft{[&](double) { return action; }};
+  auto const general = lie_poisson_step_left([&](double) { return action; });
   BOOST_TEST(apart(system, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) < after_fifty_steps);
   BOOST_TEST(apart(plain, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) > 1e-5);
 }

@@ -23,13 +23,13 @@ auto composed(L const& l, std::vector<S> const& fractions) {
 /// The natural chart, and an action of fourth order in h that an exchange of the ends does not turn around.
 template <class L>
 auto one_sided_step_left(L const& l) {
-  return LiePoissonStepLeft{[l](auto const& h) {
+  return lie_poisson_step_left([l](auto const& h) {
     return [l, h](auto const& f) {
       using S = typename std::decay_t<decltype(f)>::Scalar;
       auto const xi = -log(f) / S(h);
       return (l(xi) + xi.coordinates[0] * xi.coordinates[0] * xi.coordinates[1] * S(h * h * h)) * S(h);
     };
-  }};
+  });
 }
 
 }  // namespace

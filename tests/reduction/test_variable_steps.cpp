@@ -27,12 +27,12 @@ std::vector<double> irregular(int count, double time) {
 /// over a time.
 template <class L>
 auto divided_by_the_step_left(L const& l) {
-  return LiePoissonStepLeft{[l](auto const& h) {
+  return lie_poisson_step_left([l](auto const& h) {
     return [action = natural_chart_lagrangian_left(l, h), h](auto const& f) {
       auto const a = action(f);
       return decltype(a)(a / typename std::decay_t<decltype(f)>::Scalar(h));
     };
-  }};
+  });
 }
 
 struct Run {

@@ -131,7 +131,8 @@ class ChartSolver {
   }
 
   /// The residual at the velocity, and its size: in each component relative to what it is the sum of.
-  /// Infinite outside of the chart.
+  /// Infinite outside of the chart. It is minus the momentum equation of (3.10) or (3.11), by structure
+  /// constants.
   double evaluate(ReducedPoint const& start) {
     ++evaluations_;
     if (!step_(h_, v_, start.vectors)) return HUGE_VAL;

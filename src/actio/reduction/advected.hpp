@@ -55,8 +55,7 @@ namespace detail {
 /// l with its vector held fixed: a function of the relative motion alone.
 template <class F, class S, int m>
 auto holding(F const& l, Matrix<S, m, 1> const& a) {
-  return [&l, a](auto const& f) {
-    using T = typename std::decay_t<decltype(f)>::Scalar;
+  return [&l, a]<class G, class T>(Element<G, T> const& f) {
     return l(f, Matrix<T, m, 1>(a.template cast<T>()));
   };
 }
@@ -79,16 +78,15 @@ Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, A
 /// \f$\vartheta\mapsto\frac{d}{d\epsilon}\ell(f, e^{\epsilon\vartheta}a)\f$.
 ///
 /// @param l    reduced discrete Lagrangian with an advected vector, energy x time
+/// @param a    the vector, at the scalar of f or at one below it
 /// @param act  the action of G on vectors; multiplication by the matrix unless given
-/// @return     covector at the identity
+/// @return     covector at the identity; exact up to rounding
 /// @throws NotFinite  where l or its derivative is no number
-/// Exact up to rounding.
-template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, Scalar R, int m, class F, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
-Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<R, m, 1> const& a,
                                      Act const& act = {}) {
-  auto const moved_vector = [&](auto const& g) {
-    using T = typename std::decay_t<decltype(g)>::Scalar;
+  auto const moved_vector = [&]<class T>(Element<G, T> const& g) {
     return l(like(g, f), act(g, Matrix<T, m, 1>(a.template cast<T>())));
   };
   return right_differential(moved_vector, identity<S>(f.group));
@@ -98,8 +96,8 @@ Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<
 
 /// \f$\Pi_0 = A_a^*\,\partial_a\ell - L_f^*\ell'\f$ at \f$(f, a_0)\f$: the body momentum with which a
 /// left-invariant step begins.
-template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+template <Group G, Scalar S, Scalar R, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Matrix<R, m, 1> const& a,
                                              Act const& act = {}) {
   return advected_differential(l, f, a, act) - left_differential(detail::holding(l, a), f);
 }
@@ -110,8 +108,8 @@ Momentum<G, S> advected_momentum_after_left(F const& l, Element<G, S> const& f, 
 }
 /// \f$\mu_0 = -R_f^*\ell' - A_a^*\,\partial_a\ell\f$ at \f$(f, a_0)\f$: the spatial momentum with which a
 /// right-invariant step begins.
-template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+template <Group G, Scalar S, Scalar R, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Matrix<R, m, 1> const& a,
                                               Act const& act = {}) {
   return -right_differential(detail::holding(l, a), f) - advected_differential(l, f, a, act);
 }
@@ -123,8 +121,25 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 
 // The equations.
 
-/// The residual of the discrete Euler-Poincare equations with an advected vector, left-invariant: zero along
-/// motions, and only there.
+/// \f$f\mapsto\Pi - \Pi_0(f, a)\f$: the equation of the left-invariant step that starts with body momentum
+/// \f$\Pi\f$ and vector a; \ref momentum_equation_left with an advected vector.
+/// @param l  (f, a) -> energy x time, a the vector before the step; outlives what is returned
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
+auto advected_momentum_equation_left(F const& l, Momentum<G, S> const& pi, Matrix<S, m, 1> const& a,
+                                     Act const& act = {}) {
+  return
+      [&l, pi, a, act](auto const& f) { return like(f, pi) - advected_momentum_before_left(l, f, a, act); };
+}
+/// \f$f\mapsto\mu - \mu_0(f, a)\f$: the same, right-invariant.
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
+auto advected_momentum_equation_right(F const& l, Momentum<G, S> const& mu, Matrix<S, m, 1> const& a,
+                                      Act const& act = {}) {
+  return
+      [&l, mu, a, act](auto const& f) { return like(f, mu) - advected_momentum_before_right(l, f, a, act); };
+}
+
+/// The discrete Euler-Poincare equations with an advected vector, left-invariant: zero along motions, and
+/// only there.
 ///
 /// \f[ L^*_{f_{21}}\ell'(f_{21}, a_1) - A_{a_1}^*\,\partial_a\ell(f_{21}, a_1) - R^*_{f_{10}}\ell'(f_{10},
 ///   a_0), \qquad a_1 = f_{10}\,a_0 \f]
@@ -136,8 +151,7 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 /// @param f10  relative motion \f$g_1^{-1}g_0\f$ over the step before
 /// @param a0   the vector at \f$g_0\f$, \f$g_0^{-1}c\f$
 /// @param f21  relative motion \f$g_2^{-1}g_1\f$ over the step after
-/// @return     covector at the identity
-/// Exact up to rounding.
+/// @return     covector at the identity; exact up to rounding
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0,
                                             Element<G, S> const& f21, Act const& act = {}) {
@@ -147,22 +161,15 @@ Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10
   return left_differential(l1, f21) - advected_differential(l, f21, a1, act) - right_differential(l0, f10);
   // [rem_3_1_3]
 }
-/// The same, right-invariant.
+/// The same, right-invariant, with \f$a_1 = f_{01}^{-1}a_0\f$; that of \ref lift_advected_right.
 ///
 /// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01},
-///   a_0), \qquad a_1 = f_{01}^{-1}a_0 \f]
-/// It is the residual of the discrete Euler-Lagrange equations of \ref lift_advected_right at
-/// \f$(g_0, g_1, g_2)\f$.
-///
-/// @param f01  relative motion \f$g_0g_1^{-1}\f$ over the step before
-/// @param a0   the vector at \f$g_0\f$, \f$g_0c\f$
-/// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
+///   a_0) \f]
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0,
                                              Element<G, S> const& f12, Act const& act = {}) {
-  auto const a1 = advect_right(f01, a0, act);
-  auto const l0 = detail::holding(l, a0), l1 = detail::holding(l, a1);
-  return right_differential(l1, f12) + advected_differential(l, f12, a1, act) - left_differential(l0, f01);
+  return advected_momentum_equation_right(l, advected_momentum_after_right(l, f01, a0),
+                                          advect_right(f01, a0, act), act)(f12);
 }
 
 /// The relative motion with a given body momentum at the start of the step, where the vector is a: solves
@@ -175,45 +182,29 @@ Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> c
                                                     Act const& act = {}) {
   require_finite(a, "advected_relative_motion_left: vector");
   require_finite(pi.components, "advected_relative_motion_left: momentum");
-  return solve_on_group(
-      [&](auto const& f) {
-        using T = typename std::decay_t<decltype(f)>::Scalar;
-        return advected_momentum_before_left(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
-      },
-      start);
+  return solve_on_group(advected_momentum_equation_left(l, pi, a, act), start);
 }
 /// The same for a spatial momentum, right-invariant.
-/// @throws NotConverged, Singular  where the step is too long for the momentum
-/// @throws NotFinite               where momentum or vector is no number
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
 Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> const& mu,
                                                      Matrix<S, m, 1> const& a, Element<G, S> const& start,
                                                      Act const& act = {}) {
   require_finite(a, "advected_relative_motion_right: vector");
   require_finite(mu.components, "advected_relative_motion_right: momentum");
-  return solve_on_group(
-      [&](auto const& f) {
-        using T = typename std::decay_t<decltype(f)>::Scalar;
-        return advected_momentum_before_right(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
-      },
-      start);
+  return solve_on_group(advected_momentum_equation_right(l, mu, a, act), start);
 }
 
 /// The next relative motion, left-invariant: solves \ref advected_euler_poincare_left for `f21`; the initial
 /// guess repeats the last relative motion. The next vector is given by \ref advect_left.
-///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
 Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S> const& f10,
                                                         Matrix<S, m, 1> const& a0, Act const& act = {}) {
-  // The momentum at the end of the step before is given: solve for the motion that starts with it, at the
-  // advected vector.
   return advected_relative_motion_left(l, advected_momentum_after_left(l, f10, a0), advect_left(f10, a0, act),
                                        f10, act);
 }
 /// The next relative motion, right-invariant: solves \ref advected_euler_poincare_right for `f12`. The next
 /// vector is given by \ref advect_right.
-///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
 Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, S> const& f01,
@@ -252,16 +243,14 @@ Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const
 /// @param c  the vector that is fixed in space
 template <class F, class S, int m, class Act = MatrixAction>
 auto lift_advected_left(F l, Matrix<S, m, 1> const& c, Act act = {}) {
-  return [l, c, act](auto const& g0, auto const& g1) {
-    using T = typename std::decay_t<decltype(g0)>::Scalar;
+  return [l, c, act]<class G, class T>(Element<G, T> const& g0, Element<G, T> const& g1) {
     return l(relative_motion_left(g0, g1), act(inverse(g0), Matrix<T, m, 1>(c.template cast<T>())));
   };
 }
 /// The same, right-invariant: \f$(g_0, g_1)\mapsto\ell(g_0g_1^{-1},\, g_0c)\f$.
 template <class F, class S, int m, class Act = MatrixAction>
 auto lift_advected_right(F l, Matrix<S, m, 1> const& c, Act act = {}) {
-  return [l, c, act](auto const& g0, auto const& g1) {
-    using T = typename std::decay_t<decltype(g0)>::Scalar;
+  return [l, c, act]<class G, class T>(Element<G, T> const& g0, Element<G, T> const& g1) {
     return l(relative_motion_right(g0, g1), act(g0, Matrix<T, m, 1>(c.template cast<T>())));
   };
 }

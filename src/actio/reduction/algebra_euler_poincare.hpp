@@ -18,20 +18,19 @@ Momentum<G, S> composed(Momentum<G, S> const& mu, M const& a) {
 }
 
 /// \f$l'(-\xi/h)\cdot\chi(\pm\mathrm{ad}_\xi)\f$ as covectors: the momenta at the two ends of a step with
-/// relative motion \f$e^\xi\f$.
-///
-/// \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on \f$e^{\vartheta}f\f$,
-/// \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on \f$f\,e^\vartheta\f$.
+/// relative motion \f$e^\xi\f$. \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on
+/// \f$e^{\vartheta}f\f$, \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on
+/// \f$f\,e^\vartheta\f$.
 /// @param l  reduced Lagrangian, energy
 /// @param h  step, time; not zero, negative to go back
 template <Group G, Scalar S, class F, class T>
 Momentum<G, S> momentum_through_log_right(F const& l, T const& h, Velocity<G, S> const& xi) {
-  return {xi.group, chi(ad_matrix(xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
+  return composed(gradient(l, -xi / detail::constant<S>(h)), chi(ad_matrix(xi)));
 }
 /// \copydoc momentum_through_log_right
 template <Group G, Scalar S, class F, class T>
 Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> const& xi) {
-  return {xi.group, chi(ad_matrix(-xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
+  return composed(gradient(l, -xi / detail::constant<S>(h)), chi(ad_matrix(-xi)));
 }
 
 /// The residual of the implicit algorithm on the algebra, right-invariant: zero along the logarithms of the
@@ -73,30 +72,22 @@ Momentum<G, S> algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S
 }
 
 namespace detail {
-/// The algebra of G as a group under addition, so that Newton's iteration on a group applies to it.
-template <Group G>
-Translations<G::dim> additive_group(G const& group) {
-  if constexpr (G::dim == Dynamic)
-    return {group.dimension()};
-  else
-    return {};
-}
-/// Solves residual(xi) = 0 in the algebra.
+/// Solves residual(xi) = 0 in the algebra, by Newton's iteration on the group that it is under addition.
 template <Group G, Real S, class Residual>
 Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S> const& start) {
-  auto const on_coordinates = [&](auto const& x) {
-    using R = typename std::decay_t<decltype(x)>::Scalar;
-    return residual(Velocity<G, R>{start.group, x.value});
-  };
+  Translations<G::dim> additive{};
+  if constexpr (G::dim == Dynamic) additive = {start.group.dimension()};
   auto solved = solve_on_group(
-      on_coordinates, Element<Translations<G::dim>, S>{additive_group(start.group), start.coordinates});
+      [&]<class A, class R>(Element<A, R> const& x) {
+        return residual(Velocity<G, R>{start.group, x.value});
+      },
+      Element<Translations<G::dim>, S>{additive, start.coordinates});
   return {{start.group, solved.value.value}, std::move(solved.report)};
 }
 }  // namespace detail
 
 /// The next logarithm of a right-invariant system: solves \ref algebra_euler_poincare_right for `xi12`; the
 /// initial guess repeats the last relative motion.
-///
 /// @throws NotConverged, Singular where the step is too long for the discrete Lagrangian to be regular, or
 ///         for \f$\chi\f$
 template <ExponentialGroup G, Real S, class F, class T>
@@ -107,9 +98,7 @@ Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h,
       [&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, end_momentum); }, xi01);
 }
 /// The next logarithm of a left-invariant system: solves \ref algebra_euler_poincare_left for `xi21`.
-///
-/// @throws NotConverged, Singular where the step is too long for the discrete Lagrangian to be regular, or
-///         for \f$\chi\f$
+/// Otherwise as \ref step_algebra_euler_poincare_right.
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10) {
   detail::nonzero_step(h);

@@ -102,57 +102,43 @@ std::vector<S> fractions_of_a_step(std::vector<S> fractions) {
     throw OutsideDomain("composition", "the fractions of a step must add up to 1", to_double(sum), 1);
   return fractions;
 }
-/// Substeps one after another; `joined` is the relative motion over two of them, the earlier one first.
-template <class Step, class S, Group G, Scalar T, class Joined>
-MomentumStep<G, T> take_substeps(std::vector<Step> const& steps, std::vector<S> const& fractions,
-                                 MomentumState<G, T> const& from, S const& h, Joined const& joined) {
-  auto whole = steps[0](from, S(fractions[0] * h));
-  for (std::size_t k = 1; k < fractions.size(); ++k) {
-    auto next = steps[k](whole.state, S(fractions[k] * h));
-    whole = {joined(whole.relative_motion, next.relative_motion), std::move(next.state),
-             whole.evaluations + next.evaluations};
-  }
-  return whole;
-}
 }  // namespace detail
 
-/// Substeps \f$\gamma_1h, \dots, \gamma_nh\f$ of a right-invariant step as one step, with relative motion
-/// \f$f_1f_2\cdots f_n\f$.
-template <class Step, class S>
-struct ComposedRight {
+/// Substeps \f$\gamma_1h, \dots, \gamma_nh\f$ of a step as one step.
+/// @tparam Invariance  \ref RightInvariant or \ref LeftInvariant
+template <class Invariance, class Step, class S>
+struct Composed {
   std::vector<S> fractions;  ///< of the step; they add up to 1
   std::vector<Step> steps;   ///< (state, h) -> \ref MomentumStep, one for each fraction, since a step may
                              ///< remember the last one of its length
 
   /// @throws OutsideDomain, NotFinite  where the fractions do not add up to 1, or are no numbers
-  ComposedRight(Step step_of, std::vector<S> fractions_of)
+  Composed(Step step_of, std::vector<S> fractions_of)
       : fractions(detail::fractions_of_a_step(std::move(fractions_of))), steps(fractions.size(), step_of) {}
 
   /// A step of length h from a state.
   template <Group G, Scalar T>
   MomentumStep<G, T> operator()(MomentumState<G, T> const& from, std::type_identity_t<S> const& h) const {
-    return detail::take_substeps(steps, fractions, from, h,
-                                 [](auto const& before, auto const& after) { return before * after; });
+    auto whole = steps[0](from, S(fractions[0] * h));
+    for (std::size_t k = 1; k < fractions.size(); ++k) {
+      auto next = steps[k](whole.state, S(fractions[k] * h));
+      whole = {Invariance::joined(whole.relative_motion, next.relative_motion), std::move(next.state),
+               whole.evaluations + next.evaluations};
+    }
+    return whole;
   }
 };
-/// Substeps \f$\gamma_1h, \dots, \gamma_nh\f$ of a left-invariant step as one step, with relative motion
-/// \f$f_n\cdots f_2f_1\f$.
+/// Substeps of a right-invariant step as one step, with relative motion \f$f_1f_2\cdots f_n\f$.
 template <class Step, class S>
-struct ComposedLeft {
-  std::vector<S> fractions;  ///< of the step; they add up to 1
-  std::vector<Step> steps;   ///< (state, h) -> \ref MomentumStep, one for each fraction, since a step may
-                             ///< remember the last one of its length
-
+struct ComposedRight : Composed<RightInvariant, Step, S> {
   /// @throws OutsideDomain, NotFinite  where the fractions do not add up to 1, or are no numbers
-  ComposedLeft(Step step_of, std::vector<S> fractions_of)
-      : fractions(detail::fractions_of_a_step(std::move(fractions_of))), steps(fractions.size(), step_of) {}
-
-  /// A step of length h from a state.
-  template <Group G, Scalar T>
-  MomentumStep<G, T> operator()(MomentumState<G, T> const& from, std::type_identity_t<S> const& h) const {
-    return detail::take_substeps(steps, fractions, from, h,
-                                 [](auto const& before, auto const& after) { return after * before; });
-  }
+  ComposedRight(Step step, std::vector<S> const& parts) : ComposedRight::Composed(std::move(step), parts) {}
+};
+/// Substeps of a left-invariant step as one step, with relative motion \f$f_n\cdots f_2f_1\f$.
+template <class Step, class S>
+struct ComposedLeft : Composed<LeftInvariant, Step, S> {
+  /// @throws OutsideDomain, NotFinite  where the fractions do not add up to 1, or are no numbers
+  ComposedLeft(Step step, std::vector<S> const& parts) : ComposedLeft::Composed(std::move(step), parts) {}
 };
 
 }  // namespace actio

@@ -29,9 +29,7 @@ S discrete_one_form_plus(L const& lagrangian, Element<G, S> const& g0, Element<G
 }
 
 /// \f$\partial_2 D_1 L\f$: how \f$D_1 L(g_0, g_1)\f$ changes when \f$g_1\f$ does. Row: component of D1;
-/// column: direction in which g1 moves.
-///
-/// L is regular at (g0, g1) where this matrix has an inverse.
+/// column: direction in which g1 moves. L is regular at (g0, g1) where this matrix has an inverse.
 template <Group G, Scalar S, class L>
 auto mixed_derivative(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   int const n = g0.group.dimension();

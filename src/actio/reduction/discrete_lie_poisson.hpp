@@ -43,15 +43,37 @@ Momentum<G, S> lie_poisson_update_left(Element<G, S> const& f, Momentum<G, S> co
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> relative_motion_from_momentum_right(F const& l, Momentum<G, S> const& mu,
                                                           Element<G, S> const& start) {
-  return solve_on_group([&](auto const& f) { return right_differential(l, f) + like(f, mu); }, start);
+  return solve_on_group(momentum_equation_right(l, mu), start);
 }
 /// The relative motion of the step that starts with a given body momentum: solves \f$-L_f^*\ell'(f) = \Pi\f$
-/// near `start`.
-/// @throws NotConverged, Singular  where the step is too long for the momentum
+/// near `start`. Otherwise as \ref relative_motion_from_momentum_right.
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> relative_motion_from_momentum_left(F const& l, Momentum<G, S> const& pi,
                                                          Element<G, S> const& start) {
-  return solve_on_group([&](auto const& f) { return left_differential(l, f) + like(f, pi); }, start);
+  return solve_on_group(momentum_equation_left(l, pi), start);
 }
+
+/// The equations of right-invariant systems, for what is written once for both sides.
+struct RightInvariant {
+  /// \f$\mu_1 = -L_f^*\ell'(f)\f$: the momentum at the end of a step.
+  static auto momentum_after(auto const& l, auto const& f) { return -left_differential(l, f); }
+  /// \ref momentum_equation_right.
+  static auto momentum_equation(auto const& l, auto const& mu) { return momentum_equation_right(l, mu); }
+  /// \ref lie_poisson_update_right.
+  static auto lie_poisson_update(auto const& f, auto const& mu) { return lie_poisson_update_right(f, mu); }
+  /// The relative motion over two steps, \f$g_0g_2^{-1} = f_{01}f_{12}\f$.
+  static auto joined(auto const& f01, auto const& f12) { return f01 * f12; }
+};
+/// The equations of left-invariant systems.
+struct LeftInvariant {
+  /// \f$\Pi_1 = -R_f^*\ell'(f)\f$: the momentum at the end of a step.
+  static auto momentum_after(auto const& l, auto const& f) { return -right_differential(l, f); }
+  /// \ref momentum_equation_left.
+  static auto momentum_equation(auto const& l, auto const& pi) { return momentum_equation_left(l, pi); }
+  /// \ref lie_poisson_update_left.
+  static auto lie_poisson_update(auto const& f, auto const& pi) { return lie_poisson_update_left(f, pi); }
+  /// The relative motion over two steps, \f$g_2^{-1}g_0 = f_{21}f_{10}\f$.
+  static auto joined(auto const& f10, auto const& f21) { return f21 * f10; }
+};
 
 }  // namespace actio

@@ -146,8 +146,7 @@ struct GalerkinStep {
       start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));
     auto& solver = remembered.template solver<Translations<Dynamic>>(from.velocity, h);
     auto const xi = solver.solve(
-        [&](auto const& x) {
-          using R = typename std::decay_t<decltype(x)>::Scalar;
+        [&]<class R>(Element<Translations<Dynamic>, R> const& x) {
           return Momentum<Translations<Dynamic>, R>{
               x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
         },
@@ -161,12 +160,10 @@ struct GalerkinStep {
         end.coordinates[a].part[0] += xi.value[nu * n + a] * path.final_slope[nu];
     }
     auto const f = exp(Velocity<G, S>{mu.group, -xi.value.tail(n)});
-    Momentum<G, S> after = mu;
-    if constexpr (side > 0)
-      after = lie_poisson_update_right(f, mu);
-    else
-      after = lie_poisson_update_left(f, mu);
-    return {f, {after, velocity_of_path<side>(end) / S(h)}, solver.report().evaluations};
+    using Invariance = std::conditional_t<(side > 0), RightInvariant, LeftInvariant>;
+    return {f,
+            {Invariance::lie_poisson_update(f, mu), velocity_of_path<side>(end) / S(h)},
+            solver.report().evaluations};
   }
 };
 }  // namespace detail
@@ -180,8 +177,8 @@ struct GalerkinStep {
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 /// @param s  degree and number of nodes, 1 to 8
 /// @throws OutsideDomain  at once for a degree that is none of these; when called, for a step that is zero or
-/// not finite, or leaves every chart When called, Singular and NotConverged where the step is too long for
-/// the momentum.
+///                        not finite, or leaves every chart
+/// @throws NotConverged, Singular  when called, where the step is too long for the momentum
 template <Real S, class F>
 auto galerkin_step_right(F l, int s) {
   return detail::GalerkinStep<1, F, S>{std::move(l), PolynomialPath<S>(s)};

@@ -4,8 +4,7 @@
 // at the start of the next, whatever the lengths of the two. An integrator on momenta is a callable (state,
 // h) -> MomentumStep. Such steps follow each other, are composed (composition.hpp) and exchanged
 // (galerkin.hpp) independently of each other. The momentum is spatial in right-invariant systems, that of the
-// body in left-invariant ones; configurations are put together from the relative motions where they are asked
-// for.
+// body in left-invariant ones; configurations follow from the relative motions where they are asked for.
 #pragma once
 
 #include <utility>
@@ -46,67 +45,59 @@ void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
 }
 }  // namespace detail
 
+/// The step of an invariant system as a map of the momentum: solves the momentum equation and transports the
+/// momentum by \f$\mathrm{Ad}^*\f$.
+///
+/// Steps of one length that follow each other are solved for as those of \ref EulerPoincareSteps: what one
+/// has found out about the equation serves the next. A step remembers it, and belongs to one thread at a
+/// time.
+/// @tparam Invariance  \ref RightInvariant or \ref LeftInvariant
+template <class Invariance, class Family>
+struct LiePoissonStep {
+  Family family;                                ///< h -> reduced discrete Lagrangian
+  detail::RememberedSolutions remembered = {};  ///< of the last calls
+
+  /// A step of length h from a state.
+  /// @throws OutsideDomain           for a step that is zero or not finite
+  /// @throws NotConverged, Singular  where the step is too long for the momentum
+  template <ExponentialGroup G, Real S>
+  MomentumStep<G, S> operator()(MomentumState<G, S> const& from,
+                                std::type_identity_t<Base<S>> const& h) const {
+    detail::require_steppable(from, h);
+    auto const l = family(h);
+    auto& solver = remembered.template solver<G>(from.velocity, h);
+    auto const f = solver.solve(Invariance::momentum_equation(l, from.momentum), exp(S(-h) * from.velocity));
+    return {
+        f, {Invariance::lie_poisson_update(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
+  }
+};
+
 /// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and transports \f$\mu\f$ to
 /// \f$\mathrm{Ad}^*_f\,\mu\f$ (3.17).
 ///
 /// \implements{claim_4_3_time_step_legendre}
-/// `family` is h -> reduced discrete Lagrangian, an action, at steps of either sign. Where it is
-/// self-adjoint, \f$\ell_{-h}(f^{-1}) = -\ell_h(f)\f$, a step by -h undoes one by h. Throws OutsideDomain for
-/// a step that is zero or not finite, and as \ref relative_motion_from_momentum_right does.
-///
-/// Steps of one length that follow each other are solved for as those of \ref EulerPoincareStepsRight: what
-/// one has found out about the equation serves the next. A step remembers it, and belongs to one thread at a
-/// time.
+/// @param family  h -> reduced discrete Lagrangian, an action, at steps of either sign. Where it is
+///                self-adjoint, \f$\ell_{-h}(f^{-1}) = -\ell_h(f)\f$, a step by -h undoes one by h.
 template <class Family>
-struct LiePoissonStepRight {
-  Family family;                                ///< h -> reduced discrete Lagrangian
-  detail::RememberedSolutions remembered = {};  ///< of the last calls
-
-  /// A step of length h from a state.
-  template <ExponentialGroup G, Real S>
-  MomentumStep<G, S> operator()(MomentumState<G, S> const& from,
-                                std::type_identity_t<Base<S>> const& h) const {
-    detail::require_steppable(from, h);
-    auto const l = family(h);
-    auto& solver = remembered.template solver<G>(from.velocity, h);
-    auto const f =
-        solver.solve([&](auto const& x) { return right_differential(l, x) + like(x, from.momentum); },
-                     exp(S(-h) * from.velocity));
-    return {f, {lie_poisson_update_right(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
-  }
-};
+auto lie_poisson_step_right(Family family) {
+  return LiePoissonStep<RightInvariant, Family>{std::move(family)};
+}
 /// The step of a left-invariant system: solves \f$-L_f^*\ell_h'(f) = \Pi\f$ and transports \f$\Pi\f$ to
-/// \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18). Otherwise as \ref LiePoissonStepRight.
+/// \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18). Otherwise as \ref lie_poisson_step_right.
 template <class Family>
-struct LiePoissonStepLeft {
-  Family family;                                ///< h -> reduced discrete Lagrangian
-  detail::RememberedSolutions remembered = {};  ///< of the last calls
-
-  /// A step of length h from a state.
-  template <ExponentialGroup G, Real S>
-  MomentumStep<G, S> operator()(MomentumState<G, S> const& from,
-                                std::type_identity_t<Base<S>> const& h) const {
-    detail::require_steppable(from, h);
-    auto const l = family(h);
-    auto& solver = remembered.template solver<G>(from.velocity, h);
-    auto const f =
-        solver.solve([&](auto const& x) { return left_differential(l, x) + like(x, from.momentum); },
-                     exp(S(-h) * from.velocity));
-    return {f, {lie_poisson_update_left(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
-  }
-};
+auto lie_poisson_step_left(Family family) { return LiePoissonStep<LeftInvariant, Family>{std::move(family)}; }
 
 /// The step by the natural chart (3.25) of a right-invariant system: order 2, self-adjoint.
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 template <class F>
 auto natural_chart_step_right(F l) {
-  return LiePoissonStepRight{[l](auto const& h) { return natural_chart_lagrangian_right(l, h); }};
+  return lie_poisson_step_right([l](auto const& h) { return natural_chart_lagrangian_right(l, h); });
 }
 /// The step by the natural chart (3.25) of a left-invariant system: order 2, self-adjoint.
 /// @param l  reduced Lagrangian, function of \f$g^{-1}\dot g\f$, energy
 template <class F>
 auto natural_chart_step_left(F l) {
-  return LiePoissonStepLeft{[l](auto const& h) { return natural_chart_lagrangian_left(l, h); }};
+  return lie_poisson_step_left([l](auto const& h) { return natural_chart_lagrangian_left(l, h); });
 }
 
 /// Steps of prescribed lengths, one after another; the state at the end.
@@ -125,6 +116,7 @@ MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Leng
   }
   return state;
 }
+
 /// Steps of prescribed lengths, with nothing asked on the way.
 template <class Step, Group G, Scalar S, class Lengths>
 MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> const& start, Lengths const& lengths) {

@@ -86,13 +86,10 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
   return {m.zeta.group, iex(ad_matrix(-m.eta)) * m.zeta.coordinates};
 }
 
-/// \f$h\,L(q, \cdot)\f$ with average and difference taken in the natural chart at a base point (right
-/// translation).
-///
-/// \f[ \eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2)),\quad \zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1)),\quad q =
-///   e^\eta g,\quad \xi = \mathrm{iex}(\mathrm{ad}_\eta)\,\zeta \f]
-/// \f$\xi\f$ is the velocity at q translated to the identity on the right, so that this is (3.20) with its
-/// push-forward carried out, (3.22).
+/// \f$h\,L(q, \xi)\f$ with average and difference taken in the natural chart at a base point (right
+/// translation): \f$q = e^\eta g\f$ and \f$\xi = \mathrm{iex}(\mathrm{ad}_\eta)\,\zeta\f$ of \ref
+/// chart_midpoint_right. \f$\xi\f$ is the velocity at q translated to the identity on the right, so that this
+/// is (3.20) with its push-forward carried out, (3.22).
 ///
 /// \implements{eq_3_20}
 /// @param L     Lagrangian on TG
@@ -104,30 +101,23 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_right(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
-  return [=](auto const& g1, auto const& g2) {
-    using Configuration = std::decay_t<decltype(g1)>;
-    using G = typename Configuration::GroupType;
-    using S = typename Configuration::Scalar;
-    Configuration const g = base(g1, g2);
+  return [=]<class G, class S>(Element<G, S> const& g1, Element<G, S> const& g2) {
+    Element<G, S> const g = base(g1, g2);
     // [eq_3_22]
     auto const m = chart_midpoint_right(g, g1, g2, h);
     return L(State<G, S>{exp(m.eta) * g, fibre_element_right(m)}) * detail::constant<S>(h);
     // [eq_3_22]
   };
 }
-
 /// The same with left translation: chart \f$\phi_g\f$, \f$q = g\,e^\eta\f$, body velocity
 /// \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$ at q.
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_left(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
-  return [=](auto const& g1, auto const& g2) {
-    using Configuration = std::decay_t<decltype(g1)>;
-    using G = typename Configuration::GroupType;
-    using S = typename Configuration::Scalar;
-    Configuration const g = base(g1, g2);
+  return [=]<class G, class S>(Element<G, S> const& g1, Element<G, S> const& g2) {
+    Element<G, S> const g = base(g1, g2);
     auto const m = chart_midpoint_left(g, g1, g2, h);
-    Configuration const q = g * exp(m.eta);
+    auto const q = g * exp(m.eta);
     return L(State<G, S>{q, Ad(q, fibre_element_left(m))}) * detail::constant<S>(h);
   };
 }
@@ -137,14 +127,11 @@ inline constexpr auto at_first = [](auto const& g1, auto const&) { return g1; };
 /// Base points of the chart: the later configuration.
 inline constexpr auto at_second = [](auto const&, auto const& g2) { return g2; };
 /// Base points of the chart: a fixed fraction of the way from the earlier configuration to the later one
-/// along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
-///
-/// Equivariant under translations on either side. All of these make the same discrete Lagrangian: average and
-/// difference commute.
+/// along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second. Equivariant under translations on either
+/// side. All of these make the same discrete Lagrangian: average and difference commute.
 template <class T>
 auto at_fraction(T fraction) {
-  return [fraction](auto const& g1, auto const& g2) {
-    using S = typename std::decay_t<decltype(g1)>::Scalar;
+  return [fraction]<class G, class S>(Element<G, S> const& g1, Element<G, S> const& g2) {
     return exp(detail::constant<S>(fraction) * natural_chart_right(g1, g2)) * g1;
   };
 }
@@ -159,8 +146,7 @@ auto at_fraction(T fraction) {
 template <class Reduced, class T>
 auto natural_chart_lagrangian_right(Reduced l, T h) {
   detail::nonzero_step(h);
-  return [=](auto const& f) {
-    using S = typename std::decay_t<decltype(f)>::Scalar;
+  return [=]<class G, class S>(Element<G, S> const& f) {
     S const step = detail::constant<S>(h);
     // [eq_3_25]
     return l(-log(f) / step) * step;
@@ -173,10 +159,8 @@ template <class Reduced, class T>
 auto natural_chart_lagrangian_left(Reduced l, T h) { return natural_chart_lagrangian_right(l, h); }
 
 /// The reduced discrete Lagrangian of a right-invariant system, chart at any base point that is equivariant
-/// under right translations.
-///
-/// \f[ \ell(f) = h\,l(\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta) \f]
-/// with \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$: multiplication on the right has translated the later
+/// under right translations: \f$\ell(f) = h\,l(\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta)\f$ with
+/// \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$. Multiplication on the right has translated the later
 /// configuration to the identity.
 ///
 /// \implements{cor_3_3_1, eq_3_23}
@@ -186,8 +170,7 @@ auto natural_chart_lagrangian_left(Reduced l, T h) { return natural_chart_lagran
 template <class Reduced, class T, class BasePoint>
 auto natural_chart_lagrangian_right(Reduced l, T h, BasePoint base) {
   detail::nonzero_step(h);
-  return [=](auto const& f) {
-    using S = typename std::decay_t<decltype(f)>::Scalar;
+  return [=]<class G, class S>(Element<G, S> const& f) {
     auto const e = identity<S>(f.group);
     // [eq_3_23]
     auto const m = chart_midpoint_right(base(f, e), f, e, h);
@@ -200,8 +183,7 @@ auto natural_chart_lagrangian_right(Reduced l, T h, BasePoint base) {
 template <class Reduced, class T, class BasePoint>
 auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
   detail::nonzero_step(h);
-  return [=](auto const& f) {
-    using S = typename std::decay_t<decltype(f)>::Scalar;
+  return [=]<class G, class S>(Element<G, S> const& f) {
     auto const e = identity<S>(f.group);
     auto const m = chart_midpoint_left(base(f, e), f, e, h);
     return l(fibre_element_left(m)) * detail::constant<S>(h);

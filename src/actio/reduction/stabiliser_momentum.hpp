@@ -28,9 +28,8 @@ Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, A
 /// stabilizer of the vector a. The same at both ends of every step.
 ///
 /// The generator is transported as the vector is: \f$\zeta_1 = \mathrm{Ad}_f\,\zeta_0\f$ for a left-invariant
-/// system, \f$\mathrm{Ad}_{f^{-1}}\zeta_0\f$ for a right-invariant one.
-/// For SO(3) on 3-space \f$\zeta = a\f$, which makes it \f$\langle\Pi, a\rangle\f$, the momentum about the
-/// vertical.
+/// system, \f$\mathrm{Ad}_{f^{-1}}\zeta_0\f$ for a right-invariant one. For SO(3) on 3-space
+/// \f$\zeta = a\f$, which makes it \f$\langle\Pi, a\rangle\f$, the momentum about the vertical.
 /// @throws OutsideDomain  where \f$\zeta a\f$ is not zero, so that nothing is conserved: its size over that
 ///                        of \f$\zeta\f$ times a, and the bound. Over the rationals it must be 0; elsewhere
 ///                        half of the digits are enough, since rounding may have moved generator and vector
