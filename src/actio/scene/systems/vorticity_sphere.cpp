@@ -131,7 +131,7 @@ double step_of(SceneTable const& method, Schedule const& schedule,
   double const fastest = flow->fastest_turning();
   double turn = 0.2;
   if (!method.has("step") && flow->apart.is_there() && fastest > 0)
-    while (turn > 1e-3 && !contracts(flow, scheme, default_step(schedule, turn / fastest))) turn /= 2;
+    while (turn > 1e-3 && !contracts(flow, scheme, turn / fastest)) turn /= 2;
   double const step = read_step(method, schedule, fastest, turn);
   // Up to here the iteration is known to contract from its first guess.
   if (fastest * step * scheme.longest() <= 0.3) return step;
