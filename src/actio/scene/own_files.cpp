@@ -216,10 +216,13 @@ void OwnFiles::begin(Of of, std::vector<std::string> const& names, long members)
 
 void OwnFiles::claim(std::vector<std::string> const& names) {
   std::string text;
+  std::vector<std::string> fresh;  // folders in which nothing can be yet
   for (std::string const within : folders_within)
     for (auto const& name : names)
       if (name.starts_with(within + "/")) {
-        if (::mkdirat(handle_, within.c_str(), 0777) != 0 && errno != EEXIST) fail(within, "cannot be made");
+        bool const made = ::mkdirat(handle_, within.c_str(), 0777) == 0;
+        if (!made && errno != EEXIST) fail(within, "cannot be made");
+        if (made) fresh.push_back(within + "/");
         if (!Within(handle_, within + "/").there())
           throw SceneError({folder_ + "/" + within},
                            "a folder is expected, and this is a file or a link; move it away");
@@ -231,7 +234,8 @@ void OwnFiles::claim(std::vector<std::string> const& names) {
   if (unlisted)
     for (auto const& name : names_) text += name + "\n";
   for (auto const& name : names) {
-    refuse_taken(name);
+    if (std::ranges::none_of(fresh, [&](auto const& folder) { return name.starts_with(folder); }))
+      refuse_taken(name);
     if (!has(name)) text += name + "\n";
   }
   if (!text.empty()) append(text);
