@@ -114,25 +114,11 @@ long steps_in_5_ms(int n, std::size_t substeps) {
   return std::max(1L, static_cast<long>(5e-3 / seconds));
 }
 
-/// Whether the iteration contracts at the start.
-bool contracts(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme, double step) {
-  try {
-    stepped_vorticity(flow, scheme, step)->advance(4);
-    return true;
-  } catch (NotContracting const&) {
-    return false;
-  }
-}
-
 /// The step of the scene: by default the largest eigenvalue of A is a tenth, where few iterations solve the
-/// step; or less where what turns as a whole is kept apart and the iteration contracts for no more.
+/// step.
 double step_of(SceneTable const& method, Schedule const& schedule,
                std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme) {
-  double const fastest = flow->fastest_turning();
-  double turn = 0.2;
-  if (!method.has("step") && flow->apart.is_there() && fastest > 0)
-    while (turn > 1e-3 && !contracts(flow, scheme, turn / fastest)) turn /= 2;
-  double const step = read_step(method, schedule, fastest, turn);
+  double const fastest = flow->fastest_turning(), step = read_step(method, schedule, fastest, 0.2);
   // Up to here the iteration is known to contract from its first guess.
   if (fastest * step * scheme.longest() <= 0.3) return step;
   try {
@@ -213,8 +199,7 @@ std::vector<Parameter> parameters() {
       {"method.step", "a number > 0", "from the time asked",
        "The time that a step takes, a whole number of times in the time between two rows. By default at "
        "most 0.2 hbar/|P| with the largest eigenvalue of the stream function: then the equation of a step "
-       "is solved in few iterations, which from about four times as long on do not converge. On a sphere "
-       "that turns fast it is halved until they do.",
+       "is solved in few iterations, which from about four times as long on do not converge.",
        "time", "0.01"});
   all.push_back(
       {"method.precision",
