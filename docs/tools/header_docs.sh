@@ -41,6 +41,9 @@ exec awk -v name="${1##*/}" '
         print (i == 1 ? "/// \\file " name " \\brief " : "/// ") plain(text)
         continue
       }
+      # What is compiled once elsewhere declares nothing new.
+      if (text ~ /^extern template/) elsewhere = 1
+      if (elsewhere) { print ""; if (text ~ /;/) elsewhere = 0; continue }
       # The body of a free function is indented like the members of a struct, and declares nothing.
       if (text ~ /^[a-zA-Z\[]/) within = text ~ /(^|> )(struct|class) / ? "type" : text ~ /^namespace/ ? "" : "function"
       if (text ~ /\\ref [A-Za-z_]+:/) { match(text, /\\ref [A-Za-z_]+:/); word = substr(text, RSTART + 5, RLENGTH - 6); text = substr(text, 1, RSTART + RLENGTH - 2) " \"" word "\"" substr(text, RSTART + RLENGTH - 1) }

@@ -109,7 +109,7 @@ std::vector<S> fractions_of_a_step(std::vector<S> fractions) {
 template <class Invariance, class Step, class S>
 struct Composed {
   std::vector<S> fractions;  ///< of the step; they add up to 1
-  std::vector<Step> steps;   ///< (state, h) -> \ref MomentumStep, one for each fraction, since a step may
+  std::vector<Step> steps;   ///< (state, h) -> `MomentumStep`, one for each fraction, since a step may
                              ///< remember the last one of its length
 
   /// @throws OutsideDomain, NotFinite  where the fractions do not add up to 1, or are no numbers
