@@ -172,6 +172,40 @@ void add_questions(CLI::App& command, Questions& asked, Action& action) {
       ->disable_flag_override();
 }
 
+/// Reads the arguments, does what they ask for, and makes a line and a status of what goes wrong.
+int answer(CLI::App& command, Action const& action, int argc, char** argv) {
+  try {
+    if (argc == 1) {
+      fmt::print(stderr, "{}", command.help());
+      return 2;
+    }
+    command.parse(argc, argv);
+    int const status = action();
+    if (std::fflush(stdout) != 0) throw scene::FileError("standard output: cannot be written");
+    return status;
+  } catch (CLI::Success const& help) {
+    return command.exit(help);
+  } catch (CLI::ParseError const& error) {
+    fmt::print(stderr, "{}\n", app::usage_error(command, error));
+    return 2;
+  } catch (scene::SceneError const& error) {
+    scene::say(stderr, std::string(error.what()) + "\n");
+    return 2;
+  } catch (scene::NumericsError const& error) {
+    scene::say(stderr, std::string(error.what()) + "\n");
+    return 3;
+  } catch (scene::FileError const& error) {
+    scene::say(stderr, std::string(error.what()) + "\n");
+    return 4;
+  } catch (std::system_error const& error) {
+    scene::say(stderr, std::string("standard output: ") + error.what() + "\n");
+    return 4;
+  } catch (std::bad_alloc const&) {
+    scene::say(stderr, "The memory does not suffice.\n");
+    return 4;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -204,35 +238,5 @@ int main(int argc, char** argv) {
   add_sweep(command, sweep, action);
   add_new(command, made, action);
   add_questions(command, asked, action);
-
-  try {
-    if (argc == 1) {
-      fmt::print(stderr, "{}", command.help());
-      return 2;
-    }
-    command.parse(argc, argv);
-    int const status = action();
-    if (std::fflush(stdout) != 0) throw scene::FileError("standard output: cannot be written");
-    return status;
-  } catch (CLI::Success const& help) {
-    return command.exit(help);
-  } catch (CLI::ParseError const& error) {
-    fmt::print(stderr, "{}\n", app::usage_error(command, error));
-    return 2;
-  } catch (scene::SceneError const& error) {
-    scene::say(stderr, std::string(error.what()) + "\n");
-    return 2;
-  } catch (scene::NumericsError const& error) {
-    scene::say(stderr, std::string(error.what()) + "\n");
-    return 3;
-  } catch (scene::FileError const& error) {
-    scene::say(stderr, std::string(error.what()) + "\n");
-    return 4;
-  } catch (std::system_error const& error) {
-    scene::say(stderr, std::string("standard output: ") + error.what() + "\n");
-    return 4;
-  } catch (std::bad_alloc const&) {
-    scene::say(stderr, "The memory does not suffice.\n");
-    return 4;
-  }
+  return answer(command, action, argc, argv);
 }

@@ -13,6 +13,7 @@ cmake -S "$source/tests/install_consumer" -B "$scratch/consumer" -G Ninja -DCMAK
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$scratch/prefix" >"$scratch/configure.log" || { cat "$scratch/configure.log"; exit 1; }
 cmake --build "$scratch/consumer"
 "$scratch/consumer/consumer"
+"$scratch/consumer/consumer_of_core"
 
 # Nothing installed may point back to where it was built.
 if grep -rlF -e "$source" -e "$build" "$scratch/prefix"; then

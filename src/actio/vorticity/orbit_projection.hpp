@@ -86,7 +86,7 @@ class OrbitProjection {
     if (!(report.left <= reach))
       throw OutsideDomain("orbit projection",
                           "along the orbit energy and angular momentum must come to their "
-                          "levels; what is left, relative to |W|",
+                          "levels; the residual, relative to |W|",
                           report.left, reach);
     if (report.newton_steps != 0) w = std::move(now);
     return report;
