@@ -14,6 +14,7 @@ cmake -S "$source/tests/install_consumer" -B "$scratch/consumer" -G Ninja -DCMAK
 cmake --build "$scratch/consumer"
 "$scratch/consumer/consumer"
 "$scratch/consumer/consumer_of_core"
+"$scratch/consumer/consumer_of_headers"
 
 # Nothing installed may point back to where it was built.
 if grep -rlF -e "$source" -e "$build" "$scratch/prefix"; then
