@@ -4,6 +4,8 @@
 // `--count`, and takes two numbers of steps of each kind; the difference holds no set-up. A count does not
 // depend on what else the machine is doing. Where valgrind is missing the program says so and writes no
 // report.
+#include <Eigen/Core>
+
 #include <cstdlib>
 #include <cstring>
 

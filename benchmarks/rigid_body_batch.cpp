@@ -4,6 +4,8 @@
 // Nanoseconds of processor time for a step of one body; contestants in turns, a tenth of the rounds below. A
 // call of a batch is 200 steps or more, so that the bodies are in the first cache, as far as a row of four is
 // concerned.
+#include <Eigen/Core>
+
 #include <memory>
 #include <utility>
 

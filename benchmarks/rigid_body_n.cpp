@@ -4,6 +4,8 @@
 // The unit is one dgemm of OpenBLAS on one processor. All steps have |xi|_2 = 1 and Lambda between 1/2 and 2,
 // so that the step h is the largest angle turned. The peers solve the same equation as a Riccati equation,
 // from scratch, as textbooks do; ours continues from the steps before.
+#include <Eigen/Core>
+
 #include <array>
 #include <random>
 

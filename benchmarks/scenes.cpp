@@ -4,6 +4,8 @@
 // For the counts the program starts itself under valgrind, as `instructions` does, with the words
 // `--steps KIND N EVERY`. Everything is written to a folder of its own among the temporary files and removed
 // at the end: a table of ten million rows takes half a gigabyte there.
+#include <Eigen/Core>
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

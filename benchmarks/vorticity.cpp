@@ -5,6 +5,8 @@
 // of the published codes, h |P|_2/(2 hbar) = 0.157. The smooth state has random harmonics of degrees below
 // ten, the developed one an enstrophy spectrum l^-1 up to the grid. The peer is the fixed point that the
 // published codes use, to their usual tolerance.
+#include <Eigen/Core>
+
 #include <random>
 
 #include "actio/vorticity/blas_products.hpp"

@@ -14,6 +14,7 @@
 
 #include <stdexcept>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
 #include "peers/quaternion.hpp"
 

@@ -4,10 +4,13 @@
 // what is cut off is below 1e-24.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <vector>
 
 #include "peers/stepper.hpp"
 #include "witness/taylor_reference.hpp"
+#include "actio/numbers/multiprecision.hpp"
 
 namespace peers {
 

@@ -8,6 +8,7 @@
 //   Gamma       the vertical in the body frame
 //
 // Compiled at -O2: it takes many steps.
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

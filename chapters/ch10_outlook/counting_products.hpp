@@ -2,6 +2,8 @@
 // product costs half of it.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/products.hpp"
 
 struct CountingProducts : actio::ProductsBy<CountingProducts> {

@@ -10,6 +10,8 @@
 //   psi   stream function                    C_k integral of the k-th power of the vorticity
 //
 // Compiled at -O2: it takes many steps.
+#include <Eigen/Core>
+
 #include "actio/vorticity/fast_vorticity_step.hpp"
 #include "actio/vorticity/sphere_invariants.hpp"
 #include "actio/vorticity/vorticity_step.hpp"

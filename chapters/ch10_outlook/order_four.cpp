@@ -7,6 +7,8 @@
 // against the products of matrices that it took. Read first. "Order four" of section 10A.4.
 //
 // Compiled at -O2: it takes many steps.
+#include <Eigen/Core>
+
 #include "actio/vorticity/diagonal_runge_kutta.hpp"
 #include "actio/vorticity/orbit_projection.hpp"
 #include "book/measure.hpp"

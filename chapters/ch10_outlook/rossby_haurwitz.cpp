@@ -9,6 +9,8 @@
 //   l, m   degree and order of the wave          h   length of a step
 //
 // Compiled at -O2: it takes many steps.
+#include <Eigen/Core>
+
 #include "actio/vorticity/sphere_invariants.hpp"
 #include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/vorticity_step.hpp"

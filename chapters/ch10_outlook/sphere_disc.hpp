@@ -1,6 +1,8 @@
 // A field on the sphere as a coloured disc: the sphere seen from afar.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/sphere_grid.hpp"
 #include "book/svg.hpp"
 

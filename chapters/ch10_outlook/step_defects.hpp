@@ -5,6 +5,8 @@
 // of fourth order, so that an error of 1e-8 in the map becomes one of about 1e-6 in the tangent.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <vector>
 

@@ -2,6 +2,8 @@
 // fluid on the sphere, and how good its bracket is.
 //
 // Compiled at -O2: it takes many steps.
+#include <Eigen/Core>
+
 #include "book/try_it.hpp"
 #include "actio/multisymplectic/asynchronous_steps.hpp"
 #include "actio/multisymplectic/body_shapes.hpp"

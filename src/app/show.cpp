@@ -1,5 +1,7 @@
 // actio show: all that is known of a name. A name that several things have, or several systems, is told for
 // each.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "python/algebras.hpp"
 
 #include <pybind11/stl.h>

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "python/registry.hpp"
 
 #include "actio/scene/bodies.hpp"

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/errors.hpp"
 
 namespace actio {

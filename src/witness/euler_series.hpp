@@ -6,6 +6,8 @@
 // elliptic functions.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

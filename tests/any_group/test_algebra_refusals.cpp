@@ -1,5 +1,7 @@
 // What is measured, and against which bound, where an algebra or a name is refused, and how far a matrix is
 // from a group.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/any_group/membership.hpp"

@@ -1,6 +1,7 @@
 // What Casimirs are found with: monomials, conditions with few terms, whole coefficients, and the defect.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/any_group/invariants.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "witness/draw.hpp"

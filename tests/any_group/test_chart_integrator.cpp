@@ -1,5 +1,7 @@
 // Runs by the natural chart: configurations, what a run remembers, what a step costs, and where it is
 // refused.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "message_of.hpp"

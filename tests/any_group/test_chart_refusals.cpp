@@ -1,5 +1,7 @@
 // Steps of the natural chart at the ends of their domain, with what is measured there; and the tangent of a
 // step.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/any_group/least_regular.hpp"

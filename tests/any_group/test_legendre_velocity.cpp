@@ -1,4 +1,6 @@
 // The Legendre map of a Lagrangian that is told at run time.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 

@@ -1,4 +1,6 @@
 // Bases and structure constants of the groups with names are those of the library's types.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/any_group/named_algebra.hpp"

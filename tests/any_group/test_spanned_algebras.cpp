@@ -1,4 +1,6 @@
 // Algebras given by a basis: projection, refusals, carried vectors; and the Casimirs of all algebras.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/any_group/invariants.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/constraints/multiplier_theorem.hpp"
 #include "refused.hpp"
 

@@ -2,6 +2,7 @@
 // and numbers that carry a divergence are dual numbers of dual numbers.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/continuum/elastic_equation.hpp"
 #include "refused.hpp"
 #include "witness/draw.hpp"

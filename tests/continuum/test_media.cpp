@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "witness/draw.hpp"

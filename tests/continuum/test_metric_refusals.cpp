@@ -2,6 +2,7 @@
 // dimensions and in any units.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/continuum/continuum_equations.hpp"
 #include "caught.hpp"
 #include "refused.hpp"

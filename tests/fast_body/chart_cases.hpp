@@ -1,6 +1,8 @@
 // Bodies for the tests of the natural-chart scheme on SO(n), n at run time.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "../rigid_body/random_bodies.hpp"
 #include "actio/fast_body/any_dimension/natural_chart_n.hpp"
 

@@ -1,10 +1,13 @@
 // Bodies and motions that break codes, and how far apart two of their motions are.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cstdint>
 #include <random>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/free_steps.hpp"
 #include "free_body_witness.hpp"
 

@@ -1,5 +1,7 @@
 // A charted body on SO(n) that is saved between two steps and restored elsewhere continues bit for bit, also
 // before it remembers as many turns as it can.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"

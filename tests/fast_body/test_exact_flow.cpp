@@ -9,6 +9,7 @@
 #include "../rigid_body/random_bodies.hpp"
 #include "hard_bodies.hpp"
 #include "witness/taylor_reference.hpp"
+#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 

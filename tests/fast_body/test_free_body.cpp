@@ -1,4 +1,6 @@
 // The free body: bodies, motions, units and input that break codes.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"

@@ -1,8 +1,11 @@
 // The free body over many bodies and many steps: ten thousand nasty ones against power series, a thousand
 // seconds of hard bodies, a million steps.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "hard_bodies.hpp"
 

@@ -1,5 +1,7 @@
 // What a free body says of itself: its symmetry, its pace, how near the separatrix is, and the longest steps
 // of its schemes.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_body/space/free_steps.hpp"

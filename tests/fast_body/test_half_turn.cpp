@@ -1,8 +1,11 @@
 // The Moser-Veselov scheme as a half turn, against its equation: exactly over the rationals, and against the
 // general solver to rounding.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/compensated_half_turn.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"

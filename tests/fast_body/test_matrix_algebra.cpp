@@ -1,6 +1,8 @@
 // Matrices in blocks, against matrices of Eigen: whole numbers, of which every sum is exact, in matrices
 // without any symmetry, of sizes on both sides of those at which blocks, rows of blocks and pieces of sums
 // end.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include <random>

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/exact_flow.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
 #include "witness/draw.hpp"

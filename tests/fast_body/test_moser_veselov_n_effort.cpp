@@ -1,5 +1,7 @@
 // What a step on SO(n) by squares costs: few squares at the start, one once enough steps are remembered; and
 // the largest step where n is large, at the ends of what it is asked for.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"

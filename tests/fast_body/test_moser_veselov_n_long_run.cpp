@@ -1,5 +1,7 @@
 // A million steps on SO(8) by squares: traces that are conserved, momentum in space, attitude, and how their
 // changes grow.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"

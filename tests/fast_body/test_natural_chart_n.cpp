@@ -1,4 +1,6 @@
 // The natural-chart scheme on SO(n), n at run time: held to its own equations, and to what it must refuse.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "bytes.hpp"

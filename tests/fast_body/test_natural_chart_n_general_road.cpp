@@ -1,4 +1,6 @@
 // The natural-chart scheme on SO(n), n at run time, held to the general road.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/rigid_body/natural_chart_scheme.hpp"

@@ -1,5 +1,7 @@
 // One-parameter subgroups of SO(n): the end and the mean of what they transport, against the exponential
 // series in more digits and the equations that determine the mean.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include <random>

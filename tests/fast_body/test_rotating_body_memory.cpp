@@ -1,4 +1,6 @@
 // A body on SO(n) that is saved between two steps and restored elsewhere continues bit for bit.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"

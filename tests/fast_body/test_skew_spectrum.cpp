@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include <random>

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "../rigid_body/random_bodies.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/torqued_batch.hpp"
 #include "actio/reduction/composition.hpp"
 #include "refused.hpp"

@@ -1,5 +1,7 @@
 // Torques and bodies under a torque that there are not: which number was out of bounds, and by what. And the
 // torque of gravity in an orbit, against its potential.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include <set>

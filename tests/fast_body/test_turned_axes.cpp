@@ -1,5 +1,7 @@
 // A body that is described in a frame other than that of its principal axes moves as the same body described
 // along them.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_body/space/free_steps.hpp"

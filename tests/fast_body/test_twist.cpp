@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/explicit_moser_veselov.hpp"
 #include "actio/fast_body/space/short_flow.hpp"
 

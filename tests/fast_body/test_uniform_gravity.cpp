@@ -1,4 +1,6 @@
 // The heavy top by kicks and exact drifts: its order, what it conserves, and a benchmark.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/euler_poisson.hpp"

@@ -6,6 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/numbers/derivative.hpp"

@@ -4,6 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/formula/term.hpp"

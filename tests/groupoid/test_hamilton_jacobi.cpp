@@ -2,6 +2,7 @@
 // against its first terms, the integrators it makes, refusals.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/rotations.hpp"

@@ -1,6 +1,7 @@
 // Rotations by angles up to pi, in 50 digits, and how far their logarithm is off.
 #pragma once
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/rotations.hpp"
 #include "witness/draw.hpp"
 

@@ -1,6 +1,7 @@
 // At half a turn the logarithm has no value, and says so; next to it, it has one.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/unit_quaternions.hpp"
 #include "angles_next_to_pi.hpp"

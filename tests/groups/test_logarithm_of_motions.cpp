@@ -2,6 +2,7 @@
 // against 50 digits.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
 #include "angles_next_to_pi.hpp"
 

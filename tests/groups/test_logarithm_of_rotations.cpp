@@ -2,6 +2,7 @@
 // and against 50 digits.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/groups/unit_quaternions.hpp"
 #include "angles_next_to_pi.hpp"

@@ -1,6 +1,7 @@
 // The logarithm is relatively accurate down to angles of 1e-40: against 50 digits.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/groups/unit_quaternions.hpp"
 #include "angles_next_to_pi.hpp"

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "angles_next_to_pi.hpp"
+#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 using namespace actio::testing;

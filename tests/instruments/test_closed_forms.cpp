@@ -1,6 +1,7 @@
 // The instruments against maps whose defects are known in closed form, and over the rationals.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/momentum_defect.hpp"

@@ -1,6 +1,7 @@
 // Maps that are Poisson by construction, to rounding at fifty digits, and one that is not.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"

@@ -2,6 +2,7 @@
 // is the one that (6.12) writes term by term.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "polynomial_models.hpp"
 #include "witness/draw.hpp"

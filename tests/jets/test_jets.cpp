@@ -1,6 +1,7 @@
 // Jets of sections, densities on them, and what they refuse.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/continuum/materials.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "actio/jets/prolongation.hpp"

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "media.hpp"
+#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 using namespace actio::testing;

@@ -1,5 +1,7 @@
 // The fast road of media held to the general road: the discrete Euler-Lagrange field equations of the
 // density, by duals.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/continuum/materials.hpp"

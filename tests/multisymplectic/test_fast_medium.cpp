@@ -1,5 +1,7 @@
 // The fused steps of media in the plane, held to a plain loop over cells in matrices of Eigen, and to
 // themselves: for any number of threads and levels every bit is the same.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 #include <random>

@@ -1,6 +1,7 @@
 // Stored energies and stresses of small strains against 50 digits: nothing is lost, however small they are.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/multisymplectic/fast_medium_2d.hpp"
 #include "actio/multisymplectic/fast_medium_3d.hpp"
 #include "actio/multisymplectic/medium_on_mesh.hpp"

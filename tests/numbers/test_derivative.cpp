@@ -3,6 +3,7 @@
 // when the program runs.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/taylor.hpp"

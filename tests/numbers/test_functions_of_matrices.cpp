@@ -1,6 +1,9 @@
 // Functions of matrices against closed forms, and where they are refused the figure that was measured.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/eigenvalues.hpp"
 #include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/numbers/matrix_logarithm.hpp"

@@ -1,7 +1,10 @@
 // Sums, products, norms and largest entries of matrices that are not square, against plain loops over whole
 // numbers.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/errors.hpp"
 #include "actio/numbers/matrix.hpp"
 #include "refused.hpp"

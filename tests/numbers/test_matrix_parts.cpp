@@ -1,5 +1,7 @@
 // Parts and shapes of matrices that are not square, entry by entry: of a matrix, of a view of every second
 // row of one, and of both where they are constant.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include <sstream>

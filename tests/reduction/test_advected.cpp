@@ -2,6 +2,7 @@
 // what is conserved, and refusals.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/spanned_group.hpp"

@@ -2,6 +2,7 @@
 // end the slope, against power series.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/reduction/composition.hpp"
 #include "uneven_lagrangian.hpp"
 

@@ -1,6 +1,7 @@
 // The orders of Galerkin steps, twice the degree, in 50 digits against power series.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/reduction/galerkin.hpp"
 #include "refused.hpp"
 #include "uneven_lagrangian.hpp"

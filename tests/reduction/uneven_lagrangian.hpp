@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"

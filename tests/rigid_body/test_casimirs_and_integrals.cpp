@@ -2,6 +2,7 @@
 // steps, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/rigid_body/algebra_poisson.hpp"
 #include "actio/rigid_body/casimirs.hpp"
 #include "actio/rigid_body/isospectral.hpp"

@@ -11,6 +11,7 @@
 #include "euler_poisson.hpp"
 #include "random_bodies.hpp"
 #include "witness/taylor_reference.hpp"
+#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;

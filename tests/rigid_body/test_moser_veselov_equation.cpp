@@ -1,5 +1,7 @@
 // What the solver of Moser and Veselov's equation asks of a relative motion, each against its definition: its
 // determinant, the branch it is on, and how far a first guess is from the solution.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/rigid_body/moser_veselov.hpp"

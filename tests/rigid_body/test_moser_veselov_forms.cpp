@@ -1,6 +1,7 @@
 // DEP, DLP and DEL are three forms of one motion, and that of the general road.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/reduction/discrete_euler_poincare.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "random_bodies.hpp"

@@ -2,6 +2,7 @@
 // one body, against 50 digits.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 
 using namespace actio;

@@ -1,4 +1,6 @@
 // The catalogue of bodies: what is in it, and what it says of a file that is wrong.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include <unistd.h>

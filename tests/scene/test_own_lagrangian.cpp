@@ -1,5 +1,7 @@
 // Scenes of a Lagrangian of one's own: against the systems that the program knows, against solutions by
 // somebody else's code, and refused where they are wrong.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "last_row.hpp"

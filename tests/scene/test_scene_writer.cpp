@@ -1,4 +1,6 @@
 // What is written back is read again as the same, to the last bit.
+#include <Eigen/Core>
+
 #include <toml++/toml.h>
 
 #include <bit>

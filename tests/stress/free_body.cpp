@@ -10,6 +10,7 @@
 #include "../fast_body/hard_bodies.hpp"
 #include "book/measure.hpp"
 #include "book/program.hpp"
+#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 using testing::FreePath, testing::FreeProblem, testing::ConservationErrors, testing::conservation_errors;

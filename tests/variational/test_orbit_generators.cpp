@@ -2,6 +2,7 @@
 // what was measured.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/special_linear.hpp"

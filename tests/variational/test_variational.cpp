@@ -1,6 +1,7 @@
 // Variational mechanics as a reader uses it: known equations of motion, quadrature, orbits.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/unit_quaternions.hpp"
 #include "actio/variational/action.hpp"

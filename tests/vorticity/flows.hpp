@@ -1,6 +1,8 @@
 // States of the fluid on the sphere for the tests, and what is measured of them.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <random>
 #include <vector>

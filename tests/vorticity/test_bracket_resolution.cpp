@@ -1,4 +1,6 @@
 // Commutators of matrices against Poisson brackets of functions: order 2 in 1/N, and how large they differ.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/numbers/gauss_quadrature.hpp"

@@ -2,6 +2,8 @@
 // rounding.
 //
 // In a unit of its own, which is as large as a unit may be.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 #include <random>
 

@@ -1,5 +1,7 @@
 // Flows whose motion is known: steady ones, waves of Rossby and Haurwitz, and what is near them; the order of
 // each form of the step; and the way back.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/vorticity_step.hpp"

@@ -1,5 +1,7 @@
 // Steps in mixed precision: their unit, what they keep and when they try it, and the ways on where single
 // precision or an estimate is not good enough.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/fast_vorticity_step.hpp"

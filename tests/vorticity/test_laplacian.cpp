@@ -1,4 +1,6 @@
 // The Laplacian of the quantised sphere, held to double commutators and to its eigenvalues; its inverse.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "flows.hpp"

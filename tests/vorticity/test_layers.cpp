@@ -1,4 +1,6 @@
 // The stream function of a layer: what is subtracted from the Laplacian, and its waves.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/helmholtz_stream.hpp"

@@ -1,5 +1,7 @@
 // Harmonics as matrices: held to Clebsch-Gordan coefficients, to eigenvectors of the Laplacian, and to the
 // coordinates.
+#include <Eigen/Core>
+
 #include <gsl/gsl_sf_coupling.h>
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,7 @@
 // How large a matrix is as an operator: the methods of Lanczos and of powers against whole Krylov spaces, and
 // what is made of their estimates.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/operator_radius.hpp"

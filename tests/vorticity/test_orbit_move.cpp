@@ -1,5 +1,7 @@
 // The move along the orbit by its definition: commutators with the spins column by column, the Newton step
 // from whole matrices in double precision, and what the unit and the size of a move change.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/orbit_move.hpp"

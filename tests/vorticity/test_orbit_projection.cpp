@@ -1,5 +1,7 @@
 // The projection along the orbit: it reaches the levels of energy and angular momentum, goes no farther than
 // it must, and says where they are not reached.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/orbit_projection.hpp"

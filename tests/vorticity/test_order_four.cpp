@@ -2,6 +2,8 @@
 // composed, and the projection along the orbit leaves it so.
 //
 // In a unit of its own, which is as large as a unit may be.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/diagonal_runge_kutta.hpp"

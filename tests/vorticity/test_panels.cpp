@@ -1,5 +1,7 @@
 // Who multiplies what: the panels of a product, the threads that take them, and the blocks of a symmetric
 // flow.
+#include <Eigen/Core>
+
 #include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <chrono>

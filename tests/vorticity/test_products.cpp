@@ -1,4 +1,6 @@
 // Products of real matrices: that the backend can be exchanged, and that threads change nothing.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 #include <random>
 

@@ -1,4 +1,6 @@
 // What is far from the diagonals of smooth flows is not multiplied, and nothing changes by that.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/bracket_blocks.hpp"

@@ -2,6 +2,8 @@
 // the reach of its factors, its degree, and the finish.
 //
 // In a unit of its own, which is as large as a unit may be.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/isospectral_finish.hpp"

@@ -1,6 +1,8 @@
 // Functions on the sphere as numbers on a grid: against many digits, back again, and the velocity of a flow.
 //
 // In a unit of its own, which is as large as a unit may be.
+#include <Eigen/Core>
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <random>

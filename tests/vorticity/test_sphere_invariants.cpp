@@ -1,4 +1,6 @@
 // Energy, angular momentum, Casimir functions: each by a second road.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "flows.hpp"

@@ -1,4 +1,6 @@
 // Long runs: what each form of the step conserves, and that nothing of it drifts.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/vorticity_step.hpp"

@@ -1,4 +1,6 @@
 // What a flow leaves alone and what it stirs; flows with a symmetry, and products by blocks.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/bracket_blocks.hpp"

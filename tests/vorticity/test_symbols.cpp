@@ -1,4 +1,6 @@
 // Matrices as functions: the symbol of Berezin is a mean, and stays within the spectrum.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 #include <random>
 

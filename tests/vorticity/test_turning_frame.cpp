@@ -1,4 +1,6 @@
 // Finite rotations of matrices, held to those of functions; and the frame in which a flow is calmest.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "flows.hpp"

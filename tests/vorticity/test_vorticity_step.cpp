@@ -1,4 +1,6 @@
 // The step of the fluid on the sphere: what each form conserves, and that it goes back.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/vorticity_step.hpp"

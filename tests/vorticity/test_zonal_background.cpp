@@ -1,5 +1,7 @@
 // Steps of a flow apart from what turns as a whole: they are the steps of the sum, and what they conserve
 // they conserve to the rounding of the flow, however fast the sphere turns.
+#include <Eigen/Core>
+
 #include <boost/test/unit_test.hpp>
 
 #include "actio/vorticity/helmholtz_stream.hpp"

@@ -1,6 +1,7 @@
 // Random draws: reproducible, evenly spread, the same point at every scalar.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
 #include "witness/draw.hpp"
 

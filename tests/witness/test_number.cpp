@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/forms/metric.hpp"
 #include "actio/numbers/linear.hpp"
 #include "actio/numbers/second_order.hpp"

@@ -2,6 +2,8 @@
 // vectors, and configurations where they are asked for.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <span>
 

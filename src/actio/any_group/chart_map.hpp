@@ -2,6 +2,8 @@
 // and instruments are made of.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/any_group/chart_integrator.hpp"
 
 namespace actio {

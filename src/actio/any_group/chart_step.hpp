@@ -13,6 +13,8 @@
 // <chi(A)^T p, eta> = <p, eta - [hv, eta]/2 - (hv) eta (hv)/4>, with products of matrices in the last term.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cmath>
 #include <memory>

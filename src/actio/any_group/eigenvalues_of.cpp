@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/any_group/eigenvalues_of.hpp"
 
 namespace actio {

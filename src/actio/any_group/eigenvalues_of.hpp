@@ -1,6 +1,8 @@
 // The eigenvalues of a real matrix, from the GNU Scientific Library.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/numbers/eigenvalues.hpp"
 
 namespace actio {

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/any_group/group_families.hpp"
 
 namespace actio {

@@ -2,6 +2,8 @@
 // matrix is from each group.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/any_group/matrix_algebra.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/linear_groups.hpp"

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/any_group/least_regular.hpp"
 
 namespace actio {

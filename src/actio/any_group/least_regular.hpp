@@ -1,6 +1,8 @@
 // In which direction a Lagrangian is least regular.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/any_group/legendre_velocity.hpp"
 #include "actio/numbers/eigenvalues.hpp"
 

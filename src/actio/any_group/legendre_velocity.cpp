@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/any_group/legendre_velocity.hpp"
 
 namespace actio {

@@ -1,6 +1,8 @@
 // The Legendre map of a reduced Lagrangian at run time: velocities from momenta, and the energy.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/any_group/reduced_system.hpp"
 #include "actio/numbers/iex.hpp"
 

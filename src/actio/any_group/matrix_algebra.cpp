@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/any_group/matrix_algebra.hpp"
 
 namespace actio {

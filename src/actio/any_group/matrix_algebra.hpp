@@ -5,6 +5,8 @@
 // in another language can give. Entries and constants that are zero are not stored.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <utility>
 

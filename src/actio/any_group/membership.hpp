@@ -1,6 +1,8 @@
 // Whether a matrix is an element of a group that is told at run time.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <limits>
 
 #include "actio/any_group/span_of_matrices.hpp"

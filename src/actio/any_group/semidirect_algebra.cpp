@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/any_group/semidirect_algebra.hpp"
 
 namespace actio {

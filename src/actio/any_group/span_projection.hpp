@@ -2,6 +2,8 @@
 // whole numbers where the basis is simple enough.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <string>

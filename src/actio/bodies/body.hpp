@@ -1,6 +1,8 @@
 // A body of the catalogue: what is known of it, in the frame in which it is given.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <string>
 #include <vector>
 

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/bodies/body_catalogue.hpp"
 
 #include <toml++/toml.h>

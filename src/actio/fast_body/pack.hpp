@@ -87,13 +87,7 @@ enum class Machine {
 };
 
 /// The best that this machine can do.
-inline Machine best_machine() {
-#if ACTIO_AVX2
-  static bool const able = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (able) return Machine::avx2;
-#endif
-  return Machine::plain;
-}
+Machine best_machine();
 /// Its name, for people.
 inline std::string name_of(Machine machine) { return machine == Machine::avx2 ? "AVX2" : "baseline"; }
 

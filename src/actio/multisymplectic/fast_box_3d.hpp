@@ -42,26 +42,14 @@ struct FastBox3d {
   /// The reference volume of a cell.
   double measure() const { return spacing[0] * spacing[1] * spacing[2]; }
   /// The period of a direction.
-  detail::Space<double> shift(int d) const {
-    auto const& p = period[d];
-    if (p[0] != 0 || p[1] != 0 || p[2] != 0) return {p[0], p[1], p[2]};
-    double const length = cells[d] * spacing[d];
-    return {d == 0 ? length : 0, d == 1 ? length : 0, d == 2 ? length : 0};
-  }
+  detail::Space<double> shift(int d) const;
   /// The share that node k of direction d has of the mass of an inner node: a half at ends.
   double share(int d, int k) const { return detail::share_of_node(*this, d, k); }
   /// Whether forces change component c of the velocity at node k of direction d.
   bool moves(int d, int k, int c) const { return detail::node_moves(*this, d, k, c); }
   /// What force per mass density becomes acceleration with: one over the reference volume that a node has,
   /// or 0.
-  double response(std::array<int, 3> const& node, int c) const {
-    double volume = measure();
-    for (int d = 0; d < 3; ++d) {
-      if (!moves(d, node[d], c)) return 0;
-      volume *= share(d, node[d]);
-    }
-    return 1 / volume;
-  }
+  double response(std::array<int, 3> const& node, int c) const;
 
   /// @throws OutsideDomain  where there are no cells, lengths are not positive, or a direction is periodic at
   ///   one end alone

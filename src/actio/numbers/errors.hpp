@@ -2,7 +2,7 @@
 // for it.
 #pragma once
 
-#include <sstream>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,10 +19,8 @@ struct Error : std::runtime_error {
 
 /// A number for a message: enough digits to see on which side of the bound it lies.
 inline std::string show(double x) {
-  std::ostringstream out;
-  out.precision(9);
-  out << x;
-  return out.str();
+  char digits[32];
+  return {digits, digits + std::snprintf(digits, sizeof digits, "%.9g", x)};
 }
 
 /// An argument outside the set a function is defined on. Carries the measured quantity and the bound it

@@ -1,10 +1,16 @@
 // The requirements on a matrix, and the sizes of one.
 #pragma once
 
-#include <Eigen/Core>
-
 #include <concepts>
 #include <cstddef>
+
+// Matrices of Eigen go in and come out where a program includes it; named here, so that no other has to.
+namespace Eigen {
+template <class Scalar, int rows, int columns, int options, int most_rows, int most_columns>
+class Matrix;
+template <class Derived>
+class MatrixBase;
+}  // namespace Eigen
 
 namespace actio {
 

@@ -1,15 +1,10 @@
 // Scalars: the numbers that every formula of the library is written over.
 //
 // A formula is written once and evaluated in double, in 50 or 100 decimal digits, over the rationals (where
-// it needs no root and no transcendental function), and in each of these extended by infinitesimals
-// (dual.hpp) or by powers of the time (taylor.hpp). `Scalar` asks for the four operations; `Real` asks for
-// roots and transcendental functions as well.
+// it needs no root and no transcendental function; multiprecision.hpp has these numbers), and in each of these
+// extended by infinitesimals (dual.hpp) or by powers of the time (taylor.hpp). `Scalar` asks for the four
+// operations; `Real` asks for roots and transcendental functions as well.
 #pragma once
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/gmp.hpp>
-
-#include <Eigen/Core>
 
 #include <cmath>
 #include <concepts>
@@ -19,16 +14,6 @@
 #include "actio/numbers/matrix.hpp"
 
 namespace actio {
-
-/// Floating point with 50 decimal digits.
-using dec50 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-/// Floating point with 100 decimal digits.
-using dec100 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
-/// Exact rational numbers: a residual over them is zero or it is not.
-using rational =
-    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// The plain number at the bottom of a scalar: `double` of a dual number over dual numbers over `double`.
 template <class S>
@@ -46,9 +31,16 @@ concept ChosenAtRunTime = requires {
   { S::arithmetic().ordered() } -> std::convertible_to<bool>;
 };
 
+/// What is said once of a type of numbers of another library: that it is a plain number, and whether its
+/// arithmetic has no rounding at all.
+template <class S>
+struct NumberTraits {
+  static constexpr bool plain = std::is_arithmetic_v<S>, exact = false;
+};
+
 /// A plain number: extended by nothing.
 template <class S>
-concept Plain = std::is_arithmetic_v<S> || boost::multiprecision::is_number<S>::value || ChosenAtRunTime<S>;
+concept Plain = NumberTraits<S>::plain || ChosenAtRunTime<S>;
 
 /// Numbers that add, subtract, multiply and divide exactly or to rounding.
 template <class S>
@@ -64,7 +56,7 @@ concept Scalar = requires(S const& a, S const& b) {
 /// Whether a scalar has no rounding at all, as its type says. One whose arithmetic is chosen at run time is
 /// not counted: \ref exact_arithmetic.
 template <class S>
-inline constexpr bool is_exact = std::same_as<Base<S>, rational>;
+inline constexpr bool is_exact = NumberTraits<Base<S>>::exact;
 
 /// Whether the arithmetic of a scalar has no rounding at all: known to the compiler, or, where it is chosen
 /// at run time, now.
@@ -128,13 +120,14 @@ template <Plain S>
 S magnitude(S const& x) { return x < 0 ? S(-x) : x; }
 
 /// Whether every coefficient of `x` is a finite number.
-inline bool is_finite(double x) { return std::isfinite(x); }
-template <class Backend>
-bool is_finite(boost::multiprecision::number<Backend, boost::multiprecision::et_off> const& x) {
-  if constexpr (std::same_as<Backend, boost::multiprecision::gmp_rational>)
+template <Plain S>
+  requires(!ChosenAtRunTime<S>)
+bool is_finite(S const& x) {
+  using std::isfinite;
+  if constexpr (is_exact<S>)
     return true;
   else
-    return boost::multiprecision::isfinite(x);
+    return isfinite(x);
 }
 
 /// Two integers as an exact fraction of the scalar: `ratio<S>(1, 3)`. A decimal literal would be wrong after

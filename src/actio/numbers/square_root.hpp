@@ -5,7 +5,8 @@
 // exactly, derivatives and all.
 #pragma once
 
-#include <string>
+#include <cmath>
+#include <optional>
 
 #include "actio/numbers/dual.hpp"
 #include "actio/numbers/errors.hpp"
@@ -18,28 +19,24 @@ struct NotASquare : NotInThisField {
   using NotInThisField::NotInThisField;
 };
 
-/// \f$\sqrt x\f$ of a real number: that of its scalar.
-template <Plain S>
-  requires(!is_exact<S>)
-S square_root(S const& x) {
-  using std::sqrt;
-  return sqrt(x);
-}
+/// Roots in an exact field: `ExactRoot<S>::of(x)` is the root of x where x is a square, else empty.
+template <class S>
+struct ExactRoot;
 
-/// \f$\sqrt x\f$ of a rational number.
-/// @throws NotASquare  where it is irrational or imaginary; the measured number is x itself, the bound 0
-/// Accuracy: exact.
-inline rational square_root(rational const& x) {
-  using boost::multiprecision::mpz_int;
-  auto const fail = [&] {
+/// \f$\sqrt x\f$ of a number: that of its scalar.
+/// @throws NotASquare  over the rationals, where it is irrational or imaginary; the measured number is x
+///                     itself, the bound 0
+/// Accuracy: that of the scalar's root; exact over the rationals.
+template <Plain S>
+S square_root(S const& x) {
+  if constexpr (is_exact<S>) {
+    if (auto const root = ExactRoot<S>::of(x)) return *root;
     throw NotASquare("square_root", "the square of a rational number is needed over the rationals",
                      to_double(x), 0);
-  };
-  if (x < 0) fail();
-  mpz_int const above = numerator(x), below = denominator(x);
-  mpz_int const p = sqrt(above), q = sqrt(below);
-  if (p * p != above || q * q != below) fail();
-  return rational(p) / rational(q);
+  } else {
+    using std::sqrt;
+    return sqrt(x);
+  }
 }
 
 /// \f$\sqrt{x + \epsilon x'} = \sqrt x + \epsilon x'/(2\sqrt x)\f$.

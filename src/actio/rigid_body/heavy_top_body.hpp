@@ -13,6 +13,8 @@
 // frame of the body is that of its principal axes at the fixed point.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/advected.hpp"
 #include "actio/rigid_body/principal_inertia.hpp"
@@ -130,15 +132,8 @@ struct TurnedHeavyTop {
 /// @param tensor  inertia about the centre of mass, 3 by 3, symmetric, in any body frame
 /// @param centre  centre of mass from the fixed point, in that frame
 /// @throws NotFinite, OutsideDomain, UnphysicalInertia  as \ref heavy_top and \ref principal_inertia
-inline TurnedHeavyTop held_anywhere(double mass, Eigen::Matrix3d const& tensor, Eigen::Vector3d const& centre,
-                                    Eigen::Vector3d const& gravity) {
-  if (!is_finite(mass) || !is_finite(centre)) throw NotFinite("heavy top: mass or centre of mass");
-  if (mass < 0) throw OutsideDomain("heavy top", "the mass must not be negative", mass, 0);
-  principal_inertia(tensor);  // refuses what is no inertia of a body
-  auto const [inertia, axes] = principal_inertia(
-      tensor + mass * (centre.squaredNorm() * Eigen::Matrix3d::Identity() - centre * centre.transpose()));
-  return {heavy_top<double>(mass, inertia, axes.transpose() * centre, gravity), axes};
-}
+TurnedHeavyTop held_anywhere(double mass, Eigen::Matrix3d const& tensor, Eigen::Vector3d const& centre,
+                                    Eigen::Vector3d const& gravity);
 
 /// The state of a top that is let go with attitude g and body velocity xi.
 template <Real S>

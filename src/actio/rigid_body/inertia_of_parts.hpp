@@ -1,6 +1,8 @@
 // The inertia of a body that is made of parts: point masses and solid cylinders.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <vector>
 
 #include "actio/rigid_body/principal_inertia.hpp"
@@ -27,13 +29,7 @@ inline Eigen::Matrix3d inertia_tensor(PointMass const& p) {
 }
 /// The tensor of inertia of a cylinder about the origin: \f$\tfrac12mr^2\f$ about its axis,
 /// \f$\tfrac1{12}m(3r^2+l^2)\f$ across, and its centre as a point mass.
-inline Eigen::Matrix3d inertia_tensor(Cylinder const& c) {
-  Eigen::Vector3d const axis = c.along.stableNormalized();
-  double const about = c.mass * c.radius * c.radius / 2,
-               across = c.mass * (3 * c.radius * c.radius + c.length * c.length) / 12;
-  return across * Eigen::Matrix3d::Identity() + (about - across) * axis * axis.transpose() +
-         inertia_tensor(PointMass{c.mass, c.at});
-}
+Eigen::Matrix3d inertia_tensor(Cylinder const& c);
 /// The same parts, seen from their common centre of mass.
 template <class Part>
 std::vector<Part> from_centre_of_mass(std::vector<Part> parts) {

@@ -69,12 +69,7 @@ struct IsospectralDegree {
 };
 /// The degrees of the integrals for n by n matrices: (2k, j) with \f$1\le k\le n/2\f$ and
 /// \f$0\le j\le n-2k\f$.
-inline std::vector<IsospectralDegree> isospectral_degrees(int n) {
-  std::vector<IsospectralDegree> degrees;
-  for (int k = 2; k <= n; k += 2)
-    for (int j = 0; j + k <= n; ++j) degrees.push_back({k, j});
-  return degrees;
-}
+std::vector<IsospectralDegree> isospectral_degrees(int n);
 
 /// All integrals that the spectrum of the Lax matrix gives, in the order of \ref isospectral_degrees: the
 /// coefficients of \f$z^{n-2k-j}s^j\f$ in \f$\det(z - M - s\Lambda^2)\f$.

@@ -10,26 +10,7 @@ namespace actio {
 namespace detail {
 
 /// \f$s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big)\f$ at \f$s = e^{t}\f$.
-inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> const& m, double t) {
-  double const s = std::exp(t);
-  // Plain loops: this is no template, so every unit that includes the header compiles it, and Eigen's product
-  // of matrices takes the compiler half a second.
-  Index const n = lambda.size();
-  // [longest_step]
-  Vector<double> w(n);
-  for (Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);
-  Matrix<double> a(n, n), square(n, n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) a(i, j) = w[i] * m(i, j) * w[j];
-  // The spectral radius of i A, A skew, is the largest singular value of A.
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) {
-      square(i, j) = 0;
-      for (Index k = 0; k < n; ++k) square(i, j) += a(k, i) * a(k, j);
-    }
-  return s * std::sqrt(largest_eigenvalue(square));
-  // [longest_step]
-}
+double spin_against_inertia(Vector<double> const& lambda, Matrix<double> const& m, double t);
 
 /// The largest value of f between a and b, where it has one hump, by golden section.
 template <class F>

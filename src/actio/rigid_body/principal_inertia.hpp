@@ -2,6 +2,8 @@
 // to.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/rigid_body/inertia.hpp"
 
 namespace actio {
@@ -39,21 +41,7 @@ struct PrincipalInertia {
 /// @throws NotFinite          where an entry is no number
 /// @throws OutsideDomain      where the tensor is not symmetric up to rounding
 /// @throws UnphysicalInertia  where it is not positive definite or breaks the triangle inequality
-inline PrincipalInertia principal_inertia(Eigen::Matrix3d const& tensor) {
-  if (!is_finite(tensor)) throw NotFinite("inertia: tensor");
-  double const scale = magnitude(tensor);
-  double const skew = scale > 0 ? magnitude((tensor - tensor.transpose()).eval()) / scale : 0.0;
-  if (skew > inertia_tolerance<double>())
-    throw OutsideDomain("inertia",
-                        "a tensor of inertia is symmetric; largest difference across the "
-                        "diagonal, in units of the largest entry",
-                        skew, inertia_tolerance<double>());
-  if (scale == 0) return {inertia_from_moments(0, 0, 0), tensor};  // refused there
-  SymmetricEigen const found = symmetric_eigen(tensor / scale);
-  Eigen::Matrix3d axes = found.vectors;
-  if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
-  return {inertia_from_moments<double>(found.values * scale), axes};
-}
+PrincipalInertia principal_inertia(Eigen::Matrix3d const& tensor);
 
 /// \f$M = I\omega\f$, both in the frame of the body; energy x time.
 inline Momentum<SO<3>, double> body_momentum(PrincipalInertia const& inertia,

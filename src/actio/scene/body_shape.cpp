@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/body_shape.hpp"
 
 #include <algorithm>

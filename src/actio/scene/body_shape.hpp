@@ -2,6 +2,8 @@
 // the parts of a body of the catalogue.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <optional>
 #include <vector>
 

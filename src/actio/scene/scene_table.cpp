@@ -1,4 +1,6 @@
 // One table of a scene: which keys are there and where, and defaults that are written back.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 
 #include <algorithm>

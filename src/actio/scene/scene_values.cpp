@@ -1,4 +1,6 @@
 // The values of a table of a scene, each read as what it is to be.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 
 #include <algorithm>

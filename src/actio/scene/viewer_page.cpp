@@ -1,4 +1,6 @@
 // The page of a run: a template that the program carries, and the run as JSON inside it.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

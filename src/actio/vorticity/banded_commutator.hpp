@@ -1,6 +1,8 @@
 // Commutators with a matrix that has a few diagonals: no product of matrices is needed.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 
 #include "actio/vorticity/skew_hermitian.hpp"

@@ -13,6 +13,8 @@
 // size alone, and the threads are ours and take panels as they become free.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <atomic>
 #include <condition_variable>
 #include <functional>

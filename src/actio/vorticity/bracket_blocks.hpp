@@ -6,6 +6,8 @@
 // zero.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <numeric>
 
 #include "actio/vorticity/products.hpp"

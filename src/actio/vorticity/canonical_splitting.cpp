@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/canonical_splitting.hpp"
 
 namespace actio {

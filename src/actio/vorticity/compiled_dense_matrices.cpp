@@ -1,4 +1,6 @@
 // Eigenvalues and products of whole matrices, compiled once.
+#include <Eigen/Core>
+
 #include "actio/vorticity/dense_matrices.hpp"
 
 namespace actio {

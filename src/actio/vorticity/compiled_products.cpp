@@ -1,4 +1,6 @@
 // Products of matrices by Eigen, compiled once.
+#include <Eigen/Core>
+
 #include "actio/vorticity/products.hpp"
 
 namespace actio {

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/diagonal_runge_kutta.hpp"
 
 namespace actio {

@@ -13,6 +13,8 @@
 // the step are self-adjoint, too, and are composed in the same way.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/reduction/composition.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 

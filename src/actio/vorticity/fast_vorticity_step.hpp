@@ -16,6 +16,8 @@
 // and not to rounding, so going back returns to the tolerance.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/isospectral_finish.hpp"
 #include "actio/vorticity/operator_radius.hpp"
 #include "actio/vorticity/orbit_move.hpp"

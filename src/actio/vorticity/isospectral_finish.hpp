@@ -12,6 +12,8 @@
 // What would add up over many steps is kept small (better_middle).
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cmath>
 
 #include "actio/vorticity/single_cayley.hpp"

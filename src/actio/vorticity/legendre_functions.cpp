@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/legendre_functions.hpp"
 
 namespace actio {

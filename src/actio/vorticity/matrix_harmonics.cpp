@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/matrix_harmonics.hpp"
 
 namespace actio {

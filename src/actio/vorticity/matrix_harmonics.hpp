@@ -14,6 +14,8 @@
 // joined. Neighbouring k share the a_l, and are the lanes of a block. Nothing is stored but one block.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/quantized_sphere.hpp"
 
 namespace actio {

@@ -1,6 +1,8 @@
 // How large a skew-Hermitian matrix is, as an operator and beside another one, in O(N^2) operations.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/orbit_correction.hpp"
 
 namespace actio {

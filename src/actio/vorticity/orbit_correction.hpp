@@ -11,6 +11,8 @@
 // small, and what is divided by it should be more than rounding.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <limits>
 #include <optional>

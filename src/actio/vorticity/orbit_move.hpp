@@ -13,6 +13,8 @@
 // power of two, and the orders are divided by it, and added, in double precision.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/banded_commutator.hpp"
 #include "actio/vorticity/dense_matrices.hpp"
 #include "actio/vorticity/single_cayley.hpp"

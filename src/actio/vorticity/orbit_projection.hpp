@@ -16,6 +16,8 @@
 // that little. So the X_i themselves are made orthonormal.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <limits>

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/past_steps.hpp"
 
 namespace actio {

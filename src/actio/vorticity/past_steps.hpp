@@ -2,6 +2,8 @@
 // time through them.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <deque>
 

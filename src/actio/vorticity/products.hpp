@@ -6,6 +6,8 @@
 // serve (MatrixProducts): Eigen, a BLAS, block by block, or what a reader has.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <memory>
 
 #include "actio/vorticity/reach.hpp"

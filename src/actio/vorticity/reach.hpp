@@ -5,6 +5,8 @@
 // rounding: a product of two such matrices takes O(N) operations for each pair of diagonals that they have.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <limits>
 

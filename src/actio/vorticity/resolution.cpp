@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/resolution.hpp"
 
 namespace actio {

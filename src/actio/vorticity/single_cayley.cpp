@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/single_cayley.hpp"
 
 namespace actio {

@@ -12,6 +12,8 @@
 // Single precision is enough where what is conjugated is small beside what the result is added to.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/products.hpp"
 
 namespace actio {

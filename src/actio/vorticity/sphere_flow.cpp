@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/sphere_flow.hpp"
 
 namespace actio {

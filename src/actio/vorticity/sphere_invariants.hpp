@@ -2,6 +2,8 @@
 // vorticity.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/matrix_harmonics.hpp"
 #include "actio/vorticity/turning_frame.hpp"
 

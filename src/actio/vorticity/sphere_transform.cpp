@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/sphere_transform.hpp"
 
 namespace actio {

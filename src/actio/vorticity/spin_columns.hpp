@@ -2,6 +2,8 @@
 // is sums over their entries, and they need not be stored.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <limits>

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/spin_commutator.hpp"
 
 namespace actio {

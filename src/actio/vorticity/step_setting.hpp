@@ -1,6 +1,8 @@
 // What the steps of a flow on the sphere have in common: what they conserve, what they report, how they fail.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/products.hpp"
 #include "actio/vorticity/turning_frame.hpp"
 

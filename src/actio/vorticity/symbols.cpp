@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/symbols.hpp"
 
 namespace actio {

@@ -10,6 +10,8 @@
 // symbol do.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/matrix_harmonics.hpp"
 
 namespace actio {

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/turning_frame.hpp"
 
 namespace actio {

@@ -5,6 +5,8 @@
 // back where it is looked at. In the frame of a Rossby-Haurwitz wave nothing moves.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/dense_matrices.hpp"
 #include "actio/vorticity/spin_commutator.hpp"
 

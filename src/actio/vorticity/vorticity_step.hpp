@@ -21,6 +21,8 @@
 // no number of the size of b is added to one of the flow (zonal_background.hpp).
 #pragma once
 
+#include <Eigen/Core>
+
 #include <deque>
 #include <limits>
 

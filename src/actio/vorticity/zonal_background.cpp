@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/vorticity/zonal_background.hpp"
 
 namespace actio {

@@ -16,6 +16,8 @@
 // with the diagonal matrices take O(N^2) operations.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/products.hpp"
 #include "actio/vorticity/quantized_sphere.hpp"
 

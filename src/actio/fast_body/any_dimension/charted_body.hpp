@@ -2,6 +2,8 @@
 // the rotation vectors of the last steps.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <span>
 
@@ -72,12 +74,7 @@ class ChartedBody {
   /// The rotation vector Z of the last step but k.
   double* past(int k) { return array(first_turn_ + (latest_ + k) % longest); }
 
-  Eigen::MatrixXd whole(int k) const {
-    Eigen::MatrixXd m(size(), size());
-    for (int j = 0; j < size(); ++j)
-      for (int i = 0; i < size(); ++i) m(i, j) = array(k)[detail::full_entry(shape_, i, j)];
-    return m;
-  }
+  Eigen::MatrixXd whole(int k) const;
   void set(int k, Eigen::MatrixXd const& m) {
     for (int j = 0; j < size(); ++j)
       for (int i = 0; i < size(); ++i) array(k)[detail::full_entry(shape_, i, j)] = m(i, j);

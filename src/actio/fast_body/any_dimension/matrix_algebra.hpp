@@ -20,19 +20,7 @@ void product_plain(int n, double const* g, double const* e, double* product) {
 /// Full matrices of one size. Results lie elsewhere than factors, where nothing else is said.
 class MatrixAlgebra {
  public:
-  explicit MatrixAlgebra(int n, Machine machine = best_machine()) : shape_(n), size_(full_size(shape_)) {
-    bool const avx2 = machine == Machine::avx2;
-    switch (shape_.blocks()) {
-      case 1:
-        product_ = avx2 ? &product_avx2<1> : &product_plain<1>;
-        break;
-      case 2:
-        product_ = avx2 ? &product_avx2<2> : &product_plain<2>;
-        break;
-      default:
-        product_ = avx2 ? &product_avx2<0> : &product_plain<0>;
-    }
-  }
+  explicit MatrixAlgebra(int n, Machine machine = best_machine());
   Blocked<0> const& shape() const { return shape_; }
   /// How many numbers a matrix has here.
   std::size_t size() const { return size_; }
@@ -42,12 +30,7 @@ class MatrixAlgebra {
     product_(shape_.n, a, b, result);
   }
   /// \f$t - t^T\f$ in place of t: for t = a b^T with skew a and b it is \f$-[a,b]\f$.
-  void subtract_transposed(double* t) const {
-    pairs(t, [](FourLanes& x, FourLanes& y) {
-      FourLanes const difference = x - y;
-      y = -difference, x = difference;
-    });
-  }
+  void subtract_transposed(double* t) const;
   /// \f$t^T\f$ in place of t.
   void transpose_in_place(double* t) const {
     pairs(t, [](FourLanes& x, FourLanes& y) { std::swap(x, y); });

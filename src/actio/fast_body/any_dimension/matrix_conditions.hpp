@@ -1,6 +1,8 @@
 // What is asked of a matrix: that it is a rotation, of the right size; that it is positive definite.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <gsl/gsl_linalg.h>
 
 #include <vector>
@@ -10,42 +12,14 @@
 namespace actio::detail {
 
 /// The sign of the determinant, 0 for a singular matrix; by the elimination of GSL.
-inline int sign_of_determinant(Eigen::MatrixXd a) {
-  auto view = as_gsl(a);
-  std::vector<std::size_t> rows(static_cast<std::size_t>(a.rows()));
-  gsl_permutation permutation{rows.size(), rows.data()};
-  int sign = 1;
-  gsl_linalg_LU_decomp(&view.matrix, &permutation, &sign);
-  return gsl_linalg_LU_sgndet(&view.matrix, sign);
-}
+int sign_of_determinant(Eigen::MatrixXd a);
 
 /// Whether a symmetric matrix is positive definite, by the pivots of the elimination.
-inline bool positive_definite(Eigen::MatrixXd a) {
-  for (Eigen::Index k = 0; k < a.cols(); ++k) {
-    if (!(a(k, k) > 0)) return false;
-    Eigen::Index const left = a.rows() - k - 1;
-    for (Eigen::Index j = 0; j < left; ++j)
-      a.col(k + 1 + j).tail(left) -= a.col(k).tail(left) * (a(k + 1 + j, k) / a(k, k));
-  }
-  return true;
-}
+bool positive_definite(Eigen::MatrixXd a);
 
 /// @throws NotFinite      where an entry is no number
 /// @throws OutsideDomain  where g is not n by n, has an entry of \f$g^Tg - 1\f$ of 1e-8 or more, or is a
 ///                        reflection
-inline void require_rotation(Eigen::MatrixXd const& g, int n, char const* where) {
-  constexpr double most = 1e-8;
-  if (g.rows() != n || g.cols() != n)
-    throw OutsideDomain(where, "as many rows and columns as there are Lambda are needed; rows",
-                        static_cast<double>(g.rows()), n);
-  require_finite(g, where);
-  double distance = 0;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i <= j; ++i) distance = std::max(distance, std::abs(g.col(i).dot(g.col(j)) - (i == j)));
-  if (!(distance < most))
-    throw OutsideDomain(where, "a rotation is needed; largest entry of g^T g - 1", distance, most);
-  if (int const det = sign_of_determinant(g); det != 1)
-    throw OutsideDomain(where, "a rotation is needed; its determinant", det, 1);
-}
+void require_rotation(Eigen::MatrixXd const& g, int n, char const* where);
 
 }  // namespace actio::detail

@@ -16,40 +16,10 @@ class OneParameterSubgroup {
       : algebra_(algebra), term_(algebra.size()), product_(algebra.size()), motion_(algebra.size()) {}
 
   /// \f$e = \exp(-Z) - 1\f$, with 1 + e orthogonal to the rounding of e.
-  void relative_motion(double const* z, double* e) {
-    int const halvings = halvings_of(z);
-    series_of_exponential(z, std::ldexp(1.0, -halvings), e);
-    for (int k = 0; k < halvings; ++k) {
-      // (1 + e)^2 - 1.
-      std::copy(e, e + algebra_.size(), term_.data());
-      algebra_.transpose_in_place(term_.data());
-      algebra_.times_transposed(e, term_.data(), product_.data());
-      algebra_.scale(2, e), algebra_.add(1, product_.data(), e);
-    }
-    orthogonalize(e);
-  }
+  void relative_motion(double const* z, double* e);
 
   /// \f$\int_0^1 e^{-sZ}P\,e^{sZ}\,ds\f$, for skew P.
-  void mean(double const* z, double const* p, double* result) {
-    int const halvings = halvings_of(z);
-    series_of_mean(z, std::ldexp(1.0, -halvings), p, result);
-    if (halvings == 0) return;
-    double* const f = motion_.data();
-    series_of_exponential(z, std::ldexp(1.0, -halvings), f);
-    double* const room = term_.data();
-    algebra_.add_identity(f);
-    for (int k = 0; k < halvings; ++k) {
-      // Over twice the way: half of the mean q so far, and half of f q f^T.
-      algebra_.times_transposed(f, result, room), algebra_.times_transposed(room, f, product_.data());
-      algebra_.add(-1, product_.data(), result);
-      algebra_.scale(0.5, result), algebra_.make_skew(result);
-      if (k + 1 == halvings) break;
-      std::copy(f, f + algebra_.size(), room);
-      algebra_.transpose_in_place(room);
-      algebra_.times_transposed(f, room, product_.data());
-      std::copy(product_.data(), product_.data() + algebra_.size(), f);
-    }
-  }
+  void mean(double const* z, double const* p, double* result);
 
   /// A bound on the largest angle of the rotation exp(Z): at most \f$(n/2)^{1/4}\f$ times it.
   double angle_bound(double const* z) {
@@ -66,43 +36,10 @@ class OneParameterSubgroup {
     double const bound = angle_bound(z);
     return bound > 0.5 ? 1 + std::ilogb(2 * bound) : 0;
   }
-  void series_of_exponential(double const* z, double part, double* e) {
-    double const size = part * algebra_.norm(z);
-    std::copy(z, z + algebra_.size(), e);
-    algebra_.scale(-part, e);
-    std::copy(e, e + algebra_.size(), term_.data());
-    for (int k = 2; k < 40; ++k) {
-      algebra_.times_transposed(term_.data(), z, product_.data());
-      std::swap(term_, product_);
-      algebra_.scale(part / k, term_.data());
-      algebra_.add(1, term_.data(), e);
-      if (!(algebra_.norm(term_.data()) > rounding * size)) break;
-    }
-  }
-  void series_of_mean(double const* z, double part, double const* p, double* result) {
-    double const size = algebra_.norm(p);
-    std::copy(p, p + algebra_.size(), result);
-    std::copy(p, p + algebra_.size(), term_.data());
-    for (int k = 2; k < 60; ++k) {
-      algebra_.times_transposed(z, term_.data(), product_.data());
-      algebra_.subtract_transposed(product_.data());
-      std::swap(term_, product_);
-      algebra_.scale(part / k, term_.data());
-      algebra_.add(1, term_.data(), result);
-      if (!(algebra_.norm(term_.data()) > rounding * size)) break;
-    }
-  }
+  void series_of_exponential(double const* z, double part, double* e);
+  void series_of_mean(double const* z, double part, double const* p, double* result);
   /// With f = 1 + e and \f$f^Tf = 1 + x\f$: \f$f(1 - x/2)\f$.
-  void orthogonalize(double* e) {
-    std::size_t const size = algebra_.size();
-    double *const x = term_.data(), *const transposed = motion_.data(), *const product = product_.data();
-    std::copy(e, e + size, transposed);
-    algebra_.transpose_in_place(transposed);
-    algebra_.times_transposed(transposed, transposed, x);
-    algebra_.add(1, e, x), algebra_.add(1, transposed, x);
-    algebra_.times_transposed(e, x, product);
-    algebra_.add(-0.5, x, e), algebra_.add(-0.5, product, e);
-  }
+  void orthogonalize(double* e);
 
   MatrixAlgebra algebra_;
   Zeros term_, product_, motion_;

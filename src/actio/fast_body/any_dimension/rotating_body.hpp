@@ -2,6 +2,8 @@
 // the initial guess of the next.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <span>
 
@@ -29,12 +31,7 @@ class RotatingBody {
   /// What is to be added to it to have it to twice the digits.
   Momentum<Group, double> momentum_remainder() const { return skew(momentum_rest_); }
   /// The attitude, body to space. It stays where it is under steps of the momentum alone.
-  Element<Group, double> attitude() const {
-    Eigen::MatrixXd g(size(), size());
-    for (int j = 0; j < size(); ++j)
-      for (int i = 0; i < size(); ++i) g(i, j) = full(attitude_)[detail::full_entry(shape_, i, j)];
-    return {Group{size()}, g};
-  }
+  Element<Group, double> attitude() const;
   /// The momentum in space, \f$gMg^T\f$ in coordinates: constant along the motion, unless steps were taken
   /// without the attitude.
   Momentum<Group, double> spatial_momentum() const {
@@ -93,14 +90,7 @@ class RotatingBody {
   static constexpr int longest = detail::Weights::longest + 1;  // squares of the past
   enum : int { momentum_, momentum_rest_, first_square_, half_arrays = first_square_ + longest + 2 };
 
-  explicit RotatingBody(int n)
-      : shape_(n),
-        full_size_(detail::full_size(shape_)),
-        half_size_(detail::half_size(shape_)),
-        full_(full_size_ * full_arrays),
-        halves_(half_size_ * half_arrays) {
-    for (int k = 0; k < longest; ++k) ring_[static_cast<std::size_t>(k)] = guess_ + 1 + k;
-  }
+  explicit RotatingBody(int n);
   template <class Memory>
   static void remember_array(Memory& memory, double* array, std::size_t size) {
     std::span<double> values(array, size);
@@ -116,15 +106,7 @@ class RotatingBody {
     int const at = latest_ + k;
     return half(ring_[static_cast<std::size_t>(at < longest ? at : at - longest)]);
   }
-  Momentum<Group, double> skew(int array) const {
-    Group const group{size()};
-    Momentum<Group, double> pi{group, Eigen::VectorXd(group.dimension())};
-    over_planes(size(), [&](int a, int i, int j) {
-      pi.components[a] = i > j ? half(array)[detail::half_entry(shape_, i, j)]
-                               : -half(array)[detail::half_entry(shape_, j, i)];
-    });
-    return pi;
-  }
+  Momentum<Group, double> skew(int array) const;
   void set_momentum(Eigen::MatrixXd const& m) {
     for (int j = 0; j < size(); ++j)
       for (int i = j / 4 * 4; i < size(); ++i) half(momentum_)[detail::half_entry(shape_, i, j)] = m(i, j);

@@ -8,6 +8,8 @@
 // would be another body.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cmath>
 
 #include "actio/fast_body/space/half_turn.hpp"
@@ -20,15 +22,7 @@ class MiddleAxisFrame {
  public:
   /// @param inertia  of the body, in its frame
   /// @throws NotFinite, OutsideDomain  where a moment is no number, or the axes are no rotation
-  explicit MiddleAxisFrame(PrincipalInertia const& inertia) : axes_(inertia.axes) {
-    Eigen::Vector3d const moments = inertia.inertia.moments;
-    if (!is_finite(moments)) throw NotFinite("free body: moments of inertia");
-    while (!between(moments[first_ % 3], moments[(first_ + 1) % 3], moments[(first_ + 2) % 3])) ++first_;
-    int exponent = 0;
-    std::frexp(magnitude(moments), &exponent);
-    unit_ = std::ldexp(1.0, exponent);
-    moments_ = counted(Eigen::Vector3d(moments / unit_));
-  }
+  explicit MiddleAxisFrame(PrincipalInertia const& inertia);
 
   /// Which axis of the body is counted first.
   int first() const { return first_; }
@@ -59,12 +53,7 @@ class MiddleAxisFrame {
     return axes_.leave(out);
   }
   /// An attitude, back to the frame of the body and to the axes of space.
-  Eigen::Vector4d leave(Four<double> const& q) const {
-    Eigen::Vector4d out;
-    out[0] = q[0];
-    for (int i = 0; i < 3; ++i) out[1 + (i + first_) % 3] = q[1 + i];
-    return axes_.leave(out);
-  }
+  Eigen::Vector4d leave(Four<double> const& q) const;
 
  private:
   static bool between(double a, double b, double c) { return (a <= b && b <= c) || (a >= b && b >= c); }

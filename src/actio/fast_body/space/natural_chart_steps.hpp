@@ -8,6 +8,8 @@
 // substeps by the fractions of composition.hpp make steps of higher order.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <vector>
 
 #include "actio/fast_body/space/compensated_half_turn.hpp"
@@ -33,27 +35,7 @@ class NaturalChartSteps {
   ///         to 1, or the quaternion is not near unit length
   /// @throws StepTooLong               where the first step has no solution: the chart ends at half a turn
   NaturalChartSteps(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum,
-                    Element<SU2, double> const& attitude, double h, std::vector<double> fractions = {1})
-      : step_(h),
-        axes_(inertia.axes),
-        unit_(unit_of(inertia)),
-        scheme_(over(inertia.inertia.moments, unit_)),
-        fractions_(std::move(fractions)),
-        guesses_(fractions_.size()) {
-    if (!is_finite(h)) throw NotFinite("natural-chart steps: step");
-    if (h == 0) throw OutsideDomain("natural-chart steps", "the step must differ from zero", 0, 0);
-    double sum = 0;
-    for (double const f : fractions_) sum += f;
-    if (!(std::abs(sum - 1) <= 1e-12))
-      throw OutsideDomain("natural-chart steps", "the fractions of a step must add up to 1", sum, 1);
-    if (!is_finite(momentum.components)) throw NotFinite("natural-chart steps: body momentum");
-    if (!is_finite(attitude.value)) throw NotFinite("natural-chart steps: attitude");
-    Eigen::Vector4d const q = axes_.enter(restore(attitude).value);
-    now_ = {over(axes_.enter(momentum.components), unit_), {q[0], q[1], q[2], q[3]}};
-    if (!is_finite(dot(now_.direction, now_.direction)))
-      throw NotFinite("natural-chart steps: momentum over inertia");
-    if (!possible(now_.direction, h)) too_long();
-  }
+                    Element<SU2, double> const& attitude, double h, std::vector<double> fractions = {1});
 
   /// Steps with momentum and attitude.
   /// @throws StepTooLong  where a step has no solution; the body is then at the last step that had one
@@ -75,14 +57,7 @@ class NaturalChartSteps {
   double step() const { return step_; }
   /// Momentum and attitude now.
   /// @throws OutsideDomain  after \ref advance_momentum, after which the attitude is unknown
-  FreeState state() const {
-    if (!attitude_known_)
-      throw OutsideDomain(
-          "natural-chart steps",
-          "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
-    auto const q = plus(now_.attitude, compensation_.attitude);
-    return {body_momentum(), {SU2{}, axes_.leave(Eigen::Vector4d(q[0], q[1], q[2], q[3])).normalized()}};
-  }
+  FreeState state() const;
   /// The body momentum now, energy x time.
   Momentum<SO<3>, double> body_momentum() const {
     auto const p = plus(now_.direction, compensation_.direction);
@@ -107,20 +82,9 @@ class NaturalChartSteps {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
-  Three<double> guess(std::size_t stage, Three<double> const& p) const {
-    auto const& [v1, v2, v3] = guesses_[stage];
-    if (taken_ == 0) return scheme_.velocity(p);
-    if (taken_ == 1) return v1;
-    if (taken_ == 2) return plus(v1, minus(v1, v2));
-    return plus(times(3, minus(v1, v2)), v3);
-  }
+  Three<double> guess(std::size_t stage, Three<double> const& p) const;
   /// The relative motion of a turn: \f$e-1\f$, so that nothing is lost where it is small.
-  static Four<double> change_of(NaturalChartStep::StepRotation const& turn) {
-    double const half = std::sqrt(turn.angle_squared) / 2,
-                 ratio = half > 0 ? std::sin(half) / (2 * half) : 0.5;
-    Three<double> const e = times(ratio, turn.v);
-    return {-dot(e, e) / (1 + std::cos(half)), e[0], e[1], e[2]};
-  }
+  static Four<double> change_of(NaturalChartStep::StepRotation const& turn);
   /// The momentum on the other side of a turn, less the momentum on this side.
   static Three<double> momentum_change(Four<double> const& change, Three<double> const& m) {
     Three<double> const e{change[1], change[2], change[3]}, across = cross(e, m);
@@ -153,27 +117,9 @@ class NaturalChartSteps {
   }
 
   /// Whether a whole step of length h has a solution.
-  bool possible(Three<double> m, double h) const {
-    for (double const f : fractions_) {
-      auto const turn = scheme_.followed(times(f * h, m));
-      if (!turn.found) return false;
-      m = plus(m, momentum_change(change_of(turn), m));
-    }
-    return true;
-  }
+  bool possible(Three<double> m, double h) const;
   /// @throws StepTooLong  with the longest step from here
-  [[noreturn]] void too_long() const {
-    auto const& m = now_.direction;
-    // Moments are at most 1 here: no turn of less than pi has more than |p| = |y| (1 + pi/2 + 1) < 12.
-    double const size = std::max({std::abs(m[0]), std::abs(m[1]), std::abs(m[2])}),
-                 share = *std::max_element(fractions_.begin(), fractions_.end());
-    double low = 0, high = std::min(std::abs(step_), 12 / size / share);
-    for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
-      double const middle = (low + high) / 2;
-      (possible(m, std::copysign(middle, step_)) ? low : high) = middle;
-    }
-    throw StepTooLong("natural-chart scheme", std::abs(step_), low);
-  }
+  [[noreturn]] void too_long() const;
 
   double step_;
   PrincipalAxes axes_;

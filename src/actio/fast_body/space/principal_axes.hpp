@@ -5,6 +5,8 @@
 // principal axes is left as it is, to the bit.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/groups/unit_quaternions.hpp"
 #include "actio/rigid_body/principal_inertia.hpp"
 
@@ -15,20 +17,7 @@ class PrincipalAxes {
  public:
   /// @param axes  as columns, in the frame of the body
   /// @throws NotFinite, OutsideDomain  where an entry is no number, or the axes are no rotation to 1e-9
-  explicit PrincipalAxes(Eigen::Matrix3d const& axes) : turned_(!is_identity(axes)) {
-    if (!turned_) return;
-    if (!is_finite(axes)) throw NotFinite("principal axes");
-    double const off = magnitude((axes.transpose() * axes - Eigen::Matrix3d::Identity()).eval());
-    if (!(off <= 1e-9))
-      throw OutsideDomain("principal axes",
-                          "unit vectors at right angles are needed; largest entry of A^T A - 1", off, 1e-9);
-    double const volume = axes.determinant();
-    if (!(volume > 0))
-      throw OutsideDomain("principal axes", "a rotation is needed, not a reflection; the determinant", volume,
-                          1);
-    axes_ = axes;
-    turn_ = quaternion_of_rotation<double>(axes);
-  }
+  explicit PrincipalAxes(Eigen::Matrix3d const& axes);
 
   /// A vector of the body, along the principal axes.
   Eigen::Vector3d enter(Eigen::Vector3d const& v) const {

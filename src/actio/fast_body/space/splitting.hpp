@@ -30,19 +30,7 @@ inline Splitting strang_splitting() { return {"Strang", 2, {0.5, 0.5}, {1}}; }
 /// Strang's splitting with substeps by these fractions of the step (composition.hpp has some:
 /// \ref triple_jump, \ref suzuki, \ref kahan_li).
 /// @throws OutsideDomain, NotFinite  where they do not add up to 1, or are no numbers
-inline Splitting composed_splitting(std::string name, int order, std::vector<double> const& fractions) {
-  Splitting step{std::move(name), order, {0}, fractions};
-  double sum = 0, size = 0;
-  for (double const f : fractions) {
-    if (!is_finite(f)) throw NotFinite("composed splitting: fraction of a step");
-    step.kicks.back() += f / 2;
-    step.kicks.push_back(f / 2);
-    sum += f, size += std::abs(f);
-  }
-  if (!(std::abs(sum - 1) <= 8 * epsilon<double>() * (1 + size)))
-    throw OutsideDomain("composed splitting", "the fractions of a step must add up to 1", sum, 1);
-  return step;
-}
+Splitting composed_splitting(std::string name, int order, std::vector<double> const& fractions);
 
 /// Order 4 of Blanes and Moan \cite blanes_moan_2002, of Runge-Kutta-Nystrom type: six drifts and six kicks a
 /// step.
@@ -50,11 +38,6 @@ inline Splitting composed_splitting(std::string name, int order, std::vector<dou
 /// The free coefficients were used to make the terms of order 5 small: against Suzuki's composition, which
 /// has five drifts, the error for as many drifts is smaller by a factor of fifty to a hundred. The
 /// coefficients are printed with 15 digits, and what they miss the conditions by is at rounding.
-inline Splitting blanes_moan_splitting() {
-  double const b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486,
-               b4 = 1 - 2 * (b1 + b2 + b3);
-  double const a1 = 0.245298957184271, a2 = 0.604872665711080, a3 = 0.5 - (a1 + a2);
-  return {"Blanes-Moan", 4, {b1, b2, b3, b4, b3, b2, b1}, {a1, a2, a3, a3, a2, a1}};
-}
+Splitting blanes_moan_splitting();
 
 }  // namespace actio

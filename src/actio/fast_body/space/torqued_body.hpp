@@ -9,6 +9,8 @@
 // step; the order is that of the kicks.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <type_traits>
 #include <utility>
 

@@ -18,6 +18,8 @@
 // rotations about the vertical, so the momentum about the vertical is constant.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/fast_body/space/gravity_gradient.hpp"
 
 namespace actio {

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/angle_input.hpp"
 
 #include <fmt/format.h>

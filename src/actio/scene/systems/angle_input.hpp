@@ -1,6 +1,8 @@
 // Angles in a scene. A number or a list is in radians; a table says its unit: { degrees = 30 }.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/scene/system.hpp"
 
 namespace actio::scene {

@@ -2,6 +2,8 @@
 // them are in the frame in which the scene gives the inertia.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/scene/system.hpp"
 

@@ -1,6 +1,8 @@
 // What a scene says of a body in n dimensions: its inertia, its attitude, and how it turns at the start.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/rigid_body/inertia.hpp"
 #include "actio/scene/system.hpp"
 

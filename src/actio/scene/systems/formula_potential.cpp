@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/formula_potential.hpp"
 
 #include <algorithm>

@@ -7,6 +7,8 @@
 // axis of space; t is the time.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <memory>
 #include <string>

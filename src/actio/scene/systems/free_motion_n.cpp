@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/free_motion_n.hpp"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // Motions of a free body in n dimensions: in steps of a scheme or of a composition of it, and none at all.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 #include "actio/scene/systems/turning_body_n.hpp"
 

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/galerkin_motion.hpp"
 
 #include "actio/any_group/span_of_matrices.hpp"

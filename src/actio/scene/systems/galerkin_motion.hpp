@@ -2,6 +2,8 @@
 // runs.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/scene/systems/reduced_motion.hpp"
 
 namespace actio::scene {

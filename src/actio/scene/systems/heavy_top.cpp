@@ -1,4 +1,6 @@
 // The heavy top: a rigid body held at a point under gravity.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 
 #include "actio/rigid_body/heavy_top_body.hpp"

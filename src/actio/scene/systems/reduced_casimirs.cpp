@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/reduced_casimirs.hpp"
 
 #include <fmt/format.h>

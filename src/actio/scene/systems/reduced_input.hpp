@@ -1,6 +1,8 @@
 // What a scene says of a Lagrangian of one's own on a group: [system] and [initial] of `euler_poincare`.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <string>
 #include <vector>

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/reduced_instruments.hpp"
 
 #include "actio/any_group/semidirect_algebra.hpp"

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/reduced_motion.hpp"
 
 #include "actio/scene/systems/galerkin_motion.hpp"

@@ -1,6 +1,8 @@
 // How a system with a Lagrangian of one's own moves, as scenes step it.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <optional>
 

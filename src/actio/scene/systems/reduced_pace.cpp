@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/reduced_pace.hpp"
 
 #include "actio/any_group/chart_map.hpp"

@@ -1,4 +1,6 @@
 // A rigid body in space, free (thesis, chapter 5) or under a torque.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 
 #include "actio/scene/bodies.hpp"

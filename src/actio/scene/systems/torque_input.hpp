@@ -3,6 +3,8 @@
 // not is no motion of a Lagrangian, and is not offered.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <optional>
 
 #include "actio/scene/systems/torqued_motion.hpp"

@@ -1,4 +1,6 @@
 // What the steps of a body under a torque are measured by.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 
 #include <algorithm>

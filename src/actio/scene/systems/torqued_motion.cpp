@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/torqued_motion.hpp"
 
 #include <fmt/format.h>

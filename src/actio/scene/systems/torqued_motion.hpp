@@ -2,6 +2,8 @@
 // free body in between. Heavy tops and bodies under a torque of their own share them.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <variant>
 
 #include "actio/fast_body/space/gravity_gradient.hpp"

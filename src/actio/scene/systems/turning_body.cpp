@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/turning_body.hpp"
 
 #include "actio/groups/unit_quaternions.hpp"

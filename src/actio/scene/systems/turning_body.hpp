@@ -1,6 +1,8 @@
 // What can be told of a body that turns in space: the quantities that free bodies and tops share.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/scene/systems/body_input.hpp"
 
 namespace actio::scene {

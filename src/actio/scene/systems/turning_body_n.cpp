@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/turning_body_n.hpp"
 
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"

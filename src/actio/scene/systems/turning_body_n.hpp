@@ -1,6 +1,8 @@
 // What can be told of a body that turns in n dimensions.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/rigid_body/inertia.hpp"
 #include "actio/scene/system.hpp"
 

@@ -1,4 +1,6 @@
 // How the quantities of a flow on the sphere come from its motion.
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 

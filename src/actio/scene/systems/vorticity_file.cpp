@@ -1,4 +1,6 @@
 // Coefficients from a file.
+#include <Eigen/Core>
+
 #include <fmt/format.h>
 
 #include <charconv>

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/vorticity_histogram.hpp"
 
 #include <algorithm>

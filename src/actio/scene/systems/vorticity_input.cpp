@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/vorticity_input.hpp"
 
 #include <fmt/format.h>

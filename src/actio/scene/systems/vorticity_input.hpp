@@ -2,6 +2,8 @@
 // and how the flow begins.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/scene/systems/vorticity_hamiltonian.hpp"
 
 namespace actio::scene {

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include "actio/scene/systems/vorticity_named_states.hpp"
 
 #include <fmt/format.h>

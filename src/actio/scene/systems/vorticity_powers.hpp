@@ -1,6 +1,8 @@
 // The powers and the eigenvalues of a vorticity matrix, from which its Casimir functions come.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/products.hpp"
 
 namespace actio::scene {
