@@ -14,6 +14,7 @@
 #include "callgrind.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 struct Kind {
   char const* key;

@@ -9,6 +9,7 @@
 #include "media_cost.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using Point = std::array<double, 2>;
 
 namespace {
@@ -29,10 +30,10 @@ struct Counted {
 /// Additions, multiplications and divisions of a step of one cell, with its node.
 template <class Medium>
 long operations_of(Medium const& medium) {
-  detail::Edges<Counted> const e{{1, 0}, {1, 0}, {0, 1}, {0, 1}};
+  media::detail::Edges<Counted> const e{{1, 0}, {1, 0}, {0, 1}, {0, 1}};
   Counted d[4];
   Counted::operations = 0;
-  detail::areas(e, d);
+  media::detail::areas(e, d);
   auto const f = medium.on(1, 1).slopes(e, d);
   sum += f.below.x.value;
   // Three new edges, the forces of a cell on its nodes, kick and drift.
@@ -42,11 +43,11 @@ long operations_of(Medium const& medium) {
 /// Fused multiplications and additions, on eleven registers that wait for nothing else.
 struct Fused {
   long rounds;
-  detail::Quad out{0};
+  media::detail::Quad out{0};
   [[gnu::always_inline]] void operator()() {
-    detail::Quad a[11];
-    for (int k = 0; k < 11; ++k) a[k] = detail::Quad(1 + 1e-3 * k);
-    detail::Quad const b(0.999999), c(1e-7);
+    media::detail::Quad a[11];
+    for (int k = 0; k < 11; ++k) a[k] = media::detail::Quad(1 + 1e-3 * k);
+    media::detail::Quad const b(0.999999), c(1e-7);
     for (long i = 0; i < rounds; ++i) {
 #pragma GCC unroll 11
       for (int k = 0; k < 11; ++k) a[k] = a[k] * b + c;
@@ -56,10 +57,10 @@ struct Fused {
 };
 /// Reads and writes each number once.
 struct Pass {
-  detail::Quad* from;
+  media::detail::Quad* from;
   std::size_t count;
   [[gnu::always_inline]] void operator()() {
-    detail::Quad const b(0.999999);
+    media::detail::Quad const b(0.999999);
     for (std::size_t i = 0; i < count; ++i) from[i] = from[i] * b;
   }
 };
@@ -98,20 +99,20 @@ int main(int argc, char** argv) {
 
   // What the machine can do.
   std::size_t const numbers = program.length<std::size_t>(1u << 22, 1u << 21);
-  std::vector<detail::Quad> memory(numbers, detail::Quad(1));
+  std::vector<media::detail::Quad> memory(numbers, media::detail::Quad(1));
   long const rounds = program.length(4000000L, 1000000L);
   auto const pass = [&](int threads) {
-    detail::as_team(threads, [&](int k, detail::Meeting&) {
+    media::detail::as_team(threads, [&](int k, media::detail::Meeting&) {
       std::size_t const share = numbers / static_cast<std::size_t>(threads);
       Pass one{memory.data() + share * static_cast<std::size_t>(k), share};
-      detail::run_with(best_registers(), one);
+      media::detail::run_with(best_registers(), one);
     });
   };
   auto const limits = benchmark::nanoseconds_on_the_wall(
       program.rounds(15), {{"fused",
                             [&] {
                               Fused fused{rounds};
-                              detail::run_with(best_registers(), fused);
+                              media::detail::run_with(best_registers(), fused);
                               sum += fused.out.lane[0];
                             },
                             static_cast<double>(rounds) * 11 * 8},

@@ -38,7 +38,7 @@ struct Cost {
 template <class Medium, class Stress, class Box, class Placement, class Velocity>
 Cost cost_of(Benchmark const& program, Medium const& medium, Stress const& stress, Box const& box,
              Box const& small, int steps, Placement const& placement, Velocity const& velocity, double& sum) {
-  using Fast = actio::FastMedium<Medium, Box>;
+  using Fast = actio::media::FastMedium<Medium, Box>;
   double const dt = 0.1 * box.spacing[0], dt_small = 0.1 * small.spacing[0];
   Fast one(medium, box, dt, 1, placement, velocity), two(medium, box, dt, 1, placement, velocity, {2}),
       for_plain(medium, small, dt_small, 1, placement, velocity);

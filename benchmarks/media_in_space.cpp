@@ -5,6 +5,7 @@
 #include "media_cost.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using Point = std::array<double, 3>;
 
 namespace {

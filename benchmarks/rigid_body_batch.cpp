@@ -15,6 +15,7 @@
 #include "timing.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 
 // Runge-Kutta by hand, momentum and quaternion in seven named numbers: no loop, no index, nothing to be

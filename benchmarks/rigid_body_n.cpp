@@ -22,6 +22,7 @@ void openblas_set_num_threads(int);
 }
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 constexpr int n_ = Eigen::Dynamic;

@@ -24,6 +24,7 @@
 #include "timing.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using namespace benchmark;
 
 // So that no compiler leaves out what is computed.

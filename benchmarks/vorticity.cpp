@@ -17,12 +17,13 @@
 #include "timing.hpp"
 
 extern "C" {
-actio::Gemm<double> dgemm_;
-actio::Gemm<float> sgemm_;
+actio::sphere::Gemm<double> dgemm_;
+actio::sphere::Gemm<float> sgemm_;
 void openblas_set_num_threads(int);
 }
 
 using namespace actio;
+using namespace actio::sphere;
 using Fast = FastVorticityStep<>;
 
 /// A random state: degrees below ten, or an enstrophy spectrum l^-1 to the grid.

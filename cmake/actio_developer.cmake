@@ -67,14 +67,16 @@ function(actio_own target level)
   endif()
 endfunction()
 
-# actio_together(OUT NAME PER SOURCE...): sources that compile SOURCE... by PER at a time, into the variable
-# OUT (tools/together.awk says how, and for which sources). What several of them instantiate is compiled once,
-# in two thirds of the time. Those that add to a namespace of others stay as they are, and those that say of
-# themselves, in a line of their own, that they are `// In a unit of its own`, as large as a unit may be.
+# actio_together(OUT NAME BYTES SOURCE...): sources that compile SOURCE... as many at a time as BYTES of text
+# hold, into the variable OUT (tools/together.awk says how, and for which sources). What several of them
+# instantiate is compiled once, in two thirds of the time. Those that add to a namespace of others stay as they
+# are, and those that say of themselves, in a line of their own, that they are `// In a unit of its own`, as
+# large as a unit may be.
 find_program(AWK awk REQUIRED)
-function(actio_together out name per)
+function(actio_together out name bytes)
   set(result "")
   set(batch "")
+  set(held 0)
   set(number 0)
   set(rule "${PROJECT_SOURCE_DIR}/cmake/tools/together.awk")
   list(SORT ARGN COMPARE NATURAL)
@@ -85,25 +87,26 @@ function(actio_together out name per)
         list(APPEND result "${source}")
         continue()
       endif()
-      list(APPEND batch "${source}")
+      file(SIZE "${source}" size)
+      math(EXPR held "${held} + ${size}")
     endif()
-    list(LENGTH batch count)
-    if(count EQUAL 0 OR (source AND count LESS per))
-      continue()
+    if(batch AND (NOT source OR held GREATER bytes))
+      math(EXPR number "${number} + 1")
+      set(file "${CMAKE_CURRENT_BINARY_DIR}/together/${name}_${number}.cpp")
+      file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/together")
+      add_custom_command(OUTPUT "${file}" COMMAND ${AWK} -f "${rule}" ${batch} > "${file}" DEPENDS "${rule}" ${batch} VERBATIM)
+      list(APPEND result "${file}")
+      set(batch "")
+      set(held ${size})
     endif()
-    math(EXPR number "${number} + 1")
-    set(file "${CMAKE_CURRENT_BINARY_DIR}/together/${name}_${number}.cpp")
-    file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/together")
-    add_custom_command(OUTPUT "${file}" COMMAND ${AWK} -f "${rule}" ${batch} > "${file}" DEPENDS "${rule}" ${batch} VERBATIM)
-    list(APPEND result "${file}")
-    set(batch "")
+    list(APPEND batch ${source})
   endforeach()
   set(${out} ${result} PARENT_SCOPE)
 endfunction()
 
-# The headers that cost the most, compiled once per level: Boost.Multiprecision and Eigen, and at -Og, where
-# all the tests are, Boost.Test (which every target that includes it must link) and the library itself:
-# reading that takes two seconds, and there are over a hundred units.
+# The headers that nearly every unit needs, compiled once per level: at -O2 the standard library's and Eigen's,
+# at -Og, where all the tests are, Boost.Test (which every target that includes it must link) and the library's
+# headers for bodies as well: reading those takes two seconds, and there are over a hundred units.
 if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
   foreach(level IN ITEMS fast brief)
@@ -112,20 +115,10 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
     actio_own(actio_precompiled_${level} ${level})
     target_precompile_headers(actio_precompiled_${level} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
   endforeach()
-  file(GLOB_RECURSE own CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/actio/*.hpp")
-  # Not the catalogue, which few tests read; nor natural charts and steppers, which few units take; nor the
-  # heavy top, principal axes and the bodies that are moved fast: functions there that are no templates would
-  # be compiled in every unit; nor Part II, which few units need.
-  foreach(rarely IN ITEMS
-      "bodies/|principal_inertia|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps"
-      "remembered_solutions|composition|galerkin|heavy_top"
-      "numbers/(second_order|square_root|divergence|number_row)"
-      "/(any_group|fast_body|vorticity|scene|formula|forms|jets|continuum|constraints|incompressible|noether|multisymplectic)/")
-    list(FILTER own EXCLUDE REGEX "${rarely}")
-  endforeach()
-  # The witnesses that most tests call.
-  foreach(witness IN ITEMS draw reference_solution taylor_reference)
-    list(APPEND own "${PROJECT_SOURCE_DIR}/src/witness/${witness}.hpp")
+  set(own "")
+  foreach(module IN ITEMS numbers groups variational reduction groupoid instruments rigid_body)
+    file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/actio/${module}/*.hpp")
+    list(APPEND own ${headers})
   endforeach()
   target_precompile_headers(actio_precompiled_brief PRIVATE <boost/test/unit_test.hpp> ${own})
 endif()

@@ -1,8 +1,5 @@
 // The headers that nearly every check and test needs and that take seconds to read: read once, and stored
-// compiled. The order is that of actio/numbers/scalar.hpp.
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/gmp.hpp>
-
+// compiled.
 #include <Eigen/Core>
 
 #include <array>

@@ -38,7 +38,7 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // Configurations g_0, ..., g_N with N = 4, and g_5, which only the printed range asks for.
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, 6);
+    auto const g = draw_points<S>(draw, group, 6);
     GroupElements<S> const held(g.begin(), g.begin() + 5);
     auto const action = discrete_action(L, held);
     claim.equal("the action of g_0, ..., g_4 is the sum over its four pairs", model, action,
@@ -65,7 +65,7 @@ STATEMENT(claim_3_1_discrete_from_continuous,
       "discrete Lagrangians carry it.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, 3);
+    auto const g = draw_points<S>(draw, group, 3);
     S const h = ratio<S>(1, 3);
     auto const per_step = [&](S const& step) {
       return [L = discretize_at_the_configuration(lagrangian, step), step](auto const& g0, auto const& g1) {
@@ -162,7 +162,7 @@ STATEMENT(rem_3_1_1,
   // its own groups.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const g = draw_configurations<S>(draw, group, 3);
+    auto const g = draw_points<S>(draw, group, 3);
     auto const with_origin = discretize_at_the_identity(right_invariant(l), ratio<S>(1, 3), S(0));
     claim.differs("discretized in a chart at the identity", model, with_origin(g[0] * g[2], g[1] * g[2]),
                   with_origin(g[0], g[1]));
@@ -175,7 +175,7 @@ STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of
     // Off shell, four steps: the differential at each configuration in between is the left side of (3.2)
     // there.
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, 5);
+    auto const g = draw_points<S>(draw, group, 5);
     int const d = group.dimension();
     auto const inside = [&](auto const& lagrangian, GroupElements<S> const& q) {
       int const N = static_cast<int>(q.size()) - 1;
@@ -189,9 +189,9 @@ STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of
       exchanged.push_back(D1(L, g[k - 1], g[k]) + D2(L, g[k], g[k + 1]));
       shifted.push_back(D2(L, g[k], g[k + 1]) + D1(L, g[k], g[k + 1]));
     }
-    claim.equal("differential of the action, its ends held", model, inside(L, g), stacked(equations));
-    claim.differs("the two slots exchanged", model, inside(L, g), stacked(exchanged));
-    claim.differs("both derivatives at the later pair", model, inside(L, g), stacked(shifted));
+    claim.equal("differential of the action, its ends held", model, inside(L, g), in_one_column(equations));
+    claim.differs("the two slots exchanged", model, inside(L, g), in_one_column(exchanged));
+    claim.differs("both derivatives at the later pair", model, inside(L, g), in_one_column(shifted));
 
     // On shell: a Lagrangian of which three configurations are a motion has them as a stationary sequence.
     auto const M = draw_with_motion<S>(draw, GroupElements<S>{g[0], g[1], g[2]});
@@ -234,7 +234,7 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
     // that the thesis prints.
     int const N = 3;
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const all = draw_configurations<S>(draw, group, N + 3);
+    auto const all = draw_points<S>(draw, group, N + 3);
     auto const g = [&](int k) { return all[k + 1]; };
     std::vector<Momentum<SpannedGroup, S>> right(N + 1, zero_momentum<S>(group)), printed = right, regrouped;
     for (int k = 1; k <= N; ++k)
@@ -247,9 +247,9 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
 
     auto const dS = differential(GroupElements<S>{g(0), g(1), g(2), g(3)},
                                  [&](auto const& q) { return discrete_action(L, q); });
-    claim.equal("first line, arguments exchanged back", model, dS, stacked(right));
-    claim.equal("second line, as printed", model, dS, stacked(regrouped));
-    claim.differs("first line as printed", model, dS, stacked(printed));
+    claim.equal("first line, arguments exchanged back", model, dS, in_one_column(right));
+    claim.equal("second line, as printed", model, dS, in_one_column(regrouped));
+    claim.differs("first line as printed", model, dS, in_one_column(printed));
   });
 }
 
@@ -266,7 +266,7 @@ STATEMENT(claim_3_1_action_differential_split,
     // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const all = draw_configurations<S>(draw, group, N + 3);
+    auto const all = draw_points<S>(draw, group, N + 3);
     auto const g = [&](int k) { return all[k + 1]; };
     // Two copies of the configurations: the pairs take their first configuration from one, their second from
     // the other.
@@ -284,10 +284,10 @@ STATEMENT(claim_3_1_action_differential_split,
                                                                                d2_printed = d1;
     for (int k = 0; k <= N - 1; ++k) d1[k] = D1(L, g(k), g(k + 1)), d1_printed[k] = D1(L, g(k - 1), g(k));
     for (int k = 1; k <= N; ++k) d2[k] = D2(L, g(k - 1), g(k)), d2_printed[k] = D2(L, g(k), g(k + 1));
-    claim.equal("first slots: D_1 at (g_k, g_{k+1}), k = 0, ..., N-1", model, first, stacked(d1));
-    claim.equal("second slots: D_2 at (g_{k-1}, g_k), k = 1, ..., N", model, second, stacked(d2));
-    claim.differs("first slots as printed", model, first, stacked(d1_printed));
-    claim.differs("second slots as printed", model, second, stacked(d2_printed));
+    claim.equal("first slots: D_1 at (g_k, g_{k+1}), k = 0, ..., N-1", model, first, in_one_column(d1));
+    claim.equal("second slots: D_2 at (g_{k-1}, g_k), k = 1, ..., N", model, second, in_one_column(d2));
+    claim.differs("first slots as printed", model, first, in_one_column(d1_printed));
+    claim.differs("second slots as printed", model, second, in_one_column(d2_printed));
   });
 }
 
@@ -296,7 +296,7 @@ STATEMENT(claim_3_1_action_differential_regrouped, "interior terms are (3.2), th
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, N + 2);
+    auto const g = draw_points<S>(draw, group, N + 2);
     auto const dS = differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 0, N - 1); });
     auto const none = zero_momentum<S>(group);
 
@@ -304,13 +304,13 @@ STATEMENT(claim_3_1_action_differential_regrouped, "interior terms are (3.2), th
     for (int k = 1; k <= N - 1; ++k) terms.push_back(D1(L, g[k], g[k + 1]) + D2(L, g[k - 1], g[k]));
     terms.push_back(D2(L, g[N - 1], g[N]));
     terms.push_back(none);
-    claim.equal("interior and boundary terms", model, dS, stacked(terms));
+    claim.equal("interior and boundary terms", model, dS, in_one_column(terms));
     // Controls: the ends' derivatives exchanged, the sum of (3.1) as printed.
     auto exchanged = terms;
     exchanged[0] = D2(L, g[0], g[1]), exchanged[N] = D1(L, g[N - 1], g[N]);
-    claim.differs("D_2 at the first end and D_1 at the last", model, dS, stacked(exchanged));
+    claim.differs("D_2 at the first end and D_1 at the last", model, dS, in_one_column(exchanged));
     claim.differs("the action summed over k = 1, ..., N", model,
-                  differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 1, N); }), stacked(terms));
+                  differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 1, N); }), in_one_column(terms));
   });
 }
 
@@ -336,7 +336,7 @@ STATEMENT(eq_3_4, "the two one-forms add up to the differential of the Lagrangia
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, 2);
+    auto const g = draw_points<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
     auto const dL = on_each(w, [&](auto const& u) {
       return rate(g, {u.first, u.second}, [&](auto const& q) { return L(q[0], q[1]); });
@@ -369,7 +369,7 @@ STATEMENT(claim_3_1_exterior_derivative_sum, "the exterior derivatives of the tw
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, 2);
+    auto const g = draw_points<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
     auto const d_minus = on_pairs(w, [&](auto const& a, auto const& b) {
       return exterior_derivative(minus_form(L), g[0], g[1], a, b);
@@ -398,7 +398,7 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
       "is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, 2);
+    auto const g = draw_points<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
     // Coordinates x -> exp(x) g_k, y -> exp(y) g_{k+1}: the mixed second derivative of L along x and y, on
     // dx^i ^ dy^j.
@@ -436,7 +436,7 @@ STATEMENT(claim_3_1_pullback_canonical,
   claim.same_slip_as("eq_3_5");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_configurations<S>(draw, group, 2);
+    auto const g = draw_points<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
     // The form -d theta_0 on T*G at (g, mu), momenta translated to the identity on the right, pulled back by
     // (g0, g1) -> (g0 or g1, momentum).
@@ -485,7 +485,7 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
   claim.maybe_scan();
   over_groups(groups_for_motions<S>(3), claim, [&](auto const& group, auto const& model) {
     // A motion of three pairs, and changes of its first pair mapped by the tangent of the flow.
-    auto const g = draw_configurations<S>(draw, group, 4);
+    auto const g = draw_points<S>(draw, group, 4);
     auto const L = draw_with_motion<S>(draw, g);
     auto const w01 = draw_changes<S>(draw, group);
     std::vector<Change<S>> w12, w23;
@@ -524,7 +524,7 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
 STATEMENT(claim_3_1_flow_symplectic, "the discrete flow preserves the discrete two-form") {
   claim.holds("Where the Lagrangian is regular, at every length of the step.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_configurations<S>(draw, group, 3);
+    auto const g = draw_points<S>(draw, group, 3);
     auto const before = draw_changes<S>(draw, group);
     auto const carried = [&](auto const& lagrangian) {
       std::vector<Change<S>> after;
@@ -575,7 +575,7 @@ STATEMENT(claim_3_1_symplecticity_chain,
       "from $ddS = 0$, has no $\\omega$.");
   claim.same_slip_as("eq_3_5");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_configurations<S>(draw, group, 3);
+    auto const g = draw_points<S>(draw, group, 3);
     auto const L = draw_with_motion<S>(draw, g);
     auto const before = draw_changes<S>(draw, group);
     std::vector<Change<S>> after;

@@ -47,7 +47,7 @@ Vector<S> equations_along(Lagrangian const& L, GroupElements<S> const& g) {
   std::vector<Momentum<SpannedGroup, S>> all;
   for (std::size_t k = 1; k + 1 < g.size(); ++k)
     all.push_back(discrete_euler_lagrange(L, g[k - 1], g[k], g[k + 1]));
-  return stacked(all);
+  return in_one_column(all);
 }
 
 /// Right- and left-invariant Lagrangians of which `g` is a motion, each with the translations under which it
@@ -77,7 +77,7 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
       "For an invariant Lagrangian along a motion of two pairs, as (3.6) with $N = 2$; that the flow is "
       "equivariant, which the step to (3.7) uses, at finite elements and in its tangent.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_configurations<S>(draw, group, 3, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, group, 3, ratio<S>(1, 2));
     over_sides(
         draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
           // The action does not change along the symmetry.
@@ -122,7 +122,7 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
 STATEMENT(claim_3_1_momentum_forms, "at one and the same pair the symmetry's contractions are opposite") {
   claim.holds("Off shell: no equation of motion is needed, only invariance.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_configurations<S>(draw, group, 2);
+    auto const g = draw_points<S>(draw, group, 2);
     auto const minus = [&](auto const& L, auto const& side_of) {
       return over_basis<S>(group, [&](auto const& zeta) {
         return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1]));
@@ -151,7 +151,7 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
   claim.holds();
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     // Three pairs: with two a momentum of the wrong pair would pass.
-    auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, group, 4, ratio<S>(1, 2));
     over_sides(
         draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
           auto const J = [&](int k, auto const& side_of) {
@@ -217,7 +217,7 @@ STATEMENT(rem_3_1_3, "a symmetry group smaller than $G$ conserves its own moment
       "vector, acting on $G$ from the right.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const fixed = fixed_vector(group);
-    auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, group, 4, ratio<S>(1, 2));
     // A right-invariant Lagrangian plus a potential that depends only on the image of the fixed vector.
     auto const with_potential = lift_with_height(draw_vector<S>(draw, group.matrix_size()), fixed);
     auto const L =
@@ -245,7 +245,7 @@ STATEMENT(claim_3_1_symmetry_of_discrete_flow, "a symmetry takes discrete motion
       "equivariant. For translations on either side, for a subgroup of them, and for conjugation.");
   // Sequences of four configurations, no motions: for each symmetry, how it moves a covector at the identity.
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, group, 4, ratio<S>(1, 2));
     auto const k = draw.template element<S>(group, S(1)), none = identity<S>(group);
     auto const covariant = [&](auto const& L, auto const& move, auto const& turn, std::string const& side) {
       GroupElements<S> there, halfway, unequal;
@@ -283,7 +283,7 @@ STATEMENT(claim_3_1_symmetry_of_discrete_flow, "a symmetry takes discrete motion
   });
   // A motion of three steps stays one; under a subgroup, the symmetry of a Lagrangian with a potential.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, group, 4, ratio<S>(1, 2));
     auto const with_potential =
         lift_with_height(draw_vector<S>(draw, group.matrix_size()), fixed_vector(group));
     auto const L =

@@ -5,6 +5,7 @@
 #include "statement.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::checks;
 
 namespace {

@@ -13,6 +13,7 @@
 #include "statement.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using namespace actio::checks;
 
 namespace {

@@ -60,7 +60,7 @@ auto draw_invariant(Draw& draw, SymmetricSpace const& space) {
 /// The differential of a function of pairs, on (theta0, theta1).
 template <class F, class S>
 Vector<S> slopes(F const& f, GroupElement<S> const& g0, GroupElement<S> const& g1) {
-  return stacked(std::vector<Momentum<SpannedGroup, S>>{D1(f, g0, g1), D2(f, g0, g1)});
+  return in_one_column(std::vector<Momentum<SpannedGroup, S>>{D1(f, g0, g1), D2(f, g0, g1)});
 }
 /// Columns side by side.
 template <class S>
@@ -151,7 +151,7 @@ STATEMENT(claim_10_0_reduced_pair_space,
     int const d = m.dimension();
     if (numbers_grow() && d > 3) continue;  // fractions grow with the size of a system
     auto const model = space.name();
-    auto const g = draw_configurations<S>(draw, m, 3, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, m, 3, ratio<S>(1, 2));
     auto const with_height = lift_with_height(draw_vector<S>(draw, m.matrix_size()), space.fixed);
     auto const L = with_height(with_motion_along(draw_group_polynomial<S>(draw, m), g, draw, with_height));
     Matrix<S> const pi = discrete_bivector(L, g[0], g[1]);
@@ -257,7 +257,7 @@ STATEMENT(claim_10_0_reduced_leaves, "leaves of reduced pairs as images under Le
     int const d = m.dimension();
     if (numbers_grow() && d > 3) continue;
     auto const model = space.name();
-    auto const g = draw_configurations<S>(draw, m, 3, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, m, 3, ratio<S>(1, 2));
     auto const with_height = lift_with_height(draw_vector<S>(draw, m.matrix_size()), space.fixed);
     auto const L = with_height(with_motion_along(draw_group_polynomial<S>(draw, m), g, draw, with_height));
     auto const symmetric = [&](Momentum<SpannedGroup, S> const& mu, GroupElement<S> const& at) {
@@ -348,7 +348,7 @@ STATEMENT(claim_10_0_reduced_leaves, "leaves of reduced pairs as images under Le
   // A map of phase space that keeps the brackets and leaves the leaf: the momentum shifted by a character.
   {
     auto const& space = spaces()[1];
-    auto const g = draw_configurations<S>(draw, space.m, 2, ratio<S>(1, 2));
+    auto const g = draw_points<S>(draw, space.m, 2, ratio<S>(1, 2));
     auto const L = lift_right(draw_group_polynomial<S>(draw, space.m));
     ReducedLegendre<S, decltype(L)> const map{space, L, draw_matrix<S>(draw, 2, space.m.matrix_size())};
     auto const mu = map.momentum(g[0], g[1]);

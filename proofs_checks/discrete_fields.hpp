@@ -65,8 +65,8 @@ struct MovingEvents {
 /// is asked about them.
 template <class S, int n, int N, class L>
 struct DiscreteField {
-  using Section = DiscreteSection<S, n, N>;
-  SpaceTimeMesh<S, n> mesh;
+  using Section = media::DiscreteSection<S, n, N>;
+  media::SpaceTimeMesh<S, n> mesh;
   L density;
   Section section;
   S friction = S(0);  ///< E + friction (y_{k+1} - y_{k-1}): no variational principle has that
@@ -76,7 +76,7 @@ struct DiscreteField {
 
   /// The discrete Euler-Lagrange derivative with friction, over S or its duals.
   template <class T>
-  Matrix<T, N, 1> equation(DiscreteSection<T, n, N> const& y, int level, Index node) const {
+  Matrix<T, N, 1> equation(media::DiscreteSection<T, n, N> const& y, int level, Index node) const {
     Matrix<T, N, 1> E = discrete_euler_lagrange(density, mesh, y, level, node).sum;
     for (int a = 0; a < N; ++a) E[a] += (y(level + 1, node)[a] - y(level - 1, node)[a]) * T(friction);
     return E;
@@ -130,21 +130,21 @@ struct DiscreteField {
     return V;
   }
 
-  CellBox<n> whole() const { return {0, slabs(), {}, mesh.cells()}; }
-  auto form_on(CellBox<n> const& box, std::array<Section, 2> const& V) const {
-    return multisymplectic_balance(density, mesh, section, V[0], V[1], box);
+  media::CellBox<n> whole() const { return {0, slabs(), {}, mesh.cells()}; }
+  auto form_on(media::CellBox<n> const& box, std::array<Section, 2> const& V) const {
+    return media::multisymplectic_balance(density, mesh, section, V[0], V[1], box);
   }
-  auto momenta_on(CellBox<n> const& box, auto const& xi) const {
-    return noether_balance(density, xi, mesh, section, box);
+  auto momenta_on(media::CellBox<n> const& box, auto const& xi) const {
+    return media::noether_balance(density, xi, mesh, section, box);
   }
   /// The form that the cells of a slab have at their later level.
-  SumOfTerms<S, S> form_after(int slab, std::array<Section, 2> const& V) const {
-    SumOfTerms<S, S> sum{S(0)};
-    mesh.for_cells([&](GridIndex<n> const& cell) {
+  media::SumOfTerms<S, S> form_after(int slab, std::array<Section, 2> const& V) const {
+    media::SumOfTerms<S, S> sum{S(0)};
+    mesh.for_cells([&](media::GridIndex<n> const& cell) {
       for (int b = 0; b < mesh.corners; ++b)
-        sum.add(discrete_multisymplectic_form(density, cell_of(mesh, section, slab, cell),
-                                              node_of_corner<n>(b, 1), cell_of(mesh, V[0], slab, cell).y,
-                                              cell_of(mesh, V[1], slab, cell).y));
+        sum.add(media::discrete_multisymplectic_form(density, media::cell_of(mesh, section, slab, cell),
+                                              media::node_of_corner<n>(b, 1), media::cell_of(mesh, V[0], slab, cell).y,
+                                              media::cell_of(mesh, V[1], slab, cell).y));
     });
     return sum;
   }
@@ -157,7 +157,7 @@ std::vector<S> levels_of(S const& scale) {
   return times;
 }
 template <class S, int n>
-SpaceTimeMesh<S, n> mesh_with(std::vector<S> const& times, GridIndex<n> const& cells, Sides<n> const& sides) {
+media::SpaceTimeMesh<S, n> mesh_with(std::vector<S> const& times, media::GridIndex<n> const& cells, media::Sides<n> const& sides) {
   // Cells of different shapes: the unit cube, bent inside; its sides stay where they are.
   return {times, cells, sides, [](Matrix<S, n, 1> const& u) {
             S bump = ratio<S>(1, 3);
@@ -172,7 +172,7 @@ SpaceTimeMesh<S, n> mesh_with(std::vector<S> const& times, GridIndex<n> const& c
 /// pulled so that they solve its equations, with friction where there is some.
 template <int n, int N, class S, class L>
 DiscreteField<S, n, N, Pulled<L, S, n, N>> pulled_field(Draw& draw, L const& density,
-                                                        GridIndex<n> const& cells, Sides<n> const& sides,
+                                                        media::GridIndex<n> const& cells, media::Sides<n> const& sides,
                                                         S const& friction = S(0)) {
   using Field = DiscreteField<S, n, N, Pulled<L, S, n, N>>;
   Field field{mesh_with<S, n>(levels_of<S>(S(1)), cells, sides), {density, {}}, {}, friction};
@@ -186,17 +186,17 @@ DiscreteField<S, n, N, Pulled<L, S, n, N>> pulled_field(Draw& draw, L const& den
       field.section.levels[level].push_back(y);
     }
   // With the mass m of a node c adds m (c_{k-1} - c_{k+1})/2 to its equation at level k.
-  std::vector<Level<S, N>> c(mesh.levels(), Level<S, N>(mesh.node_count(), Matrix<S, N, 1>::Zero()));
+  std::vector<media::Level<S, N>> c(mesh.levels(), media::Level<S, N>(mesh.node_count(), Matrix<S, N, 1>::Zero()));
   for (int level = 1; level < field.slabs(); ++level)
     for (Index i = 0; i < mesh.node_count(); ++i) {
       if (mesh.fixed(i)) continue;
       S mass(0);
-      mesh.for_cells_at(i, [&](GridIndex<n> const& cell, int b) { mass += mesh.geometry(cell).volume[b]; });
+      mesh.for_cells_at(i, [&](media::GridIndex<n> const& cell, int b) { mass += mesh.geometry(cell).volume[b]; });
       auto const E = field.equation(field.section, level, i);
       for (int a = 0; a < N; ++a) c[level + 1][i][a] = c[level - 1][i][a] + E[a] * S(2) / mass;
     }
   for (int level = 0; level < mesh.levels(); ++level)
-    mesh.for_cells([&](GridIndex<n> const& cell) {
+    mesh.for_cells([&](media::GridIndex<n> const& cell) {
       for (int b = 0; b < mesh.corners; ++b) {
         Event<S, n> x;
         x << mesh.time(level), mesh.geometry(cell).places.col(b);
@@ -209,9 +209,9 @@ DiscreteField<S, n, N, Pulled<L, S, n, N>> pulled_field(Draw& draw, L const& den
 /// A medium stepped from places near those of the body and velocities that are drawn, in steps so short that
 /// it does not fly apart.
 template <int n, int N, class S, class L>
-DiscreteField<S, n, N, L> stepped_field(Draw& draw, L const& density, GridIndex<n> const& cells) {
+DiscreteField<S, n, N, L> stepped_field(Draw& draw, L const& density, media::GridIndex<n> const& cells) {
   auto const times = levels_of<S>(ratio<S>(1, 16));
-  DiscreteField<S, n, N, L> field{mesh_with<S, n>(times, cells, all_sides<n>(Side::free)), density, {}};
+  DiscreteField<S, n, N, L> field{mesh_with<S, n>(times, cells, media::all_sides<n>(media::Side::free)), density, {}};
   field.section.levels.resize(2);
   for (Index i = 0; i < field.mesh.node_count(); ++i) {
     Matrix<S, N, 1> y = draw.vector<S, Matrix<S, N, 1>>(N) * ratio<S>(1, 16);
@@ -220,19 +220,19 @@ DiscreteField<S, n, N, L> stepped_field(Draw& draw, L const& density, GridIndex<
     field.section.levels[0].push_back(y);
     field.section.levels[1].push_back(y + draw.vector<S, Matrix<S, N, 1>>(N) * times[1]);
   }
-  while (field.section.last() < field.slabs()) step(field.density, field.mesh, field.section);
+  while (field.section.last() < field.slabs()) media::step(field.density, field.mesh, field.section);
   return field;
 }
 /// First variations of a medium: the run repeated over dual numbers.
 template <class S, int n, int N, class L>
-std::array<DiscreteSection<S, n, N>, 2> stepped_variations(Draw& draw,
+std::array<media::DiscreteSection<S, n, N>, 2> stepped_variations(Draw& draw,
                                                            DiscreteField<S, n, N, L> const& field) {
-  std::array<DiscreteSection<S, n, N>, 2> V;
+  std::array<media::DiscreteSection<S, n, N>, 2> V;
   for (auto& one : V) {
     auto start = field.section, change = field.draw_variation(draw);
     start.levels.resize(2), change.levels.resize(2);
     auto moved = varied(start, change);
-    while (moved.last() < field.slabs()) step(field.density, field.mesh, moved);
+    while (moved.last() < field.slabs()) media::step(field.density, field.mesh, moved);
     one = rate_of(moved);
   }
   return V;
@@ -240,8 +240,8 @@ std::array<DiscreteSection<S, n, N>, 2> stepped_variations(Draw& draw,
 
 /// A box of cells, by chance, with a node inside it where the mesh has one for it: from the first slab.
 template <class S, int n>
-CellBox<n> draw_cell_box(Draw& draw, SpaceTimeMesh<S, n> const& mesh) {
-  CellBox<n> box{static_cast<int>(draw.below(mesh.levels() - 2)), 2, {}, mesh.cells()};
+media::CellBox<n> draw_cell_box(Draw& draw, media::SpaceTimeMesh<S, n> const& mesh) {
+  media::CellBox<n> box{static_cast<int>(draw.below(mesh.levels() - 2)), 2, {}, mesh.cells()};
   for (int i = 0; i < n; ++i)
     if (mesh.cells()[i] > 1 && draw.below(2) == 0) {
       box.cells[i] = mesh.cells()[i] - 1;

@@ -28,7 +28,7 @@ template <class S>
 using Change = PairChange<SpannedGroup, S>;
 
 template <class S>
-GroupElements<S> draw_configurations(Draw& draw, SpannedGroup const& group, int count,
+GroupElements<S> draw_points(Draw& draw, SpannedGroup const& group, int count,
                                      std::type_identity_t<S> const& size = S(1)) {
   GroupElements<S> g;
   for (int k = 0; k < count; ++k) g.push_back(draw.template element<S>(group, size));
@@ -130,7 +130,7 @@ Vector<S> differential(GroupElements<S> const& g, F const& f) {
 }
 /// Covectors one after the other.
 template <class S>
-Vector<S> stacked(std::vector<Momentum<SpannedGroup, S>> const& mu) {
+Vector<S> in_one_column(std::vector<Momentum<SpannedGroup, S>> const& mu) {
   Index const d = mu[0].components.size();
   Vector<S> all(d * static_cast<Index>(mu.size()));
   for (std::size_t k = 0; k < mu.size(); ++k) all.segment(static_cast<Index>(k) * d, d) = mu[k].components;
@@ -226,8 +226,8 @@ Polynomial with_motion_along(Polynomial l, GroupElements<S> const& g, Draw& draw
   return l;
 }
 inline constexpr auto as_it_is = [](auto const& l) { return l; };
-inline constexpr auto from_right = [](auto const& l) { return lift_right(l); };
-inline constexpr auto from_left = [](auto const& l) { return lift_left(l); };
+inline constexpr auto lifted_right = [](auto const& l) { return lift_right(l); };
+inline constexpr auto lifted_left = [](auto const& l) { return lift_left(l); };
 
 /// An algebra polynomial whose cubic term is too small to make it degenerate at velocities of order 1.
 template <class S>
@@ -243,11 +243,11 @@ PairPolynomial<S> draw_with_motion(Draw& draw, GroupElements<S> const& g) {
 }
 template <class S>
 auto draw_right_invariant_with_motion(Draw& draw, GroupElements<S> const& g) {
-  return lift_right(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, from_right));
+  return lift_right(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, lifted_right));
 }
 template <class S>
 auto draw_left_invariant_with_motion(Draw& draw, GroupElements<S> const& g) {
-  return lift_left(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, from_left));
+  return lift_left(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, lifted_left));
 }
 
 /// A Lagrangian on pairs, less the square of a height that depends only on the image of one basis vector.

@@ -12,8 +12,8 @@ extern "C" void zgemm_(char const* a_transposed, char const* b_transposed, int c
 namespace peers {
 
 /// out = a b of square matrices.
-inline void complex_product(actio::ComplexMatrix<> const& a, actio::ComplexMatrix<> const& b,
-                            actio::ComplexMatrix<>& out) {
+inline void complex_product(actio::sphere::ComplexMatrix<> const& a, actio::sphere::ComplexMatrix<> const& b,
+                            actio::sphere::ComplexMatrix<>& out) {
   int const n = static_cast<int>(a.rows());
   std::complex<double> const one = 1, zero = 0;
   out.resize(n, n);
@@ -21,25 +21,25 @@ inline void complex_product(actio::ComplexMatrix<> const& a, actio::ComplexMatri
 }
 
 /// The largest sum of moduli in a row.
-inline double largest_row(actio::ComplexMatrix<> const& a) { return a.cwiseAbs().rowwise().sum().maxCoeff(); }
+inline double largest_row(actio::sphere::ComplexMatrix<> const& a) { return a.cwiseAbs().rowwise().sum().maxCoeff(); }
 
 /// Steps of one length.
 struct FixedPointMidpoint {
-  actio::SphereLaplacian const& laplacian;
+  actio::sphere::SphereLaplacian const& laplacian;
   double h;
-  actio::ComplexMatrix<> increment = {};
-  actio::ComplexMatrix<> p = {}, first = {}, second = {}, commutator = {};
-  actio::SkewHermitian<> stream = {};
+  actio::sphere::ComplexMatrix<> increment = {};
+  actio::sphere::ComplexMatrix<> p = {}, first = {}, second = {}, commutator = {};
+  actio::sphere::SkewHermitian<> stream = {};
   double iterations = 0;  ///< of all steps together
 
-  void step(actio::ComplexMatrix<>& w) {
+  void step(actio::sphere::ComplexMatrix<>& w) {
     auto const n = w.rows();
     if (increment.rows() != n) increment.setZero(n, n);
-    double const hbar = actio::QuantizedSphere(static_cast<int>(n)).hbar();
+    double const hbar = actio::sphere::QuantizedSphere(static_cast<int>(n)).hbar();
     double const tolerance = std::sqrt(std::numeric_limits<double>::epsilon()) * h / hbar * largest_row(w);
     for (int k = 0; k < 10; ++k, ++iterations) {
       second = w + increment;
-      actio::SkewHermitian<> const middle(second.real(), second.imag());
+      actio::sphere::SkewHermitian<> const middle(second.real(), second.imag());
       laplacian.solve(middle, stream);
       p.resize(n, n), p.real() = h / (2 * hbar) * stream.real, p.imag() = h / (2 * hbar) * stream.imaginary;
       complex_product(p, second, first);

@@ -9,23 +9,23 @@
 
 namespace peers {
 
-inline actio::FreeBody free_body(Task const& task) {
+inline actio::bodies::FreeBody free_body(Task const& task) {
   return {actio::inertia_from_moments(task.I[0], task.I[1], task.I[2]),
           {actio::SO<3>{}, Eigen::Vector3d(task.M[0], task.M[1], task.M[2])}};
 }
-inline Seven seven(actio::FreeState const& s) {
+inline Seven seven(actio::bodies::FreeState const& s) {
   auto const& M = s.body_momentum.components;
   auto const& q = s.attitude.value;
   return {M[0], M[1], M[2], q[0], q[1], q[2], q[3]};
 }
 
 /// Half turns with the same parameters, without compensation.
-inline std::unique_ptr<Stepper> half_turns(actio::FreeBody const& body,
-                                           actio::StepParameters<double> const& parameters) {
-  using State = actio::FrameState<double>;
+inline std::unique_ptr<Stepper> half_turns(actio::bodies::FreeBody const& body,
+                                           actio::bodies::StepParameters<double> const& parameters) {
+  using State = actio::bodies::FrameState<double>;
   return stepper(
       body.start(),
-      [turn = actio::HalfTurn<double>(parameters)](State & p)
+      [turn = actio::bodies::HalfTurn<double>(parameters)](State & p)
           __attribute__((always_inline)) { turn.step(p); },
       [body](State const& p) { return seven(body.state(p)); });
 }
@@ -39,11 +39,11 @@ inline Method exact_half_turns() {
 /// The momentum alone.
 inline Method exact_momentum() {
   return {"exact half turns, momentum alone", [](Task const& task, double h) {
-            using State = actio::FrameState<double>;
+            using State = actio::bodies::FrameState<double>;
             auto const body = free_body(task);
             return stepper(
                 body.start(),
-                [turn = actio::HalfTurn<double>(body.step_parameters(h))](State & p)
+                [turn = actio::bodies::HalfTurn<double>(body.step_parameters(h))](State & p)
                     __attribute__((always_inline)) { turn.step(p.direction); },
                 [body](State const& p) { return seven(body.state(p)); });
           }};
@@ -56,7 +56,7 @@ class CompensatedStepper final : public Stepper {
   Seven state() const override { return seven(motion_.state()); }
 
  private:
-  actio::FreeSteps motion_;
+  actio::bodies::FreeSteps motion_;
 };
 inline Method exact_compensated() {
   return {"exact, compensated (FreeSteps)",
@@ -76,29 +76,29 @@ inline Method moser_veselov_once(int order) {
 /// with modified moments these are worked out in each step, too.
 class TwistEachStep {
  public:
-  TwistEachStep(actio::FreeBody const& body, Task const& task, double h, int order)
+  TwistEachStep(actio::bodies::FreeBody const& body, Task const& task, double h, int order)
       : polynomials_(task, order), modified_(order > 2), half_(h / 2) {
     for (int i = 0; i < 3; ++i) J_[i] = 1 / task.I[i];
     amount_ = body.amount();
   }
-  [[gnu::always_inline]] void operator()(actio::FrameState<double>& state) const {
+  [[gnu::always_inline]] void operator()(actio::bodies::FrameState<double>& state) const {
     auto const& u = state.direction;
     double s = 1, d = 0;
     double const energy = J_[0] * u[0] * u[0] + J_[1] * u[1] * u[1] + J_[2] * u[2] * u[2];
     if (modified_) polynomials_.at(amount_ * amount_, amount_ * amount_ * energy, half_ * half_, s, d);
     double const t = half_ * amount_;
-    actio::Three<double> const j{t * (s * J_[0] + d), t * (s * J_[1] + d), t * (s * J_[2] + d)};
+    actio::bodies::Three<double> const j{t * (s * J_[0] + d), t * (s * J_[1] + d), t * (s * J_[2] + d)};
     bool found = false;
-    auto const parameters = actio::moser_veselov_parameters<double>(j, u, found);
+    auto const parameters = actio::bodies::moser_veselov_parameters<double>(j, u, found);
     if (!found) throw std::runtime_error("Moser-Veselov: the step is too long");
-    actio::HalfTurn<double>(parameters).step(state);
+    actio::bodies::HalfTurn<double>(parameters).step(state);
   }
 
  private:
   PreprocessingPolynomials polynomials_;
   bool modified_;
   double half_, amount_;
-  actio::Three<double> J_;
+  actio::bodies::Three<double> J_;
 };
 inline Method moser_veselov_each_step(int order) {
   return {"Moser-Veselov, order " + std::to_string(order) + ", twist each step",
@@ -107,7 +107,7 @@ inline Method moser_veselov_each_step(int order) {
             // body.
             auto const body = free_body(task);
             return stepper(body.start(), TwistEachStep(body, task, h, order),
-                           [body](actio::FrameState<double> const& p) { return seven(body.state(p)); });
+                           [body](actio::bodies::FrameState<double> const& p) { return seven(body.state(p)); });
           }};
 }
 

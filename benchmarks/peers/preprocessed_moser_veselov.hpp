@@ -27,16 +27,16 @@ class PreprocessingPolynomials {
 
   /// @param order  2 to 10
   PreprocessingPolynomials(Task const& task, int order) : terms_(order / 2) {
-    using actio::dec50, actio::Three;
+    using actio::dec50, actio::bodies::Three;
     // For |M| = 1 the n-th term is a polynomial of degree n in 2H: interpolated at n + 1 energies.
-    Three<dec50> const I{dec50(task.I[0]), dec50(task.I[1]), dec50(task.I[2])};
-    actio::InverseMoments<dec50> const body(I);
+    bodies::Three<dec50> const I{dec50(task.I[0]), dec50(task.I[1]), dec50(task.I[2])};
+    actio::bodies::InverseMoments<dec50> const body(I);
     std::array<dec50, most> energy;
-    std::vector<actio::ModifiedInertiaSeries<dec50>> series;
+    std::vector<actio::bodies::ModifiedInertiaSeries<dec50>> series;
     for (int k = 0; k < terms_; ++k) {
       dec50 const share = dec50(k) / most;
       energy[k] = body.J[2] + body.d13 * share;
-      series.emplace_back(body, actio::Orbit<dec50>(body, {sqrt(share), dec50(0), sqrt(dec50(1 - share))}),
+      series.emplace_back(body, actio::bodies::Orbit<dec50>(body, {sqrt(share), dec50(0), sqrt(dec50(1 - share))}),
                           terms_);
     }
     for (int n = 0; n < terms_; ++n) {

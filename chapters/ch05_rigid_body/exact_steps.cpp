@@ -24,6 +24,7 @@
 #include "witness/euler_series.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Vector3d = actio::Vector<double, 3>;
 
 // The witness: power series of Euler's equations, in fifty digits.

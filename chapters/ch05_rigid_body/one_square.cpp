@@ -20,6 +20,7 @@
 #include "book/program.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 unsigned const seed = 5;
 

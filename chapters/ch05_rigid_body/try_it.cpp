@@ -15,6 +15,7 @@
 #include "running_examples.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 TRY_IT(moments_of_the_book) {
   auto const book = inertia_from_moments<double>(book_inertia);

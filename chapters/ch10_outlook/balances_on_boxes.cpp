@@ -18,6 +18,7 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using Point = Matrix<double, 2, 1>;
 using Mesh = SpaceTimeMesh<double, 2>;
 using Section = DiscreteSection<double, 2, 2>;

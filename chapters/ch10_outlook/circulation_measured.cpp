@@ -16,6 +16,7 @@
 #include "book/program.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using Place = std::array<double, 2>;
 
 // 1. A gas in a periodic box: a shear with two waves of sound in it. The shear gives vorticity, the sound

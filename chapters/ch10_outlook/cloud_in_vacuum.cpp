@@ -17,6 +17,7 @@
 #include "rim_circulation.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using book::measured, book::number;
 using Place = std::array<double, 2>;
 using Square = actio::Matrix<double, 2, 2>;

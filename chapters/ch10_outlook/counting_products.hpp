@@ -6,7 +6,7 @@
 
 #include "actio/vorticity/products.hpp"
 
-struct CountingProducts : actio::ProductsBy<CountingProducts> {
+struct CountingProducts : actio::sphere::ProductsBy<CountingProducts> {
   mutable double complex_products = 0;
   template <class Part>
   void whole(Part const& a, Part const& b, Part& out) const {

@@ -22,6 +22,7 @@
 #include "truncated_flow.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using book::measured, book::number;
 
 constexpr int size = 20, steps = 400, most = 6;

@@ -18,6 +18,7 @@
 #include "random_flow.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using Weights = std::vector<double>;
 using NamedWeights = std::vector<std::pair<std::string, Weights>>;
 using book::measured, book::number;

@@ -15,6 +15,7 @@
 #include "book/program.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using Row = SpaceTimeMesh<double, 1>;
 using Angles = DiscreteSection<double, 1, 1>;
 

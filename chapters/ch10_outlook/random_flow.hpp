@@ -7,10 +7,10 @@
 
 // Its vorticity: of the degrees `first` to `last` the parts of every harmonic are drawn from the normal
 // distribution of variance 1; the others are zero.
-inline actio::SphereHarmonics random_flow(int degrees, int first, int last, unsigned seed) {
+inline actio::sphere::SphereHarmonics random_flow(int degrees, int first, int last, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  actio::SphereHarmonics f(degrees);
+  actio::sphere::SphereHarmonics f(degrees);
   for (int l = first; l <= last; ++l)
     for (int m = 0; m <= l; ++m) {
       double const imaginary = m == 0 ? 0 : normal(random);  // drawn first

@@ -5,7 +5,7 @@
 
 // Along the edges of all sides, counter-clockwise, by the mean of the velocities at both ends: exact where
 // the velocity is linear.
-inline double rim_circulation(actio::MediumOnMesh<2> const& medium) {
+inline double rim_circulation(actio::media::MediumOnMesh<2> const& medium) {
   auto const x = medium.places(), u = medium.velocities();
   double sum = 0;
   for (auto const& [name, edges] : medium.mesh().sides)

@@ -20,6 +20,7 @@
 #include "sphere_disc.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 
 constexpr int size = 24, degree = 5, order = 4;
 constexpr double rotation = 1, duration = 1;

@@ -28,8 +28,8 @@ inline std::string colour_of(double value, double largest) {
 /// Elements of a picture: the field as a disc, row by row, neighbours of one colour together.
 /// @param at       the centre, in pixels
 /// @param largest  the value of the strongest colour
-inline std::string sphere_disc(svg::Point at, double radius, actio::SphereGrid const& grid,
-                               actio::GridField const& field, double largest, SeenFrom eye) {
+inline std::string sphere_disc(svg::Point at, double radius, actio::sphere::SphereGrid const& grid,
+                               actio::sphere::GridField const& field, double largest, SeenFrom eye) {
   double const longitude = eye.longitude * M_PI / 180, latitude = eye.latitude * M_PI / 180;
   auto const value = [&](double x, double y) {
     double const z = std::sqrt(std::max(0.0, 1 - x * x - y * y));

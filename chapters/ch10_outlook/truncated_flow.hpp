@@ -12,21 +12,21 @@ class TruncatedFlow {
   TruncatedFlow(int degrees, double step)
       : degrees_(degrees),
         step_(step),
-        grid_(actio::SphereGrid::gauss(3 * degrees / 2 + 2, 3 * degrees + 4)) {}
+        grid_(actio::sphere::SphereGrid::gauss(3 * degrees / 2 + 2, 3 * degrees + 4)) {}
 
-  actio::SphereHarmonics rate(actio::SphereHarmonics const& zeta) const {
+  actio::sphere::SphereHarmonics rate(actio::sphere::SphereHarmonics const& zeta) const {
     // The slopes of zeta are the velocities of a flow with the stream function zeta.
-    actio::SphereHarmonics as_stream = zeta;
+    actio::sphere::SphereHarmonics as_stream = zeta;
     for (int l = 0; l < degrees_; ++l) as_stream.coefficient.row(l) *= -(l * (l + 1.0));
-    auto const u = flow_on(grid_, zeta), slopes = flow_on(grid_, as_stream);
-    actio::GridField const transport = u.east.cwiseProduct(slopes.north) - u.north.cwiseProduct(slopes.east);
-    auto f = harmonics_from(grid_, transport, degrees_);
+    auto const u = actio::sphere::flow_on(grid_, zeta), slopes = actio::sphere::flow_on(grid_, as_stream);
+    actio::sphere::GridField const transport = u.east.cwiseProduct(slopes.north) - u.north.cwiseProduct(slopes.east);
+    auto f = actio::sphere::harmonics_from(grid_, transport, degrees_);
     f.coefficient *= -1;
     return f;
   }
   // The midpoint rule conserves what is quadratic: whatever else changes, the truncation changes.
-  void advance(actio::SphereHarmonics& zeta) const {
-    actio::SphereHarmonics middle = zeta;
+  void advance(actio::sphere::SphereHarmonics& zeta) const {
+    actio::sphere::SphereHarmonics middle = zeta;
     double moved = 1;
     for (int k = 0; k < 100 && moved > 1e-15; ++k) {
       auto const next = (zeta.coefficient + 0.5 * step_ * rate(middle).coefficient).eval();
@@ -39,5 +39,5 @@ class TruncatedFlow {
  private:
   int degrees_;
   double step_;
-  actio::SphereGrid grid_;
+  actio::sphere::SphereGrid grid_;
 };

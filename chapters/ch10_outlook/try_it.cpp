@@ -12,6 +12,8 @@
 #include "actio/multisymplectic/step_field_equations.hpp"
 #include "actio/numbers/print.hpp"
 using namespace actio;
+using namespace actio::media;
+using namespace actio::sphere;
 
 TRY_IT(sheet) {
   // A sheet of rubber is stretched, set turning and let go: what has changed after a thousand steps.

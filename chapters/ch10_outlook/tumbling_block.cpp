@@ -14,6 +14,7 @@
 #include "book/program.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using Place = std::array<double, 2>;
 
 // 1. The block: 2 by 1/2, sound crosses it in half a second.

@@ -18,6 +18,7 @@
 #include "sphere_disc.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 
 constexpr int size = 36, steps = 1400;
 constexpr double h = 0.1;

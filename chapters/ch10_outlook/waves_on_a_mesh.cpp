@@ -15,6 +15,7 @@
 #include "book/program.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using Place = std::array<double, 2>;
 
 // 1. Two media: the speed of sound, and its integral over the stretch.

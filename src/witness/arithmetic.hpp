@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <string>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/errors.hpp"
 
 namespace actio {

@@ -12,6 +12,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 using testing::caught;
 using testing::message_of;
 

@@ -7,7 +7,8 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
-using detail::SparseElimination, detail::SparseRow;
+using namespace actio::systems;
+using systems::detail::SparseElimination, systems::detail::SparseRow;
 
 namespace {
 
@@ -19,7 +20,7 @@ std::vector<double> whole(std::vector<double> const& coefficients) {
   Terms terms;
   for (double const c : coefficients) terms.push_back({0, -1, c});
   std::vector<double> out;
-  for (auto const& t : detail::with_whole_coefficients(of(terms)).terms) out.push_back(t.coefficient);
+  for (auto const& t : systems::detail::with_whole_coefficients(of(terms)).terms) out.push_back(t.coefficient);
   return out;
 }
 /// Rows with few entries, small and whole, and multiples of rows among them.
@@ -70,7 +71,7 @@ BOOST_AUTO_TEST_SUITE(casimir_parts)
 
 BOOST_AUTO_TEST_CASE(monomials_are_numbered_without_gaps_and_their_factors_come_back) {
   for (int const d : {1, 2, 5, 9}) {
-    detail::Monomials const monomials{d};
+    systems::detail::Monomials const monomials{d};
     int next = 0;
     for (int i = 0; i < d; ++i)
       for (int j = i; j < d; ++j, ++next) {
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(the_defect_is_the_largest_coefficient_of_a_bracket) {
   auto const defect = [](double a, double b, double unit) {
     auto basis = named_algebra("SE(2)").basis;
     basis[0] *= unit;
-    return detail::defect_of_casimir(spanned_algebra(basis), of({{1, 1, a}, {2, 2, b}}));
+    return systems::detail::defect_of_casimir(spanned_algebra(basis), of({{1, 1, a}, {2, 2, b}}));
   };
   BOOST_TEST(defect(1, 1, 1) == 0);
   BOOST_TEST(defect(1, 3, 1) == 4.0 / 3);
@@ -119,10 +120,10 @@ BOOST_AUTO_TEST_CASE(the_defect_is_the_largest_coefficient_of_a_bracket) {
   // Relative to the structure constants.
   BOOST_TEST(std::abs(defect(1, 3, 8) - 4.0 / 3) < 8 * eps);
   // w + 5 p_1 has the brackets -p_2 and p_1 with the shifts, and 5 p_2 with w.
-  BOOST_TEST(detail::defect_of_casimir(named_algebra("SE(2)"), of({{0, -1, 1}, {1, -1, 5}})) == 1);
-  BOOST_TEST(detail::defect_of_casimir(named_algebra("SE(2)"), of({{0, -1, 2}})) == 1);
+  BOOST_TEST(systems::detail::defect_of_casimir(named_algebra("SE(2)"), of({{0, -1, 1}, {1, -1, 5}})) == 1);
+  BOOST_TEST(systems::detail::defect_of_casimir(named_algebra("SE(2)"), of({{0, -1, 2}})) == 1);
   // w p_1 has w p_2 with w and -p_1 p_2 and p_1^2 with the shifts.
-  BOOST_TEST(detail::defect_of_casimir(named_algebra("SE(2)"), of({{0, 1, 2}})) == 1);
+  BOOST_TEST(systems::detail::defect_of_casimir(named_algebra("SE(2)"), of({{0, 1, 2}})) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(rows_of_few_entries_are_reduced_to_echelon_form) {

@@ -5,6 +5,7 @@
 #include "own_system.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 
 namespace {
 
@@ -27,7 +28,7 @@ Column slope_in_vectors(Column const& v, Column const& a) {
 
 /// On SL(2), or on the triangular matrices, of which some products vanish in one order alone.
 ReducedSystem system_on(Side side, Chart chart, bool triangular = false) {
-  auto const entry = [](int i, int j) { return detail::elementary_matrix(2, i, j); };
+  auto const entry = [](int i, int j) { return systems::detail::elementary_matrix(2, i, j); };
   MatrixAlgebra algebra =
       triangular ? spanned_algebra({entry(0, 0), entry(0, 1), entry(1, 1)}) : named_algebra("SL(2)");
   Tape l = parse_formula(lagrangian, {"x1", "x2", "x3", "a1", "a2", "b1", "b2"}, {});
@@ -183,7 +184,7 @@ BOOST_AUTO_TEST_CASE(coefficients_of_chi_follow_from_zeta_of_even_numbers) {
     for (std::size_t k = 1; k < n; ++k) zeta[n] += zeta[k] * zeta[n - k];
     zeta[n] /= static_cast<Number>(n) + 0.5L;
   }
-  auto const& beta = detail::coefficients_of_chi();
+  auto const& beta = systems::detail::coefficients_of_chi();
   BOOST_TEST(beta[0] == 1);
   for (int k = 1; k < 65; ++k) {
     auto const at = static_cast<std::size_t>(k);

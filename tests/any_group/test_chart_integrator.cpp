@@ -8,6 +8,7 @@
 #include "own_system.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 using testing::message_of;
 
 namespace {

@@ -12,6 +12,7 @@
 #include "own_system.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 using testing::caught;
 
 namespace {

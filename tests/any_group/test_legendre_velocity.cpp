@@ -8,6 +8,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 
 namespace {
 

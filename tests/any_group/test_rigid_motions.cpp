@@ -5,6 +5,7 @@
 #include "actio/any_group/rigid_motions.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 
 namespace {
 

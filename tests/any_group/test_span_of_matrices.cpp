@@ -10,6 +10,7 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
+using namespace actio::systems;
 using testing::message_of;
 
 namespace {

@@ -19,7 +19,7 @@ struct Case {
 inline Case random_case(std::mt19937& random, int n) {
   auto const [inertia, spin] = random_body<n_>(random, n);
   return {inertia,
-          body_momentum(inertia, spin / skew_spectrum(inertia.group.hat(spin.coordinates)).maxCoeff())};
+          body_momentum(inertia, spin / bodies::skew_spectrum(inertia.group.hat(spin.coordinates)).maxCoeff())};
 }
 inline double difference(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b) { return (a - b).norm(); }
 

@@ -18,8 +18,8 @@ struct FreeProblem {
   std::array<double, 3> moments, momentum;
   double time;
 
-  FreeBody body() const {
-    return FreeBody(inertia_from_moments(moments[0], moments[1], moments[2]),
+  bodies::FreeBody body() const {
+    return bodies::FreeBody(inertia_from_moments(moments[0], moments[1], moments[2]),
                     {SO<3>{}, Eigen::Vector3d(momentum[0], momentum[1], momentum[2])});
   }
   double amount() const { return std::hypot(momentum[0], momentum[1], momentum[2]); }
@@ -62,7 +62,7 @@ Apart apart(FreePath<S> const& a, FreePath<T> const& b, double amount) {
     if (!(*x == *x)) *x = 1e300;
   return d;
 }
-inline FreePath<double> path_of(FreeState const& s) {
+inline FreePath<double> path_of(bodies::FreeState const& s) {
   auto const& m = s.body_momentum.components;
   auto const& q = s.attitude.value;
   return {{m[0], m[1], m[2]}, {q[0], q[1], q[2], q[3]}};
@@ -77,14 +77,14 @@ FreePath<S> exact_path(FreeProblem const& p) {
              (p.moments[(first + 2) % 3] - p.moments[(first + 1) % 3]) <
          0)
     ++first;
-  Three<S> I, u;
+  bodies::Three<S> I, u;
   S square(0);
   for (int i = 0; i < 3; ++i)
     I[i] = S(p.moments[(i + first) % 3]), u[i] = S(p.momentum[(i + first) % 3]), square += u[i] * u[i];
   S const amount = sqrt(square);
   for (S& x : u) x /= amount;
-  FrameState<S> state{u, {S(1), S(0), S(0), S(0)}};
-  HalfTurn<S>(exact_flow<S>(InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(state);
+  bodies::FrameState<S> state{u, {S(1), S(0), S(0), S(0)}};
+  bodies::HalfTurn<S>(bodies::exact_flow<S>(bodies::InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(state);
   FreePath<S> path;
   path.attitude[0] = state.attitude[0];
   for (int i = 0; i < 3; ++i)
@@ -133,29 +133,29 @@ inline double units_off(FreeProblem const& p, FreePath<long double> const& answe
 struct ConservationErrors {
   double casimir, energy, spatial, length;
 };
-inline ConservationErrors conservation_errors(Three<double> const& moments,
-                                              CompensatedState<double> const& now,
-                                              FrameState<double> const& start) {
+inline ConservationErrors conservation_errors(bodies::Three<double> const& moments,
+                                              bodies::CompensatedState<double> const& now,
+                                              bodies::FrameState<double> const& start) {
   using Quad = __float128;
-  Three<Quad> u, from;
-  Four<Quad> q;
+  bodies::Three<Quad> u, from;
+  bodies::Four<Quad> q;
   for (int i = 0; i < 3; ++i)
     u[i] = Quad(now.state.direction[i]) + now.compensation.direction[i], from[i] = start.direction[i];
   for (int i = 0; i < 4; ++i) q[i] = Quad(now.state.attitude[i]) + now.compensation.attitude[i];
   Quad energy = 0, before = 0, length = 0;
   for (int i = 0; i < 3; ++i) energy += u[i] * u[i] / moments[i], before += from[i] * from[i] / moments[i];
   for (int i = 0; i < 4; ++i) length += q[i] * q[i];
-  Four<Quad> const in_space =
-      compose(compose(q, Four<Quad>{0, u[0], u[1], u[2]}), Four<Quad>{q[0], -q[1], -q[2], -q[3]});
+  bodies::Four<Quad> const in_space =
+      bodies::compose(bodies::compose(q, bodies::Four<Quad>{0, u[0], u[1], u[2]}), bodies::Four<Quad>{q[0], -q[1], -q[2], -q[3]});
   double spatial = 0;
   for (int i = 0; i < 3; ++i)
     spatial = std::max(spatial, std::abs(static_cast<double>(in_space[1 + i] / length - from[i])));
-  return {std::abs(static_cast<double>(dot(u, u) / dot(from, from) - 1)),
+  return {std::abs(static_cast<double>(bodies::dot(u, u) / bodies::dot(from, from) - 1)),
           std::abs(static_cast<double>(energy / before - 1)), spatial,
           std::abs(static_cast<double>(length - 1))};
 }
 /// The same of what a motion gives away, from the attitude 1.
-inline ConservationErrors conservation_errors(FreeSteps const& motion, Three<double> const& moments) {
+inline ConservationErrors conservation_errors(bodies::FreeSteps const& motion, bodies::Three<double> const& moments) {
   auto const now = path_of(motion.state()), start = path_of(motion.body().at(0));
   double const L = motion.body().amount();
   return conservation_errors(

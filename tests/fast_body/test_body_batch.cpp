@@ -9,6 +9,7 @@
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
@@ -96,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_frame_has_its_quaternion_whichever_component_is_largest) 
         q.normalize();
         Eigen::Matrix3d const r = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
         Vector4d const found =
-            detail::frame_quaternion({r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)});
+            bodies::detail::frame_quaternion({r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)});
         BOOST_TEST(std::min((found - q).norm(), (found + q).norm()) <= 8 * eps);
       }
     }

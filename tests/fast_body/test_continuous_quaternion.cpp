@@ -5,6 +5,7 @@
 #include "hard_bodies.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using namespace actio::testing;
 
 namespace {

@@ -12,6 +12,7 @@
 #include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 namespace {
 using testing::FreePath, testing::FreeProblem;
@@ -34,8 +35,8 @@ StepParameters<S> parameters_on(FreeProblem const& p, Road road, S& amount, Thre
   Orbit<S> const orbit(body, u);
   S const t = S(p.time) / S(2) * amount;
   return road == Road::chosen   ? exact_flow<S>(body, u, t)
-         : road == Road::series ? detail::flow_by_series<S>(body, orbit, t)
-                                : detail::flow_by_elliptic_functions<S>(body, u, orbit, t);
+         : road == Road::series ? bodies::detail::flow_by_series<S>(body, orbit, t)
+                                : bodies::detail::flow_by_elliptic_functions<S>(body, u, orbit, t);
 }
 template <class S>
 FreePath<S> arrive(FreeProblem const& p, Road road = Road::chosen) {
@@ -145,7 +146,7 @@ BOOST_AUTO_TEST_CASE(the_series_ends_where_it_may) {
   // On both sides of the switch, by both roads.
   for (FreeProblem const& shape : shapes())
     for (double const part : {0.25, 0.9, 0.999, 1.001}) {
-      FreeProblem const p = at_reach(shape, part * detail::short_enough);
+      FreeProblem const p = at_reach(shape, part * bodies::detail::short_enough);
       // A nearly spherical body turns ten thousand times meanwhile: the phase is rounded in both roads, but
       // not in the same way.
       double const angle = 1 + p.time * p.rate();

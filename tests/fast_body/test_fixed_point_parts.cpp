@@ -8,7 +8,8 @@
 #include "actio/fast_body/any_dimension/stopping_rule.hpp"
 
 using namespace actio;
-using detail::Defect, detail::StoppingRule, detail::Weights;
+using namespace actio::bodies;
+using bodies::detail::Defect, bodies::detail::StoppingRule, bodies::detail::Weights;
 
 namespace {
 
@@ -171,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_change_that_equals_what_is_allowed_is_allowed) {
 
 BOOST_AUTO_TEST_CASE(extrapolations_are_exact_for_polynomials_and_no_weights_are_smaller) {
   int expected_length = 0, count = 0;
-  for (Weights const& w : detail::all_extrapolations()) {
+  for (Weights const& w : bodies::detail::all_extrapolations()) {
     int const p = w.degree, m = w.length;
     ++count;
     BOOST_TEST(m >= expected_length);

@@ -10,6 +10,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 
 namespace {

@@ -10,6 +10,7 @@
 #include "hard_bodies.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 namespace {
 using testing::FreePath, testing::FreeProblem, testing::ConservationErrors, testing::conservation_errors;

@@ -8,6 +8,7 @@
 #include "caught.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 using testing::caught;
 

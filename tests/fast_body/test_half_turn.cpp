@@ -13,6 +13,7 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 
 namespace {

@@ -11,6 +11,7 @@
 #include "actio/fast_body/any_dimension/matrix_conditions.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using namespace actio::detail;
 using Eigen::MatrixXd;
 

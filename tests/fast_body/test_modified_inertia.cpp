@@ -9,6 +9,7 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 namespace {
 
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(orders_two_to_ten_come_out) {
       std::vector<double> steps, errors;
       for (int count = 8; count <= 256; count *= 2) {
         S const t = S(1) / S(2 * count);
-        auto const modified = actio::modified_inertia<S>(model.body, model.u, t, order);
+        auto const modified = actio::bodies::modified_inertia<S>(model.body, model.u, t, order);
         Three<S> j;
         for (int i = 0; i < 3; ++i) j[i] = modified.s * t * model.body.J[i] + modified.d;
         bool found = false;

@@ -9,6 +9,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

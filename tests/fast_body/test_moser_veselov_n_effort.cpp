@@ -10,6 +10,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 namespace {
 
@@ -163,7 +164,7 @@ BOOST_AUTO_TEST_CASE(the_largest_eigenvalue_of_a_tridiagonal_matrix_is_that_of_t
         whole(k, k + 1) = whole(k + 1, k) = beside[static_cast<std::size_t>(k)] = 3 * uniform(random);
       double const expected = symmetric_eigen(whole).values[n - 1];
       if (expected > 0)
-        BOOST_TEST(std::abs(detail::largest_of_tridiagonal(diagonal, beside) - expected) <=
+        BOOST_TEST(std::abs(bodies::detail::largest_of_tridiagonal(diagonal, beside) - expected) <=
                    16 * n * eps * (1 + shift + 6));
     }
 }

@@ -8,6 +8,7 @@
 #include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using actio::testing::Case, actio::testing::difference, actio::testing::n_, actio::testing::random_case;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

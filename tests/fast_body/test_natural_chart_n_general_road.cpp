@@ -7,6 +7,7 @@
 #include "chart_cases.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using actio::testing::difference, actio::testing::random_case;
 
 namespace {

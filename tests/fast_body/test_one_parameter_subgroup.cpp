@@ -10,6 +10,7 @@
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using namespace actio::detail;
 using Eigen::MatrixXd;
 

@@ -11,6 +11,7 @@
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 

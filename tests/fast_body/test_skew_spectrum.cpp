@@ -10,6 +10,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -89,9 +90,9 @@ BOOST_AUTO_TEST_SUITE(matrix_algebra)
 
 BOOST_AUTO_TEST_CASE(a_norm_counts_the_entries_of_its_matrix_and_nothing_behind_it) {
   for (int n : {2, 4, 5, 9}) {
-    detail::MatrixAlgebra const algebra(n);
+    bodies::detail::MatrixAlgebra const algebra(n);
     std::vector<double> room(algebra.size() + 8, 0.0);
-    room[detail::full_entry(algebra.shape(), 0, 1)] = 3, room[detail::full_entry(algebra.shape(), 1, 0)] = -4;
+    room[bodies::detail::full_entry(algebra.shape(), 0, 1)] = 3, room[bodies::detail::full_entry(algebra.shape(), 1, 0)] = -4;
     for (std::size_t k = algebra.size(); k < room.size(); ++k) room[k] = 7;
     BOOST_TEST(algebra.norm(room.data()) == 5.0);
   }

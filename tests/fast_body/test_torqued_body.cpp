@@ -11,6 +11,7 @@
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
@@ -86,12 +87,12 @@ BOOST_AUTO_TEST_CASE(the_series_leave_out_nothing_beyond_rounding) {
       for (double const part : {0.0, 0.3, 1.0}) {
         compare(
             [](double X, double Y, double W) {
-              return ShortSeries<double>::by_table<5>(detail::short_table<5, double>(), X, Y, W);
+              return ShortSeries<double>::by_table<5>(bodies::detail::short_table<5, double>(), X, Y, W);
             },
             part * short_reach<5>, y, w);
         compare(
             [](double X, double Y, double W) {
-              return ShortSeries<double>::by_table<8>(detail::short_table<8, double>(), X, Y, W);
+              return ShortSeries<double>::by_table<8>(bodies::detail::short_table<8, double>(), X, Y, W);
             },
             part * short_reach<8>, y, w);
       }

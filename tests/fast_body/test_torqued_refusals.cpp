@@ -11,6 +11,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 

@@ -11,6 +11,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();

@@ -9,6 +9,7 @@
 #include "actio/fast_body/space/short_flow.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using Eigen::Vector3d;
 using Vector6d = actio::Vector<double, 6>;
 using Moment = Momentum<SO<3>, double>;

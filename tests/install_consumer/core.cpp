@@ -4,6 +4,7 @@
 
 #include <cstdio>
 using namespace actio;
+using namespace actio::systems;
 
 int main() {
   int const dimension = static_cast<int>(named_algebra("SE(3)").basis.size());

@@ -155,20 +155,20 @@ inline Sample segments() {
   return {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 15, 5, {{2}}}, {1, 1, 0, {{0, 1}, {1, 2}}}}, ""};
 }
 
-inline double volume_of(BodyMesh const& mesh) {
+inline double volume_of(media::BodyMesh const& mesh) {
   static constexpr double parts[] = {1, 2, 1, 6, 1};
   double sum = 0;
   for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
-    sum += corner_jacobian(mesh, cell, 0).volume / parts[int(mesh.shape)];
+    sum += media::corner_jacobian(mesh, cell, 0).volume / parts[int(mesh.shape)];
   return sum;
 }
 
 /// A text that must be refused with these words.
 inline void not_read(std::string const& text, std::string const& words) {
   try {
-    gmsh_mesh_of(text, "sample");
+    media::gmsh_mesh_of(text, "sample");
     BOOST_ERROR("not refused: " << words);
-  } catch (NotAGmshFile const& e) {
+  } catch (media::NotAGmshFile const& e) {
     BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
   }
 }

@@ -38,8 +38,8 @@ auto bent_cube() {
 
 /// A field with components in (-1, 1) at every node of the first two levels.
 template <class S, int N, int n>
-DiscreteSection<S, n, N> drawn_start(SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
-  DiscreteSection<S, n, N> V;
+media::DiscreteSection<S, n, N> drawn_start(media::SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
+  media::DiscreteSection<S, n, N> V;
   V.levels.resize(2);
   for (auto& level : V.levels)
     for (Index i = 0; i < mesh.node_count(); ++i) {
@@ -54,8 +54,8 @@ DiscreteSection<S, n, N> drawn_start(SpaceTimeMesh<S, n> const& mesh, Draw& draw
 /// The identity on the first two levels, disturbed at every node: a part of the mesh width away, with
 /// velocities of about one that differ by an eighth.
 template <class S, int n>
-DiscreteSection<S, n, n> disturbed_identity(SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
-  auto section = restricted(
+media::DiscreteSection<S, n, n> disturbed_identity(media::SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
+  auto section = media::restricted(
       mesh, []<class T>(Matrix<T, n + 1, 1> const& x) { return Matrix<T, n, 1>(x.template tail<n>()); }, 2);
   auto const away = drawn_start<S, n>(mesh, draw);
   S const width = ratio<S>(1, 16 * *std::max_element(mesh.cells().begin(), mesh.cells().end()));
@@ -74,15 +74,15 @@ DiscreteSection<S, n, n> disturbed_identity(SpaceTimeMesh<S, n> const& mesh, Dra
 
 /// A solution continued to the last level of the mesh.
 template <class L, class S, int n, int N>
-void run(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSection<S, n, N>& section) {
-  while (section.last() + 1 < mesh.levels()) step(density, mesh, section);
+void run(L const& density, media::SpaceTimeMesh<Base<S>, n> const& mesh, media::DiscreteSection<S, n, N>& section) {
+  while (section.last() + 1 < mesh.levels()) media::step(density, mesh, section);
 }
 
 /// A first variation of a solution: the derivative of the run along a change of its first two levels.
 template <class L, class S, int n, int N>
-DiscreteSection<S, n, N> first_variation(L const& density, SpaceTimeMesh<S, n> const& mesh,
-                                         DiscreteSection<S, n, N> const& solution,
-                                         DiscreteSection<S, n, N> const& start) {
+media::DiscreteSection<S, n, N> first_variation(L const& density, media::SpaceTimeMesh<S, n> const& mesh,
+                                         media::DiscreteSection<S, n, N> const& solution,
+                                         media::DiscreteSection<S, n, N> const& start) {
   auto two_levels = solution;
   two_levels.levels.resize(2);
   auto moved = varied(two_levels, start);
@@ -92,11 +92,11 @@ DiscreteSection<S, n, N> first_variation(L const& density, SpaceTimeMesh<S, n> c
 
 /// A box of cells somewhere in a mesh, of any size.
 template <class S, int n>
-CellBox<n> drawn_box(SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
+media::CellBox<n> drawn_box(media::SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
   auto const below = [&](int count) {
     return static_cast<int>(draw.below(static_cast<std::uint64_t>(count)));
   };
-  CellBox<n> box{};
+  media::CellBox<n> box{};
   box.slabs = 1 + below(mesh.levels() - 1);
   box.first_slab = below(mesh.levels() - box.slabs);
   for (int i = 0; i < n; ++i) {

@@ -19,17 +19,17 @@ struct Fibred {
   template <class F>
   auto operator()(F const& f) const {
     auto const stretch = f.col(0).squaredNorm() - 1.0;
-    return f.squaredNorm() * 0.3 + stretch * stretch * 0.2 + 1.0 / small_determinant(f);
+    return f.squaredNorm() * 0.3 + stretch * stretch * 0.2 + 1.0 / media::small_determinant(f);
   }
 };
 
 /// A mesh, and places of its nodes at the start: both with every node moved by a part of a cell.
 struct Sample {
-  BodyMesh mesh;
+  media::BodyMesh mesh;
   List<double> x, u;
 };
 template <int d>
-Sample sample(BodyMesh mesh, Draw& draw, double width) {
+Sample sample(media::BodyMesh mesh, Draw& draw, double width) {
   Sample out;
   for (auto& node : mesh.nodes)
     for (int a = 0; a < d; ++a) {
@@ -39,19 +39,19 @@ Sample sample(BodyMesh mesh, Draw& draw, double width) {
   out.mesh = std::move(mesh);
   return out;
 }
-inline BodyMesh two_triangles() {
-  BodyMesh mesh;
-  mesh.shape = CellShape::triangle, mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+inline media::BodyMesh two_triangles() {
+  media::BodyMesh mesh;
+  mesh.shape = media::CellShape::triangle, mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   mesh.cells = {{0, 1, 2}, {3, 2, 1}};
   mesh.sides = {{"right", {{1, 3, -1, -1}}}, {"top", {{3, 2, -1, -1}}}};
   return mesh;
 }
-inline BodyMesh two_tetrahedra() {
-  BodyMesh mesh;
-  mesh.dimension = 3, mesh.shape = CellShape::tetrahedron;
+inline media::BodyMesh two_tetrahedra() {
+  media::BodyMesh mesh;
+  mesh.dimension = 3, mesh.shape = media::CellShape::tetrahedron;
   mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
   mesh.cells = {{0, 1, 2, 3}, {4, 2, 1, 3}};
-  mesh.sides = {{"right", {facet_nodes(mesh, {1, 1})}}, {"top", {facet_nodes(mesh, {1, 2})}}};
+  mesh.sides = {{"right", {media::facet_nodes(mesh, {1, 1})}}, {"top", {media::facet_nodes(mesh, {1, 2})}}};
   return mesh;
 }
 
@@ -73,9 +73,9 @@ struct Hill {
 /// Corners, or the single point of a simplex, counted by hand.
 template <int d>
 struct PlainBody {
-  BodyMesh const& mesh;
-  bool simplex = is_simplex(mesh.shape) || d == 1;
-  int corners = corner_count(mesh.shape), points = simplex ? 1 : corners;
+  media::BodyMesh const& mesh;
+  bool simplex = media::is_simplex(mesh.shape) || d == 1;
+  int corners = media::corner_count(mesh.shape), points = simplex ? 1 : corners;
   double pressure = 0, hill = 0, bowl = 0;  // the pressure from outside, and factors of two potentials
 
   template <class T>
@@ -110,9 +110,9 @@ struct PlainBody {
         by_u(i, b) = b >> i & 1 ? 1 : -1;
         for (int k = 0; k < d; ++k)
           if (k != i) by_u(i, b) *= b >> k & 1 ? u[std::size_t(k)] : 1 - u[std::size_t(k)];
-        for (int a = 0; a < d; ++a) out.map(a, i) += corner_place(mesh, cell, b)[std::size_t(a)] * by_u(i, b);
+        for (int a = 0; a < d; ++a) out.map(a, i) += media::corner_place(mesh, cell, b)[std::size_t(a)] * by_u(i, b);
       }
-    out.hats = inverse_matrix(out.map).transpose() * by_u, out.jacobian = small_determinant(out.map);
+    out.hats = inverse_matrix(out.map).transpose() * by_u, out.jacobian = media::small_determinant(out.map);
     return out;
   }
   /// f at points of the unit cube, with their weights: the corners (0), or as many of Gauss' along each axis.
@@ -142,7 +142,7 @@ struct PlainBody {
   double ratio(int cell) const { return simplex ? 1 : integrals(cell, 2).first / integrals(cell, 0).first; }
   double volume(int cell, int p) const {
     double const parts[] = {1, 2, 4, 6, 8};
-    return small_determinant(edges(reference(), cell, p)) / parts[int(mesh.shape)] * ratio(cell);
+    return media::small_determinant(edges(reference(), cell, p)) / parts[int(mesh.shape)] * ratio(cell);
   }
   /// The mean of a density that is linear in X, or of its square, under the hat function of a corner; of all
   /// (b = -1) on a line or a simplex.
@@ -151,7 +151,7 @@ struct PlainBody {
     double const factorial[] = {1, 1, 2, 6, 24, 120, 720};
     auto const product = [&](List<int> const& hats) {
       double out = 1;
-      if (is_simplex(mesh.shape)) {
+      if (media::is_simplex(mesh.shape)) {
         out = factorial[d] / factorial[std::size_t(d) + hats.size()];
         for (int c = 0; c < corners; ++c) out *= factorial[std::count(hats.begin(), hats.end(), c)];
       } else
@@ -164,7 +164,7 @@ struct PlainBody {
     };
     List<int> const with = b < 0 ? List<int>{} : List<int>{b};
     auto const rho = [&](int c) {
-      auto const X = corner_place(mesh, cell, c);
+      auto const X = media::corner_place(mesh, cell, c);
       Spot<d> at;
       for (int a = 0; a < d; ++a) at[a] = X[a];
       return density_at(at);
@@ -190,7 +190,7 @@ struct PlainBody {
       for (int b = 0; b < corners; ++b) {
         double hat = 1;
         for (int k = 0; k < d; ++k) hat *= b >> k & 1 ? u[std::size_t(k)] : 1 - u[std::size_t(k)];
-        for (std::size_t a = 0; a < d; ++a) X[a] += hat * corner_place(mesh, cell, b)[a];
+        for (std::size_t a = 0; a < d; ++a) X[a] += hat * media::corner_place(mesh, cell, b)[a];
       }
       exact += w * slopes(cell, u).jacobian * std::pow(density_at(X), power);
     });
@@ -229,7 +229,7 @@ struct PlainBody {
     for (int cell = 0; cell < int(mesh.cells.size()); ++cell)
       for (int p = 0; p < points; ++p) {
         auto const F = gradient(x, cell, p);
-        sum = sum + Fibred{}(F)*weight(cell, p) + small_determinant(F) * (pressure * volume(cell, p));
+        sum = sum + Fibred{}(F)*weight(cell, p) + media::small_determinant(F) * (pressure * volume(cell, p));
       }
     auto const m = masses();
     for (std::size_t k = 0; k < m.size(); ++k) {
@@ -327,15 +327,15 @@ inline List<double> plus(List<double> a, List<double> const& b, double by) {
 template <class F>
 void on_every_shape(F const& f) {
   Draw draw(3);
-  f.template operator()<1>(sample<1>(box_mesh({0}, {1}, {4}), draw, 0.25));
-  f.template operator()<1>(sample<1>(box_mesh({0}, {1}, {3}, {true}), draw, 0.3));
+  f.template operator()<1>(sample<1>(media::box_mesh({0}, {1}, {4}), draw, 0.25));
+  f.template operator()<1>(sample<1>(media::box_mesh({0}, {1}, {3}, {true}), draw, 0.3));
   f.template operator()<2>(sample<2>(two_triangles(), draw, 1));
-  f.template operator()<2>(sample<2>(box_mesh({0, 0}, {1, 0.7}, {3, 2}), draw, 0.3));
-  f.template operator()<2>(sample<2>(box_mesh({0, 0}, {1, 0.7}, {3, 2}, {true, false}), draw, 0.3));
+  f.template operator()<2>(sample<2>(media::box_mesh({0, 0}, {1, 0.7}, {3, 2}), draw, 0.3));
+  f.template operator()<2>(sample<2>(media::box_mesh({0, 0}, {1, 0.7}, {3, 2}, {true, false}), draw, 0.3));
   f.template operator()<3>(sample<3>(two_tetrahedra(), draw, 1));
-  f.template operator()<3>(sample<3>(box_mesh({0, 0, 0}, {1, 0.7, 0.9}, {2, 1, 2}), draw, 0.4));
+  f.template operator()<3>(sample<3>(media::box_mesh({0, 0, 0}, {1, 0.7, 0.9}, {2, 1, 2}), draw, 0.4));
   f.template operator()<3>(
-      sample<3>(box_mesh({0, 0, 0}, {0.7, 1, 0.9}, {1, 3, 1}, {false, true, false}), draw, 0.3));
+      sample<3>(media::box_mesh({0, 0, 0}, {0.7, 1, 0.9}, {1, 3, 1}, {false, true, false}), draw, 0.3));
 }
 
 }  // namespace actio::testing

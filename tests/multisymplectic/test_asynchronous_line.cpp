@@ -7,6 +7,7 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 using Spot = Matrix<double, 2, 1>;

@@ -13,6 +13,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing;
 
 namespace {

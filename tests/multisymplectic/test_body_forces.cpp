@@ -4,6 +4,7 @@
 #include "plain_body.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing;
 
 namespace {

@@ -4,10 +4,11 @@
 #include "actio/multisymplectic/body_quadrature.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 /// The mean over a cell of the product of three hat functions.
-double mean_of(detail::HatQuadrature const& rule, int a, int b, int c) {
+double mean_of(media::detail::HatQuadrature const& rule, int a, int b, int c) {
   double sum = 0;
   for (auto const& s : rule.samples)
     sum += s.weight * s.hat[static_cast<std::size_t>(a)] * s.hat[static_cast<std::size_t>(b)] *
@@ -36,7 +37,7 @@ BOOST_AUTO_TEST_CASE(products_of_three_hat_functions_are_integrated_exactly_on_e
   using enum BodyMesh::Shape;
   for (auto const& [shape, d] : {std::pair{segment, 1}, std::pair{triangle, 2}, std::pair{quadrilateral, 2},
                                  std::pair{tetrahedron, 3}, std::pair{hexahedron, 3}}) {
-    detail::HatQuadrature const rule(shape, d);
+    media::detail::HatQuadrature const rule(shape, d);
     bool const simplex = is_simplex(shape);
     int const corners = corner_count(shape);
     double worst = 0;

@@ -10,6 +10,7 @@
 #include "media.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing;
 
 namespace {

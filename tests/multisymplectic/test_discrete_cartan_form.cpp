@@ -4,13 +4,15 @@
 #include "actio/jets/action.hpp"
 #include "actio/noether/equivariance.hpp"
 #include "media.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing;
 
 namespace {
 
-using Q = rational;
+using Q = Number;
 
 /// A density that depends on everything, of fourth degree, in which velocities meet gradients.
 struct Everything {
@@ -43,6 +45,7 @@ DiscreteSection<Q, n, N> drawn_section(SpaceTimeMesh<Q, n> const& mesh, Draw& dr
 
 template <int n, int N>
 void forms_of_a_cell() {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Draw draw(1);
   auto const mesh = bent_mesh<n>(Side::periodic);
   GridIndex<n> cell;
@@ -105,6 +108,7 @@ BOOST_AUTO_TEST_CASE(cartan_forms_sum_up_to_the_differential_and_their_two_forms
 }
 
 BOOST_AUTO_TEST_CASE(cartan_forms_are_the_momenta_of_the_density_on_the_edges_of_a_cell) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Draw draw(2);
   auto const mesh = bent_mesh<2>(Side::free);
   auto const here = cell_of(mesh, drawn_section<2, 3>(mesh, draw), 0, {{1, 0}});
@@ -120,6 +124,7 @@ BOOST_AUTO_TEST_CASE(cartan_forms_are_the_momenta_of_the_density_on_the_edges_of
 
 BOOST_AUTO_TEST_CASE(
     the_discrete_lagrangian_of_a_medium_is_lumped_kinetic_energy_less_stored_energy_at_both_ends) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Draw draw(3);
   auto const mesh = bent_mesh<2>(Side::free);
   auto const here = cell_of(mesh, drawn_section<2, 2>(mesh, draw), 0, {{1, 1}});
@@ -137,6 +142,7 @@ BOOST_AUTO_TEST_CASE(
 }
 
 BOOST_AUTO_TEST_CASE(field_equations_are_the_variation_of_the_discrete_action) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Draw draw(4);
   for (auto const side : {Side::free, Side::periodic}) {
     auto const mesh = bent_mesh<2>(side);
@@ -158,6 +164,7 @@ BOOST_AUTO_TEST_CASE(field_equations_are_the_variation_of_the_discrete_action) {
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetry_of_the_density_is_one_of_every_cell_and_a_growth_is_none) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Draw draw(5);
   auto const mesh = bent_mesh<3>(Side::free);
   auto const here = cell_of(mesh, drawn_section<3, 3>(mesh, draw), 0, {{1, 0, 1}});

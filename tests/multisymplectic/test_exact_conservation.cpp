@@ -3,9 +3,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include "media.hpp"
-#include "actio/numbers/multiprecision.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing;
 
 namespace {
@@ -30,7 +31,8 @@ struct Solution {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(over_the_rationals_what_is_left_over_a_box_is_zero_and_not_small) {
-  using Q = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  using Q = Number;
   auto const medium = solid<Q, 2>();
   Solution<Q> const s(medium, {Q(0), ratio<Q>(1, 20), ratio<Q>(1, 8), ratio<Q>(1, 6)},
                       all_sides<2>(Side::free), 1);
@@ -65,7 +67,8 @@ BOOST_AUTO_TEST_CASE(over_the_rationals_what_is_left_over_a_box_is_zero_and_not_
 }
 
 BOOST_AUTO_TEST_CASE(in_fifty_digits_it_is_rounding_and_nothing_else) {
-  using R = dec50;
+  WithArithmetic const digits(Arithmetic::decimal(50));
+  using R = Number;
   auto const medium = gas<R, 2>();
   Solution<R> const s(medium, equal_steps<R>(R(0), ratio<R>(1, 20), 4),
                       {{{Side::free, Side::fixed}, {Side::periodic, Side::periodic}}}, 3);

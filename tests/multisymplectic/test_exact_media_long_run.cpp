@@ -8,6 +8,7 @@
 #include "simple_wave.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 template <int d>

@@ -8,6 +8,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -162,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_the_state_b
   BOOST_TEST(found.largest_step > 0.02);
   BOOST_TEST(std::string(found.what()).find("inside out") != std::string::npos);
   double least = HUGE_VAL;
-  detail::for_indices(medium.box().cells, [&](auto const& cell) {
+  media::detail::for_indices(medium.box().cells, [&](auto const& cell) {
     least = std::min(least, least_jacobian(medium.places(), medium.box(), cell));
   });
   BOOST_TEST(least > 0);

@@ -10,6 +10,7 @@
 #include "actio/multisymplectic/fast_medium_3d.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();

@@ -7,6 +7,7 @@
 #include "actio/multisymplectic/fast_forces.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -87,27 +88,27 @@ struct Off {
 template <class Medium, class Box>
 Off worst_of(Medium const& medium, Energy const& W, Box box) {
   constexpr int n = Box::dimension;
-  using Vector = detail::VectorOf<Box, double>;
+  using Vector = media::detail::VectorOf<Box, double>;
   using T = Dual<double>;
   move_all_round(box);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> some(-0.03, 0.03);
   std::vector<Vector> places;
-  detail::for_nodes(box, [&](auto const& node, std::size_t) {
+  media::detail::for_nodes(box, [&](auto const& node, std::size_t) {
     Vector x{};
     for (std::size_t i = 0; i < n; ++i) {
-      double& out = detail::component(x, static_cast<int>(i));
+      double& out = media::detail::component(x, static_cast<int>(i));
       out = some(random);
       for (std::size_t d = 0; d < n; ++d) out += node[d] * box.period[d][i] / box.cells[d];
     }
     places.push_back(x);
   });
   Off worst;
-  auto const law = detail::cell_on(medium, box.spacing);
-  detail::for_indices(box.cells, [&](std::array<int, n> const& cell) {
+  auto const law = media::detail::cell_on(medium, box.spacing);
+  media::detail::for_indices(box.cells, [&](std::array<int, n> const& cell) {
     // The corners, found once more.
     Corners<n> x;
-    detail::VectorOf<Box, T> moved[1 << n];
+    media::detail::VectorOf<Box, T> moved[1 << n];
     for (unsigned k = 0; k < 1 << n; ++k) {
       std::size_t at = 0;
       std::array<double, n> further{};
@@ -119,29 +120,29 @@ Off worst_of(Medium const& medium, Energy const& W, Box box) {
       }
       for (int c = 0; c < n; ++c) {
         Vector place = places[at];
-        double const one = detail::component(place, c) + further[static_cast<std::size_t>(c)];
-        x[k][static_cast<std::size_t>(c)] = one, detail::component(moved[k], c) = T(one);
+        double const one = media::detail::component(place, c) + further[static_cast<std::size_t>(c)];
+        x[k][static_cast<std::size_t>(c)] = one, media::detail::component(moved[k], c) = T(one);
       }
     }
-    auto const edges = detail::edges_of(box, detail::corners_of(box, cell), places);
+    auto const edges = media::detail::edges_of(box, media::detail::corners_of(box, cell), places);
     long double const energy = plain_energy<n>(W, box.spacing, x);
     // Up to a hundred roundings of terms below 5, one after the other, and F, which is below 2, has lost
     // 2 eps |x|/h = 12 eps to the subtraction of places.
     double const bound = box.measure() * 5 * eps * (100 + 12 * 2 * n);
-    double const found = detail::cell_energy(medium, box.spacing, edges);
+    double const found = media::detail::cell_energy(medium, box.spacing, edges);
     worst.energy = larger(worst.energy, std::abs(found - static_cast<double>(energy)) / bound);
 
     // A force is what the energy loses by a motion of the corner; terms are divided by a length of 0.2.
-    auto const forces = detail::corner_forces(law, edges);
+    auto const forces = media::detail::corner_forces(law, edges);
     for (std::size_t k = 0; k < forces.size(); ++k)
       for (int c = 0; c < n; ++c) {
-        T& one = detail::component(moved[k], c);
+        T& one = media::detail::component(moved[k], c);
         one.part[0] = 1;
-        double const slope = detail::cell_energy(medium, box.spacing, detail::edges_between(moved)).part[0];
+        double const slope = media::detail::cell_energy(medium, box.spacing, media::detail::edges_between(moved)).part[0];
         one.part[0] = 0;
         Vector force = forces[k];
         worst.force =
-            larger(worst.force, std::abs(detail::component(force, c) + slope) / (4 * n * bound / 0.2));
+            larger(worst.force, std::abs(media::detail::component(force, c) + slope) / (4 * n * bound / 0.2));
       }
 
     // The second derivative when the corners go towards each other, by differences: their error is delta^2
@@ -155,7 +156,7 @@ Off worst_of(Medium const& medium, Energy const& W, Box box) {
     };
     auto const stiffness =
         static_cast<double>((squeezed(delta) - 2 * energy + squeezed(-delta)) / (delta * delta));
-    double const off = detail::stiffness_of(box, law, cell, places) / stiffness - 1;
+    double const off = media::detail::stiffness_of(box, law, cell, places) / stiffness - 1;
     worst.stiffness = larger(worst.stiffness, std::abs(off) / 1e-6);
   });
   return worst;

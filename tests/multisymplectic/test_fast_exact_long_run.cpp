@@ -6,6 +6,7 @@
 #include "simple_wave.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using SimpleWave = testing::SimpleWave<2>;
 
 namespace {

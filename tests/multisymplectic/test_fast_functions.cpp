@@ -5,20 +5,21 @@
 #include "actio/multisymplectic/fast_volume_laws.hpp"
 
 using namespace actio;
-using detail::Quad;
+using namespace actio::media;
+using media::detail::Quad;
 
 namespace {
 enum class Function { reciprocal, root_of_two, root_of_three, root_of_five, logarithm, power_of_two };
 template <Function f>
 struct Evaluation {
-  detail::Fourfold x, y{};
+  media::detail::Fourfold x, y{};
   [[gnu::always_inline]] void operator()() {
-    if constexpr (f == Function::reciprocal) y = detail::inverse_root<1>(x);
-    if constexpr (f == Function::root_of_two) y = detail::inverse_root<2>(x);
-    if constexpr (f == Function::root_of_three) y = detail::inverse_root<3>(x);
-    if constexpr (f == Function::root_of_five) y = detail::inverse_root<5>(x);
-    if constexpr (f == Function::logarithm) y = detail::log2(x);
-    if constexpr (f == Function::power_of_two) y = detail::exp2(x);
+    if constexpr (f == Function::reciprocal) y = media::detail::inverse_root<1>(x);
+    if constexpr (f == Function::root_of_two) y = media::detail::inverse_root<2>(x);
+    if constexpr (f == Function::root_of_three) y = media::detail::inverse_root<3>(x);
+    if constexpr (f == Function::root_of_five) y = media::detail::inverse_root<5>(x);
+    if constexpr (f == Function::logarithm) y = media::detail::log2(x);
+    if constexpr (f == Function::power_of_two) y = media::detail::exp2(x);
   }
 };
 template <Function f>
@@ -44,7 +45,7 @@ struct SlopesInHalves {
   static constexpr int count = 3;
   Law law;
   Quad q[count][4]{};
-  [[gnu::always_inline]] void operator()() { detail::slopes_in_place<count>(law, q, count); }
+  [[gnu::always_inline]] void operator()() { media::detail::slopes_in_place<count>(law, q, count); }
 };
 /// The largest relative error, in units of the last place, over arguments of all sizes and next to 1.
 template <Function f>
@@ -62,7 +63,7 @@ double largest_error(Registers registers) {
       double const u = width * one(random);
       evaluation.x.quad[i / 4].lane[i % 4] = f == Function::power_of_two ? u : std::exp(u);
     }
-    detail::run_with(registers, evaluation);
+    media::detail::run_with(registers, evaluation);
     for (int i = 0; i < 16; ++i) {
       long double const y = exact<f>(evaluation.x.quad[i / 4].lane[i % 4]);
       worst = std::max(
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(slopes_of_laws_in_lanes_are_as_accurate_as_they_say) {
     for (int draw = 0; draw < 5000; ++draw) {
       Slopes<std::remove_cvref_t<decltype(law)>> evaluation{law};
       for (int i = 0; i < 16; ++i) evaluation.J[i / 4].lane[i % 4] = std::exp(one(random));
-      detail::run_with(registers, evaluation);
+      media::detail::run_with(registers, evaluation);
       for (int i = 0; i < 16; ++i) {
         long double const J = evaluation.J[i / 4].lane[i % 4];
         long double const off = evaluation.q[i / 4].lane[i % 4] - slope(J);
@@ -138,7 +139,7 @@ BOOST_AUTO_TEST_CASE(slopes_in_halves_are_as_accurate_as_the_laws_say) {
       for (int i = 0; i < 16 * Evaluation::count; ++i)
         evaluation.q[i / 16][i / 4 % 4].lane[i % 4] = std::exp(one(random));
       Evaluation const before = evaluation;
-      detail::run_with(registers, evaluation);
+      media::detail::run_with(registers, evaluation);
       for (int i = 0; i < 16 * Evaluation::count; ++i) {
         long double const J = before.q[i / 16][i / 4 % 4].lane[i % 4];
         long double const off = evaluation.q[i / 16][i / 4 % 4].lane[i % 4] - slope(J);
@@ -180,7 +181,7 @@ BOOST_AUTO_TEST_CASE(slopes_in_halves_are_as_accurate_as_the_laws_say) {
 BOOST_AUTO_TEST_CASE(powers_of_two_stay_where_they_are_for_arguments_beyond_a_thousand) {
   for (double const x : {-1e300, -1001.0, -1000.0, 1000.0, 1001.0, 1e300}) {
     Evaluation<Function::power_of_two> evaluation{{Quad(x), Quad(x), Quad(x), Quad(x)}};
-    detail::run_with(best_registers(), evaluation);
+    media::detail::run_with(best_registers(), evaluation);
     for (Quad const& y : evaluation.y.quad)
       for (int lane = 0; lane < 4; ++lane) BOOST_TEST(y.lane[lane] == std::ldexp(1.0, x < 0 ? -1000 : 1000));
   }

@@ -9,6 +9,7 @@
 #include "actio/multisymplectic/step_field_equations.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 using Place = std::array<double, 2>;

@@ -7,6 +7,7 @@
 #include "actio/multisymplectic/fast_medium_3d.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double dt = 0.01;
@@ -32,7 +33,7 @@ struct AtNodes {
 template <class Box>
 Points<Box> at_rest(Box const& box) {
   Points<Box> out;
-  detail::for_nodes(box, [&](auto const& node, std::size_t) { out.push_back(box.at(node)); });
+  media::detail::for_nodes(box, [&](auto const& node, std::size_t) { out.push_back(box.at(node)); });
   return out;
 }
 /// After so many steps.
@@ -103,7 +104,7 @@ Flight<Box> foreseen(Box const& box, Points<Box> const& v) {
   for (long step = 1; step <= 40 && out.again == 0; ++step) {
     auto const x = flown<Box>(start, v, step);
     unsigned now = 0;
-    detail::for_indices(box.cells, [&](auto const& cell) {
+    media::detail::for_indices(box.cells, [&](auto const& cell) {
       auto const look = look_at(box, cell, x);
       now |= look.inverted;
       if (out.corners == 0 && look.least < out.least)
@@ -176,7 +177,7 @@ void each_cell_of_a_row_is_found(Box const& box) {
   auto const start = at_rest(box);
   for (int odd = 0; odd < box.cells[0]; ++odd) {
     Points<Box> v;
-    detail::for_nodes(box, [&](auto const& node, std::size_t k) {
+    media::detail::for_nodes(box, [&](auto const& node, std::size_t k) {
       v.push_back({});
       v.back()[0] = -5.1 * (start[k][0] + (node[0] > odd ? 0.3 * box.spacing[0] : 0));
       v.back()[1] = -5.1 * start[k][1];

@@ -10,6 +10,7 @@
 #include "actio/multisymplectic/fast_medium_2d.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -171,10 +172,10 @@ void slopes_are_the_derivative(Medium const& medium) {
     double edge[8] = {h1, 0.05, h1, -0.02, 0.03, h2, -0.04, h2};
     for (double& x : edge) x += some(random);
     auto const cell = medium.on(h1, h2);
-    detail::Edges<double> const e{
+    media::detail::Edges<double> const e{
         {edge[0], edge[1]}, {edge[2], edge[3]}, {edge[4], edge[5]}, {edge[6], edge[7]}};
     double d[4];
-    detail::areas(e, d);
+    media::detail::areas(e, d);
     auto const f = cell.slopes(e, d);
     double const slopes[8] = {f.below.x, f.below.y, f.above.x, f.above.y,
                               f.left.x,  f.left.y,  f.right.x, f.right.y};
@@ -182,8 +183,8 @@ void slopes_are_the_derivative(Medium const& medium) {
       T y[8];
       for (int l = 0; l < 8; ++l) y[l] = T(edge[l]), y[l].part[0] = k == l;
       T const energy =
-          detail::cell_energy(medium, std::array{h1, h2},
-                              detail::Edges<T>{{y[0], y[1]}, {y[2], y[3]}, {y[4], y[5]}, {y[6], y[7]}});
+          media::detail::cell_energy(medium, std::array{h1, h2},
+                              media::detail::Edges<T>{{y[0], y[1]}, {y[2], y[3]}, {y[4], y[5]}, {y[6], y[7]}});
       // Some forty operations on each side, on terms that are below 30 where J is not small.
       BOOST_TEST(std::abs(energy.part[0] - slopes[k]) <= 80 * eps * 30);
     }

@@ -7,6 +7,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 using Place = std::array<double, 2>;

@@ -8,6 +8,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 using enum FastSide;
@@ -42,7 +43,7 @@ Shape<Box> disturbed(Box const& box) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> some(-0.01, 0.01);
   Shape<Box> out{box, {}};
-  detail::for_nodes(box, [&](auto const& node, std::size_t) {
+  media::detail::for_nodes(box, [&](auto const& node, std::size_t) {
     out.places.push_back(box.at(node));
     for (std::size_t d = 0; d < Box::dimension; ++d) out.places.back()[d] += some(random) * box.spacing[d];
   });
@@ -83,7 +84,7 @@ Shape<Box> window_around(Shape<Box> const& shape, Node<Box> const& cell) {
     out.box.ends(d) = {first[at] == 0 && !box.periodic(d) ? box.ends(d)[0] : fixed,
                        first[at] == last && !box.periodic(d) ? box.ends(d)[1] : fixed};
   }
-  detail::for_nodes(out.box, [&](auto node, std::size_t) {
+  media::detail::for_nodes(out.box, [&](auto node, std::size_t) {
     for (std::size_t d = 0; d < node.size(); ++d) node[d] += first[d];
     out.places.push_back(shape.places[number_of(box, node)]);
   });
@@ -158,10 +159,10 @@ BOOST_AUTO_TEST_CASE(in_space_waves_along_the_diagonals_bound_the_step) {
                       {0.1, 0.1, 0.1},
                       {FastBox3d::Ends{periodic, periodic}, FastBox3d::Ends{periodic, periodic},
                        FastBox3d::Ends{periodic, periodic}}};
-  std::vector<detail::Space<double>> x;
-  detail::for_nodes(box,
-                    [&](auto const& node, std::size_t) { x.push_back(detail::as_vector(box.at(node))); });
-  double const found = detail::largest_frequency(box, detail::cell_on(FastFluid{Acoustic{}}, box.spacing), x);
+  std::vector<media::detail::Space<double>> x;
+  media::detail::for_nodes(box,
+                    [&](auto const& node, std::size_t) { x.push_back(media::detail::as_vector(box.at(node))); });
+  double const found = media::detail::largest_frequency(box, media::detail::cell_on(FastFluid{Acoustic{}}, box.spacing), x);
   double const exact = 2 * 2 / 0.1 * std::sqrt(9.0 / 8);
   BOOST_TEST(found <= exact * (1 + 1e-12));
   BOOST_TEST(found >= exact * 0.995);

@@ -6,6 +6,7 @@
 #include "witness/draw.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing::gmsh;
 
 BOOST_AUTO_TEST_CASE(all_forms_give_the_same_mesh_of_every_shape) {

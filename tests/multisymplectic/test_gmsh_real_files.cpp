@@ -5,6 +5,7 @@
 #include "gmsh_samples.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing::gmsh;
 
 BOOST_AUTO_TEST_SUITE(gmsh_real_files)

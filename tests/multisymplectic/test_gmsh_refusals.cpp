@@ -5,6 +5,7 @@
 #include "actio/multisymplectic/gmsh_mesh.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 /// The unit square of two triangles in version 4.1: a curve of the group 7 below, and a surface.

@@ -5,6 +5,7 @@
 #include "actio/multisymplectic/body_sides.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -66,14 +67,14 @@ void slides_along(BodyMesh const& mesh, unsigned across_all) {
   // The lower sides across these directions; the others are free.
   BodySides<d> sides;
   for (int k = 0; k < d; ++k)
-    if (mesh.sides.contains(detail::side_names[k][0]))
-      sides[detail::side_names[k][0]].kind = across_all >> k & 1 ? Kind::sliding : Kind::free;
+    if (mesh.sides.contains(media::detail::side_names[k][0]))
+      sides[media::detail::side_names[k][0]].kind = across_all >> k & 1 ? Kind::sliding : Kind::free;
   HeldNodes<d> const held(mesh, sides);
   BOOST_TEST(!held.any_moved());
   std::vector<unsigned> across(mesh.nodes.size(), 0);
   for (int k = 0; k < d; ++k)
     if (across_all >> k & 1)
-      for (auto const& facet : mesh.sides.at(detail::side_names[k][0]))
+      for (auto const& facet : mesh.sides.at(media::detail::side_names[k][0]))
         for (int const node : facet)
           if (node >= 0) across[node] |= 1u << k;
   std::vector<double> given, u;

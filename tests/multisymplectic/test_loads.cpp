@@ -5,6 +5,7 @@
 #include "actio/multisymplectic/medium_on_mesh.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();

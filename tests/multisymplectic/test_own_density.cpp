@@ -4,6 +4,7 @@
 #include "media.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(the_largest_frequency_of_a_chain_is_met_from_below_within_h
     std::vector<double> u;
     for (std::size_t i = 0; i < n; ++i) u.push_back(std::sin(1.0 + 7.0 * double(i)));
     int applied = 0;
-    double const found = detail::largest_frequency(
+    double const found = media::detail::largest_frequency(
         [&](std::size_t) { return m; }, u,
         [&](std::vector<double> const& x, std::vector<double>& out) {
           ++applied, out.resize(n);
@@ -138,8 +139,8 @@ BOOST_AUTO_TEST_CASE(the_largest_frequency_of_a_chain_is_met_from_below_within_h
     BOOST_TEST(applied <= 40);
   }
   auto const none = [](std::vector<double> const& x, std::vector<double>& out) { out.assign(x.size(), 0); };
-  BOOST_TEST(detail::largest_frequency([](std::size_t) { return 1.0; }, {1, 2}, none) == 0);
-  BOOST_TEST(detail::largest_frequency([](std::size_t) { return 1.0; }, {0, 0}, none) == 0);
+  BOOST_TEST(media::detail::largest_frequency([](std::size_t) { return 1.0; }, {1, 2}, none) == 0);
+  BOOST_TEST(media::detail::largest_frequency([](std::size_t) { return 1.0; }, {0, 0}, none) == 0);
 }
 
 // The matrix with 2 on the diagonal and 1 beside it: 2 + 2 cos(pi/(n + 1)), and the last component of its
@@ -147,7 +148,7 @@ BOOST_AUTO_TEST_CASE(the_largest_frequency_of_a_chain_is_met_from_below_within_h
 BOOST_AUTO_TEST_CASE(the_top_of_a_tridiagonal_matrix_is_known) {
   for (std::size_t const n : {1u, 2u, 3u, 8u, 20u}) {
     auto const [top, last] =
-        detail::top_of_lanczos_matrix(std::vector<double>(n, 2), std::vector<double>(n, 1));
+        media::detail::top_of_lanczos_matrix(std::vector<double>(n, 2), std::vector<double>(n, 1));
     double const angle = M_PI / double(n + 1);
     BOOST_TEST(std::abs(top - (n == 1 ? 2 : 2 + 2 * std::cos(angle))) <= 16 * eps);
     // Rounding of the eigenvalue grows along the vector by the gap to the next one, above 1/n^2.

@@ -1,13 +1,14 @@
 // Stored energies and stresses of small strains against 50 digits: nothing is lost, however small they are.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/multisymplectic/fast_medium_2d.hpp"
 #include "actio/multisymplectic/fast_medium_3d.hpp"
 #include "actio/multisymplectic/medium_on_mesh.hpp"
 #include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
+using namespace actio::media;
 
 namespace {
 template <class T, int d>
@@ -17,9 +18,9 @@ using Square = Matrix<T, d, d>;
 constexpr double bound = 1e-13;
 
 template <int d>
-Square<dec50, d> in_many_digits(Square<double, d> const& A) { return A.template cast<dec50>(); }
+Square<Number, d> in_many_digits(Square<double, d> const& A) { return A.template cast<Number>(); }
 template <int d>
-Square<dec50, d> with_identity(Square<dec50, d> A) {
+Square<Number, d> with_identity(Square<Number, d> A) {
   for (int i = 0; i < d; ++i) A(i, i) += 1;
   return A;
 }
@@ -28,17 +29,17 @@ Square<dec50, d> with_identity(Square<dec50, d> A) {
 template <int d>
 struct Kirchhoff {
   double lambda, mu;
-  Square<dec50, d> strain(Square<dec50, d> const& F) const {
-    Square<dec50, d> const C = F.transpose() * F;
-    return (C - Square<dec50, d>::Identity()) * dec50(0.5);
+  Square<Number, d> strain(Square<Number, d> const& F) const {
+    Square<Number, d> const C = F.transpose() * F;
+    return (C - Square<Number, d>::Identity()) * Number(0.5);
   }
-  dec50 energy(Square<dec50, d> const& F) const {
+  Number energy(Square<Number, d> const& F) const {
     auto const E = strain(F);
     return lambda * E.trace() * E.trace() / 2 + mu * (E * E).trace();
   }
-  Square<dec50, d> stress(Square<dec50, d> const& F) const {
+  Square<Number, d> stress(Square<Number, d> const& F) const {
     auto const E = strain(F);
-    Square<dec50, d> S = E * dec50(2 * mu);
+    Square<Number, d> S = E * Number(2 * mu);
     for (int i = 0; i < d; ++i) S(i, i) += lambda * E.trace();
     return F * S;
   }
@@ -49,11 +50,11 @@ struct Rubber {
   double mu;
   U u;
   Slope slope;
-  dec50 energy(Square<dec50, d> const& F) const {
+  Number energy(Square<Number, d> const& F) const {
     return mu * ((F.transpose() * F).trace() - d) / 2 + u(small_determinant(F));
   }
-  Square<dec50, d> stress(Square<dec50, d> const& F) const {
-    return F * dec50(mu) + cofactors(F) * dec50(slope(small_determinant(F)));
+  Square<Number, d> stress(Square<Number, d> const& F) const {
+    return F * Number(mu) + cofactors(F) * Number(slope(small_determinant(F)));
   }
 };
 template <int d, class U, class Slope>
@@ -61,7 +62,7 @@ Rubber<d, U, Slope> rubber(double mu, U u, Slope slope) { return {mu, u, slope};
 
 /// Green's strain and the stress of it, in 50 digits.
 template <int d>
-Square<double, d> rounded(Square<dec50, d> const& A) { return A.template cast<double>(); }
+Square<double, d> rounded(Square<Number, d> const& A) { return A.unaryExpr([](Number const& x) { return to_double(x); }); }
 template <int d>
 double largest(Square<double, d> const& A) {
   double most = 0;
@@ -77,12 +78,12 @@ void is_known(Medium const& medium, Witness const& witness, Draw& draw, bool ene
       Square<double, d> H;
       for (int k = 0; k < d * d; ++k) H.data()[k] = size * draw.number<double>();
       auto const F = with_identity<d>(in_many_digits<d>(H));
-      double const W = static_cast<double>(witness.energy(F));
-      Square<dec50, d> const P = witness.stress(F), S = inverse_matrix(F) * P, C = F.transpose() * F;
+      double const W = to_double(witness.energy(F));
+      Square<Number, d> const P = witness.stress(F), S = inverse_matrix(F) * P, C = F.transpose() * F;
       if (energy) BOOST_TEST(std::abs(law->energy_beyond(H) - W) <= bound * W, "energy at " << size);
       Square<double, d> const off = law->stress_beyond(H) - rounded<d>(P);
       BOOST_TEST(largest<d>(off) <= bound * largest<d>(rounded<d>(P)), "stress at " << size);
-      Square<double, d> const E = rounded<d>((C - Square<dec50, d>::Identity()) * dec50(0.5)),
+      Square<double, d> const E = rounded<d>((C - Square<Number, d>::Identity()) * Number(0.5)),
                               off_green = law->green_stress_beyond(E) - rounded<d>(S);
       BOOST_TEST(largest<d>(off_green) <= bound * largest<d>(rounded<d>(S)), "green at " << size);
     }
@@ -90,24 +91,25 @@ void is_known(Medium const& medium, Witness const& witness, Draw& draw, bool ene
 
 template <int d>
 void every_medium() {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   Draw draw(10 + d);
   is_known<d>(FastStVenantKirchhoff{0.9, 0.6}, Kirchhoff<d>{0.9, 0.6}, draw);
   is_known<d>(per_volume(FastStVenantKirchhoff{0.9, 0.6}), Kirchhoff<d>{0.9, 0.6}, draw);
   is_known<d>(neo_hookean(1.3, 0.7),
               rubber<d>(
-                  0.7, [](dec50 const& J) { return dec50(log(J) * (log(J) * 1.3 / 2 - 0.7)); },
-                  [](dec50 const& J) { return dec50((log(J) * 1.3 - 0.7) / J); }),
+                  0.7, [](Number const& J) { return Number(log(J) * (log(J) * 1.3 / 2 - 0.7)); },
+                  [](Number const& J) { return Number((log(J) * 1.3 - 0.7) / J); }),
               draw);
   auto const quadratic = rubber<d>(
-      0.7, [](dec50 const& J) { return dec50((J - 1) * (J - 1) * 1.9 / 2 - log(J) * 0.7); },
-      [](dec50 const& J) { return dec50((J - 1) * 1.9 - 0.7 / J); });
+      0.7, [](Number const& J) { return Number((J - 1) * (J - 1) * 1.9 / 2 - log(J) * 0.7); },
+      [](Number const& J) { return Number((J - 1) * 1.9 - 0.7 / J); });
   is_known<d>(FastNeoHookean<QuadraticLaw>{0.7, {0.7, 1.9}}, quadratic, draw);
   is_known<d>(FastNeoHookean<ReciprocalLaw>{0.7, {0.7, 1.9, 1.9}}, quadratic, draw);
   // Its energy at rest is not zero.
   is_known<d>(blatz_ko<1>(0.8),
               rubber<d>(
-                  0.8, [](dec50 const& J) { return dec50(dec50(0.4) / (J * J)); },
-                  [](dec50 const& J) { return dec50(dec50(-0.8) / (J * J * J)); }),
+                  0.8, [](Number const& J) { return Number(Number(0.4) / (J * J)); },
+                  [](Number const& J) { return Number(Number(-0.8) / (J * J * J)); }),
               draw);
 }
 
@@ -127,9 +129,10 @@ struct Strained {
 template <int d, class Witness>
 double exact_energy(std::array<int, d> const& cells, std::vector<std::array<double, d>> const& X,
                     std::vector<std::array<double, d>> const& x, Witness const& witness) {
-  dec50 sum = 0, part = 1;
+  WithArithmetic const digits(Arithmetic::decimal(50));
+  Number sum = 0, part = 1;
   for (int const n : cells) part /= 2 * n;
-  detail::for_indices(cells, [&](auto const& cell) {
+  media::detail::for_indices(cells, [&](auto const& cell) {
     for (int corner = 0; corner < 1 << d; ++corner) {
       auto const at = [&](int bits) {
         std::size_t node = 0;
@@ -138,28 +141,29 @@ double exact_energy(std::array<int, d> const& cells, std::vector<std::array<doub
                  static_cast<std::size_t>(cell[a] + (bits >> a & 1));
         return node;
       };
-      Square<dec50, d> F;
+      Square<Number, d> F;
       for (int k = 0; k < d; ++k)
         for (int i = 0; i < d; ++i) {
           std::size_t const low = at(corner & ~(1 << k)), up = at(corner | 1 << k);
           F(i, k) =
-              (dec50(x[up][i]) - X[up][i] - (dec50(x[low][i]) - X[low][i])) * cells[k] + (i == k ? 1 : 0);
+              (Number(x[up][i]) - X[up][i] - (Number(x[low][i]) - X[low][i])) * cells[k] + (i == k ? 1 : 0);
         }
       sum += part * witness.energy(F);
     }
   });
-  return static_cast<double>(sum);
+  return to_double(sum);
 }
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(small_strains)
 
 BOOST_AUTO_TEST_CASE(functions_that_vanish_with_their_arguments_lose_nothing) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   for (double size = 1e-12; size < 0.9; size *= 3.7)
     for (double const x : {size, -size}) {
-      dec50 const many = x;
-      double const first = static_cast<double>(dec50(many - log(1 + many))),
-                   second = static_cast<double>(dec50(exp(many) - 1 - many));
+      Number const many = x;
+      double const first = to_double(many - log(1 + many)),
+                   second = to_double(exp(many) - 1 - many);
       BOOST_TEST(std::abs(without_logarithm(x) - first) <= 4e-15 * first, x);
       BOOST_TEST(std::abs(exponential_beyond_line(x) - second) <= 4e-15 * second, x);
     }
@@ -181,7 +185,7 @@ BOOST_AUTO_TEST_CASE(a_body_in_the_plane_knows_its_energy_on_both_roads) {
   MediumOnMesh<2> const plain(box_mesh({0, 0}, {1, 1}, {8, 8}), stored_energy<2>(medium), start,
                               {.step = 0.01});
   std::vector<std::array<double, 2>> X;
-  detail::for_nodes(box, [&](auto const& node, std::size_t) { X.push_back(box.at(node)); });
+  media::detail::for_nodes(box, [&](auto const& node, std::size_t) { X.push_back(box.at(node)); });
   double const exact = exact_energy<2>(strained.cells, X, plain.places(), Kirchhoff<2>{0.9, 0.6});
   BOOST_TEST(std::abs(plain.energies().stored - exact) <= bound * exact);
   BOOST_TEST(std::abs(fast.energies()[1] - exact) <= bound * exact);

@@ -6,6 +6,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing;
 
 namespace {

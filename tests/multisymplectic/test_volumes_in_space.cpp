@@ -8,13 +8,15 @@
 #include "actio/multisymplectic/body_shapes.hpp"
 #include "actio/multisymplectic/medium_on_mesh.hpp"
 #include "plain_body.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
+using namespace actio::media;
 using namespace actio::testing;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
-using Q = rational;
+using Q = Number;
 
 /// St Venant and Kirchhoff's solid, of the strains.
 struct StVenant {
@@ -162,6 +164,7 @@ BOOST_AUTO_TEST_SUITE(volumes_in_space)
 
 // In fractions, without a rounding.
 BOOST_AUTO_TEST_CASE(corners_of_a_hexahedron_have_its_volume_and_its_mean_gradient) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Draw draw(7);
   for (int k = 0; k < 10; ++k) {
     auto const X = bent_cube<Q>(draw);
@@ -204,6 +207,7 @@ BOOST_AUTO_TEST_CASE(slopes_are_the_derivatives_of_the_logarithm_of_the_ratio) {
 }
 
 BOOST_AUTO_TEST_CASE(parallelepipeds_have_no_correction_wherever_they_are) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Matrix<Q, 3, 8> exact;
   Matrix<double, 3, 8> far;
   for (int b = 0; b < 8; ++b) {

@@ -2,7 +2,6 @@
 // steps, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/rigid_body/algebra_poisson.hpp"
 #include "actio/rigid_body/casimirs.hpp"
 #include "actio/rigid_body/isospectral.hpp"
@@ -11,6 +10,7 @@
 #include "random_bodies.hpp"
 #include "refused.hpp"
 #include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
@@ -45,18 +45,19 @@ void kept_along_the_scheme() {
 BOOST_AUTO_TEST_SUITE(casimirs_and_integrals)
 
 BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Draw draw(1);
   for (int n = 2; n <= 7; ++n) {
     SO<Dynamic> group;
     group.n = n;
-    auto const mu = draw.momentum<rational>(group);
+    auto const mu = draw.momentum<Number>(group);
     auto const c = casimirs(mu);
     BOOST_TEST(c.size() == n / 2);
-    Matrix<rational, Dynamic, Dynamic> const m = group.hat(mu.components),
-                                             one = Matrix<rational, Dynamic, Dynamic>::Identity(n, n);
+    Matrix<Number, Dynamic, Dynamic> const m = group.hat(mu.components),
+                                             one = Matrix<Number, Dynamic, Dynamic>::Identity(n, n);
     if (n % 2 == 0) {
       // The square of the Pfaffian is the determinant, exactly.
-      rational const square = c[n / 2 - 1] * c[n / 2 - 1],
+      Number const square = c[n / 2 - 1] * c[n / 2 - 1],
                      determinant = characteristic_coefficients(m)[n - 1];
       BOOST_TEST((square == determinant));
     }
@@ -67,12 +68,13 @@ BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
 }
 
 BOOST_AUTO_TEST_CASE(the_pfaffian_of_blocks_is_their_product) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   // Its sign is that of Pf ((0, 1), (-1, 0)) = 1, in every size.
   for (int const n : {2, 4, 6, 8}) {
-    Matrix<rational, Dynamic, Dynamic> m = Matrix<rational, Dynamic, Dynamic>::Zero(n, n);
-    rational product(1);
+    Matrix<Number, Dynamic, Dynamic> m = Matrix<Number, Dynamic, Dynamic>::Zero(n, n);
+    Number product(1);
     for (int k = 0; k < n; k += 2) {
-      rational const entry(k + 2);
+      Number const entry(k + 2);
       m(k, k + 1) = entry, m(k + 1, k) = -entry, product = product * entry;
     }
     BOOST_TEST_CONTEXT("size " << n) { BOOST_TEST((pfaffian(m) == product)); }
@@ -81,11 +83,11 @@ BOOST_AUTO_TEST_CASE(the_pfaffian_of_blocks_is_their_product) {
     BOOST_TEST_CONTEXT("size " << n) { BOOST_TEST((pfaffian(m) == -product)); }
   }
   // Pf = a12 a34 - a13 a24 + a14 a23.
-  Matrix<rational, Dynamic, Dynamic> m = Matrix<rational, Dynamic, Dynamic>::Zero(4, 4);
+  Matrix<Number, Dynamic, Dynamic> m = Matrix<Number, Dynamic, Dynamic>::Zero(4, 4);
   int entry = 0;
   for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) m(i, j) = rational(++entry), m(j, i) = -m(i, j);
-  BOOST_TEST((pfaffian(m) == rational(1 * 6 - 2 * 5 + 3 * 4)));
+    for (int j = i + 1; j < 4; ++j) m(i, j) = Number(++entry), m(j, i) = -m(i, j);
+  BOOST_TEST((pfaffian(m) == Number(1 * 6 - 2 * 5 + 3 * 4)));
 }
 
 BOOST_AUTO_TEST_CASE(kept_by_the_scheme) {

@@ -1,33 +1,33 @@
 // The energies and stresses that materials of scenes have at small strains, against 50 digits.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/scene/systems/medium_material.hpp"
 #include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using namespace actio::scene;
 
 namespace {
 template <int d>
-using Many = Matrix<dec50, d, d>;
+using Many = Matrix<Number, d, d>;
 
 /// W and its derivative, as a book has them, given F.
 template <int d>
-std::pair<dec50, Many<d>> mooney_rivlin(Many<d> const& F, double c1, double c2, double lambda) {
+std::pair<Number, Many<d>> mooney_rivlin(Many<d> const& F, double c1, double c2, double lambda) {
   Many<d> const C = F.transpose() * F;
-  dec50 const J = small_determinant(F), first = C.trace(), second = (first * first - (C * C).trace()) / 2,
-              slope = 2 * (dec50(c1) + (d - 1) * dec50(c2));
-  Many<d> S = C * dec50(-2 * c2);
+  Number const J = media::small_determinant(F), first = C.trace(), second = (first * first - (C * C).trace()) / 2,
+              slope = 2 * (Number(c1) + (d - 1) * Number(c2));
+  Many<d> S = C * Number(-2 * c2);
   for (int i = 0; i < d; ++i) S(i, i) += 2 * c1 + 2 * c2 * first;
   return {c1 * (first - d) + c2 * (second - d * (d - 1) / 2) - slope * log(J) + lambda * log(J) * log(J) / 2,
-          F * S + cofactors(F) * dec50((lambda * log(J) - slope) / J)};
+          F * S + media::cofactors(F) * Number((lambda * log(J) - slope) / J)};
 }
 template <int d>
-std::pair<dec50, Many<d>> tait(Many<d> const& F, double B, double gamma) {
-  dec50 const J = small_determinant(F);
-  return {B * ((pow(J, 1 - dec50(gamma)) - 1) / (dec50(gamma) - 1) + J - 1),
-          cofactors(F) * dec50(B * (1 - pow(J, -dec50(gamma))))};
+std::pair<Number, Many<d>> tait(Many<d> const& F, double B, double gamma) {
+  Number const J = media::small_determinant(F);
+  return {B * ((pow(J, 1 - Number(gamma)) - 1) / (Number(gamma) - 1) + J - 1),
+          media::cofactors(F) * Number(B * (1 - pow(J, -Number(gamma))))};
 }
 
 template <int d, class Witness>
@@ -37,14 +37,14 @@ void is_known(char const* name, std::vector<double> const& constants, Witness co
     for (int sample = 0; sample < 4; ++sample) {
       Matrix<double, d, d> H;
       for (int k = 0; k < d * d; ++k) H.data()[k] = size * draw.number<double>();
-      Many<d> F = H.template cast<dec50>();
+      Many<d> F = H.template cast<Number>();
       for (int i = 0; i < d; ++i) F(i, i) += 1;
       auto const [energy, stress] = witness(F);
-      double const W = static_cast<double>(energy);
+      double const W = to_double(energy);
       double off = 0, most = 0;
       Matrix<double, d, d> const P = law->stress_beyond(H);
       for (int k = 0; k < d * d; ++k) {
-        double const exact = static_cast<double>(stress.data()[k]);
+        double const exact = to_double(stress.data()[k]);
         off = std::max(off, std::abs(P.data()[k] - exact)), most = std::max(most, std::abs(exact));
       }
       BOOST_TEST(off <= 1e-13 * most, name << " stress at " << size);
@@ -60,6 +60,7 @@ void is_known(char const* name, std::vector<double> const& constants, Witness co
 
 template <int d>
 void every_material() {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   Draw draw(20 + d);
   is_known<d>(
       "mooney_rivlin", {0.4, 0.1, 1.1}, [](Many<d> const& F) { return mooney_rivlin<d>(F, 0.4, 0.1, 1.1); },

@@ -182,10 +182,10 @@ BOOST_AUTO_TEST_CASE(second_derivatives_of_a_formula_are_along_turns) {
   auto const value = [&](Eigen::Vector3d const& turn, double time) {
     Eigen::Quaterniond const p =
         turn.norm() > 0 ? q * Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) : q;
-    actio::NineEntries slope;
-    return potential(actio::rotation_entries({p.w(), p.x(), p.y(), p.z()}), time, slope);
+    actio::bodies::NineEntries slope;
+    return potential(actio::bodies::rotation_entries({p.w(), p.x(), p.y(), p.z()}), time, slope);
   };
-  actio::NineEntries const rotation = actio::rotation_entries({q.w(), q.x(), q.y(), q.z()});
+  actio::bodies::NineEntries const rotation = actio::bodies::rotation_entries({q.w(), q.x(), q.y(), q.z()});
   Matrix3d const K = potential.curvature(rotation, t);
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {

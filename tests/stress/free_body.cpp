@@ -13,6 +13,7 @@
 #include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
+using namespace actio::bodies;
 using testing::FreePath, testing::FreeProblem, testing::ConservationErrors, testing::conservation_errors;
 
 namespace {

@@ -13,10 +13,10 @@
 namespace actio::testing {
 
 /// A random state of the degrees from .. to, the same for a seed. Each degree has the same size.
-inline SphereHarmonics random_harmonics(int n, int from, int to, unsigned seed = 1) {
+inline sphere::SphereHarmonics random_harmonics(int n, int from, int to, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  SphereHarmonics f(n);
+  sphere::SphereHarmonics f(n);
   for (int l = from; l <= to; ++l) {
     for (int m = 0; m <= l; ++m) {
       double const real = normal(random), imaginary = normal(random);
@@ -26,17 +26,17 @@ inline SphereHarmonics random_harmonics(int n, int from, int to, unsigned seed =
   }
   return f;
 }
-inline SkewHermitian<> random_state(int n, int from, int to, unsigned seed = 1) {
-  return matrix_of(random_harmonics(n, from, to, seed));
+inline sphere::SkewHermitian<> random_state(int n, int from, int to, unsigned seed = 1) {
+  return sphere::matrix_of(random_harmonics(n, from, to, seed));
 }
 /// All of u(N), the trace included.
-inline SkewHermitian<> random_matrix(int n, unsigned seed = 1) {
+inline sphere::SkewHermitian<> random_matrix(int n, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  SkewHermitian<> w(n);
+  sphere::SkewHermitian<> w(n);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) w.real(i, j) = normal(random), w.imaginary(i, j) = normal(random);
-  return SkewHermitian<>(w.complex());
+  return sphere::SkewHermitian<>(w.complex());
 }
 
 /// A Rossby-Haurwitz wave: a rotation about the pole and harmonics of one degree.
@@ -45,16 +45,16 @@ struct RossbyHaurwitz {
   double rotation = 0.7;  ///< a of the vorticity a cos(theta)
   unsigned seed = 3;
 
-  SkewHermitian<> wave(int n) const { return random_state(n, degree, degree, seed); }
-  SkewHermitian<> state(int n) const {
-    return planetary_vorticity(QuantizedSphere(n), rotation / 2) + wave(n);
+  sphere::SkewHermitian<> wave(int n) const { return random_state(n, degree, degree, seed); }
+  sphere::SkewHermitian<> state(int n) const {
+    return sphere::planetary_vorticity(sphere::QuantizedSphere(n), rotation / 2) + wave(n);
   }
   /// The rate at which the wave turns about the pole: that of the continuum, at every N.
   double rate() const { return rotation * (0.5 - 1.0 / (degree * (degree + 1))); }
-  SkewHermitian<> after(int n, double time) const {
-    QuantizedSphere const sphere(n);
-    return planetary_vorticity(sphere, rotation / 2) +
-           Turning(sphere, Eigen::Vector3d::UnitZ())(rate() * time, wave(n));
+  sphere::SkewHermitian<> after(int n, double time) const {
+    sphere::QuantizedSphere const sphere(n);
+    return sphere::planetary_vorticity(sphere, rotation / 2) +
+           sphere::Turning(sphere, Eigen::Vector3d::UnitZ())(rate() * time, wave(n));
   }
 };
 
@@ -71,11 +71,11 @@ struct Invariants {
   double size;  ///< |W|
 
   template <class Stream>
-  Invariants(Stream const& stream, SkewHermitian<> const& w)
-      : energy(vorticity_energy(stream, w)),
-        momentum(sphere_momentum(w)),
-        values(vorticity_values(w)),
-        size(norm(w)) {}
+  Invariants(Stream const& stream, sphere::SkewHermitian<> const& w)
+      : energy(sphere::vorticity_energy(stream, w)),
+        momentum(sphere::sphere_momentum(w)),
+        values(sphere::vorticity_values(w)),
+        size(sphere::norm(w)) {}
   /// Momentum relative to that of a state of the same enstrophy that is all of degree 1.
   Changes operator-(Invariants const& start) const {
     double const n = static_cast<double>(values.size()), most = 4 * M_PI / n * start.size * std::sqrt(n / 3);

@@ -22,7 +22,7 @@ void loops(char const*, char const*, int const* m, int const* n, int const* k, R
     }
   }
 }
-inline BlasFunctions const by_loops{&loops<double>, &loops<float>};
+inline sphere::BlasFunctions const by_loops{&loops<double>, &loops<float>};
 
 /// The same, and counts. For one thread.
 template <class Real>
@@ -32,6 +32,6 @@ void counting_loops(char const* ta, char const* tb, int const* m, int const* n, 
   multiplications += static_cast<double>(*m) * *n * *k;
   loops(ta, tb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc);
 }
-inline BlasFunctions const by_counting_loops{&counting_loops<double>, &counting_loops<float>};
+inline sphere::BlasFunctions const by_counting_loops{&counting_loops<double>, &counting_loops<float>};
 
 }  // namespace actio::testing

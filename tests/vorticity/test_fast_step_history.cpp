@@ -8,6 +8,7 @@
 #include "flows.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using testing::random_state;
 
 namespace {

@@ -13,6 +13,7 @@
 #include "flows.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 
 namespace {
 

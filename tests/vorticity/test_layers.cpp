@@ -9,9 +9,10 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using testing::random_matrix, testing::random_state;
 
-extern template class actio::VorticityStep<HelmholtzStream>;
+extern template class actio::sphere::VorticityStep<HelmholtzStream>;
 
 namespace {
 

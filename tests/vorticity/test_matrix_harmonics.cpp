@@ -9,6 +9,7 @@
 #include "flows.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using testing::random_harmonics;
 
 namespace {

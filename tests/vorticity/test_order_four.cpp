@@ -12,6 +12,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using testing::random_state, testing::RossbyHaurwitz, testing::Invariants;
 
 namespace {

@@ -14,6 +14,7 @@
 #include "loops_blas.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using testing::random_matrix;
 
 namespace {

@@ -5,6 +5,7 @@
 #include "actio/vorticity/past_steps.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 
 namespace {
 

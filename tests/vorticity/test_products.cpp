@@ -9,6 +9,7 @@
 #include "loops_blas.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using actio::testing::by_loops;
 
 namespace {

@@ -11,6 +11,7 @@
 #include "actio/vorticity/sphere_flow.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "flows.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "flows.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using testing::random_state, testing::RossbyHaurwitz;
 
 namespace {

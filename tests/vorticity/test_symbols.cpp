@@ -9,6 +9,7 @@
 #include "actio/vorticity/vorticity_step.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 
 namespace {
 

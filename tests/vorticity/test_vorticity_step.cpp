@@ -8,6 +8,7 @@
 #include "refused.hpp"
 
 using namespace actio;
+using namespace actio::sphere;
 using testing::random_state;
 
 BOOST_AUTO_TEST_SUITE(vorticity_step)

@@ -1,6 +1,6 @@
 #include "actio/any_group/broyden_update.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 bool broyden_update(std::vector<double>& inverse, std::vector<double> const& step,
                     std::vector<double> const& weights, std::vector<double>& update) {
@@ -22,4 +22,4 @@ bool broyden_update(std::vector<double>& inverse, std::vector<double> const& ste
   return true;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace actio {
+namespace actio::systems {
 
 /// Improves the inverse B of a derivative by Broyden's ("good") formula, and the next step with it.
 ///
@@ -18,4 +18,4 @@ namespace actio {
 bool broyden_update(std::vector<double>& inverse, std::vector<double> const& step,
                     std::vector<double> const& weights, std::vector<double>& update);
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -2,7 +2,7 @@
 
 #include "actio/any_group/chart_integrator.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
                        Eigen::MatrixXd& g) {
@@ -60,4 +60,4 @@ void ChartIntegrator::move_configuration(ChartSolver const& substep) {
   configuration_ = configuration_ * moved;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -9,7 +9,7 @@
 
 #include "actio/any_group/chart_solver.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// \f$e^{hv}\f$ applied to the columns of a matrix, by its series over the nonzero entries of the basis.
 /// Accuracy: a few epsilon times \f$e^{|hv|}\f$.
@@ -65,4 +65,4 @@ class ChartIntegrator {
   Eigen::MatrixXd configuration_, configuration_before_;
 };
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -6,7 +6,7 @@
 
 #include "actio/any_group/chart_integrator.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// A point over the scalar S.
 template <class S>
@@ -102,4 +102,4 @@ Eigen::MatrixXd tangent_of(Map const& map, ReducedPoint const& at) {
   return tangent;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -1,6 +1,6 @@
 #include "actio/any_group/chart_solver.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 ChartSolver::ChartSolver(ReducedSystem const& system, double h) : system_(system),
         h_(h),
@@ -180,4 +180,4 @@ void ChartSolver::fail(std::vector<double> const& sizes) const {
     throw NotConverged("natural chart", sizes, tolerance_);
   }
 
-}  // namespace actio
+}  // namespace actio::systems

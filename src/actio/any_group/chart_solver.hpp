@@ -15,7 +15,7 @@
 #include "actio/any_group/eigenvalues_of.hpp"
 #include "actio/any_group/legendre_velocity.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// Momentum and carried vectors of a system at one time.
 struct ReducedPoint {
@@ -113,4 +113,4 @@ class ChartSolver {
   double regular_ = 1;
 };
 
-}  // namespace actio
+}  // namespace actio::systems

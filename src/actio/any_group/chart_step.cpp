@@ -1,6 +1,6 @@
 #include "actio/any_group/chart_step.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 
@@ -19,4 +19,4 @@ std::array<double, 65> const& coefficients_of_chi() {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::systems

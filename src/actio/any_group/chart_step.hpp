@@ -25,7 +25,7 @@
 #include "actio/any_group/reduced_system.hpp"
 #include "actio/groups/matrix_group.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 /// \f$B_{2k}/(2k)! = 2(-1)^{k+1}\zeta(2k)/(2\pi)^{2k}\f$: the even part of \f$x/(e^x - 1)\f$ is
@@ -283,4 +283,4 @@ class ChartStep {
   std::shared_ptr<std::vector<Part>> parts_;  // to which the entries point, in copies too
 };
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -2,13 +2,13 @@
 
 #include "actio/any_group/eigenvalues_of.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd a) {
-  detail::require_square(a, "eigenvalues_of");
+  actio::detail::require_square(a, "eigenvalues_of");
   require_finite(a, "eigenvalues_of");
   Eigen::VectorXcd values(a.rows());
-  auto m = detail::as_gsl(a);
+  auto m = actio::detail::as_gsl(a);
   auto w = gsl_vector_complex_view_array(reinterpret_cast<double*>(values.data()),
                                          static_cast<std::size_t>(a.rows()));
   std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> const work(
@@ -22,4 +22,4 @@ Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd a) {
   return values;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -5,11 +5,11 @@
 
 #include "actio/numbers/eigenvalues.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// All eigenvalues, in no order.
 /// @throws NotFinite     where an entry is no number
 /// @throws NotConverged  where the QR iteration does not end
 Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd a);
 
-}  // namespace actio
+}  // namespace actio::systems

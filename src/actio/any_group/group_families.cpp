@@ -2,7 +2,7 @@
 
 #include "actio/any_group/group_families.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 namespace {
@@ -91,4 +91,4 @@ std::vector<GroupFamily> const& group_families() {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::systems

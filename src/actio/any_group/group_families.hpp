@@ -14,7 +14,7 @@
 #include "actio/groups/unipotent_groups.hpp"
 #include "actio/groups/unitary_groups.hpp"
 
-namespace actio::detail {
+namespace actio::systems::detail {
 
 /// A group before its structure constants are found.
 struct GroupOfMatrices {
@@ -96,4 +96,4 @@ struct GroupFamily {
 /// All of them. R^n, SO(n) and so on end where the dimension becomes too large.
 std::vector<GroupFamily> const& group_families();
 
-}  // namespace actio::detail
+}  // namespace actio::systems::detail

@@ -1,6 +1,6 @@
 #include "actio/any_group/invariants.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 std::string Casimir::text() const {
   std::string sum;
@@ -154,4 +154,4 @@ std::vector<Casimir> casimirs(MatrixAlgebra const& algebra) {
   return found;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

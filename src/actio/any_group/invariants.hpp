@@ -13,7 +13,7 @@
 #include "actio/any_group/matrix_algebra.hpp"
 #include "actio/any_group/sparse_elimination.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// A linear or quadratic function on the dual of an algebra that Poisson-commutes with every function.
 struct Casimir {
@@ -97,4 +97,4 @@ class LevelBasis {
 /// been put into the conditions again: defects are below 1e-9 of its largest coefficient.
 std::vector<Casimir> casimirs(MatrixAlgebra const& algebra);
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -2,7 +2,7 @@
 
 #include "actio/any_group/least_regular.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 LeastRegular::LeastRegular(Eigen::MatrixXd const& m) {
   Eigen::VectorXd const units = units_of(m);
@@ -13,4 +13,4 @@ LeastRegular::LeastRegular(Eigen::MatrixXd const& m) {
   direction = (units.asDiagonal() * vectors.col(at)).stableNormalized();
 }
 
-}  // namespace actio
+}  // namespace actio::systems

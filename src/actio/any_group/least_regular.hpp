@@ -6,7 +6,7 @@
 #include "actio/any_group/legendre_velocity.hpp"
 #include "actio/numbers/eigenvalues.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// The direction in which a symmetric matrix is least regular: a unit eigenvector of its eigenvalue of
 /// smallest modulus, each component in a unit of its own.
@@ -19,4 +19,4 @@ struct LeastRegular {
   explicit LeastRegular(Eigen::MatrixXd const& m);
 };
 
-}  // namespace actio
+}  // namespace actio::systems

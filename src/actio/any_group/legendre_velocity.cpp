@@ -2,7 +2,7 @@
 
 #include "actio/any_group/legendre_velocity.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 Eigen::VectorXd units_of(Eigen::MatrixXd const& hessian) {
   Eigen::VectorXd units(hessian.rows());
@@ -98,4 +98,4 @@ double LegendreVelocity::residual(std::vector<double> const& p, std::vector<doub
   return largest;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -6,7 +6,7 @@
 #include "actio/any_group/reduced_system.hpp"
 #include "actio/numbers/iex.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// Units of the components of a velocity in which a second differential of a Lagrangian has entries 1 or -1
 /// on its diagonal, so that nothing depends on the units of the scene. Where an entry is zero, from its row.
@@ -62,4 +62,4 @@ class LegendreVelocity {
   Eigen::VectorXd residual_;
 };
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -2,7 +2,7 @@
 
 #include "actio/any_group/matrix_algebra.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 
@@ -110,4 +110,4 @@ MatrixAlgebra spanned_algebra(std::vector<Eigen::MatrixXd> basis) {
   return detail::algebra_of_basis("", std::move(basis));
 }
 
-}  // namespace actio
+}  // namespace actio::systems

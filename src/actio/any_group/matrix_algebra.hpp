@@ -12,7 +12,7 @@
 
 #include "actio/any_group/span_projection.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// A Lie algebra of real square matrices with a basis \f$e_1, \dots, e_d\f$.
 struct MatrixAlgebra {
@@ -119,4 +119,4 @@ inline void require_moderate_dimension(std::string const& name, double dimension
 /// @throws NotFinite      where an entry is no number
 MatrixAlgebra spanned_algebra(std::vector<Eigen::MatrixXd> basis);
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -2,7 +2,7 @@
 
 #include "actio/any_group/membership.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 namespace {
@@ -78,4 +78,4 @@ bool is_element(MatrixAlgebra const& algebra, Eigen::MatrixXd const& g, double& 
   return distance <= largest_distance_from_group;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

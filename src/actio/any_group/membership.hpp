@@ -8,7 +8,7 @@
 #include "actio/any_group/span_of_matrices.hpp"
 #include "actio/numbers/determinant.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// How far from the group a matrix may be that counts as an element.
 inline constexpr double largest_distance_from_group = 1e-9;
@@ -28,4 +28,4 @@ namespace detail {}  // namespace detail
 ///                  or without an inverse. At most \ref largest_distance_from_group for an element
 bool is_element(MatrixAlgebra const& algebra, Eigen::MatrixXd const& g, double& distance);
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -1,6 +1,6 @@
 #include "actio/any_group/named_algebra.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 
@@ -144,4 +144,4 @@ MatrixAlgebra named_algebra(std::string_view name) {
   return algebra;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

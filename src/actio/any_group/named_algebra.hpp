@@ -7,7 +7,7 @@
 #include "actio/any_group/group_families.hpp"
 #include "actio/numbers/nearest_name.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// A name that is no group's.
 struct UnknownGroup : Error {
@@ -91,4 +91,4 @@ std::vector<std::string> own_components(std::string const& group);
 ///                        family
 MatrixAlgebra named_algebra(std::string_view name);
 
-}  // namespace actio
+}  // namespace actio::systems

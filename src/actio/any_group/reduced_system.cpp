@@ -1,6 +1,6 @@
 #include "actio/any_group/reduced_system.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 ReducedSystem::ReducedSystem(MatrixAlgebra of, Side invariant, int carried_vectors, Tape l, Chart of_steps)
     : algebra(std::move(of)),
@@ -18,4 +18,4 @@ ReducedSystem::ReducedSystem(MatrixAlgebra of, Side invariant, int carried_vecto
   curvature = with_hessian(lagrangian, all);
 }
 
-}  // namespace actio
+}  // namespace actio::systems

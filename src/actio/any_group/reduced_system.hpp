@@ -19,7 +19,7 @@
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/numbers/derivative.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// On which side translations leave a Lagrangian as it is.
 enum class Side {
@@ -54,4 +54,4 @@ struct ReducedSystem {
   int sign() const { return side == Side::left ? 1 : -1; }  ///< of the bracket
 };
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -1,6 +1,6 @@
 #include "actio/any_group/rigid_motions.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 bool is_of_rigid_motions(MatrixAlgebra const& algebra) {
   auto const n = algebra.size - 1;
@@ -20,4 +20,4 @@ bool keeps_length_of_momenta(MatrixAlgebra const& algebra) {
   return !algebra.constants.empty();
 }
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -4,7 +4,7 @@
 
 #include "actio/any_group/matrix_algebra.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// Whether every matrix of the algebra is skew: elements of the group near the identity are rotations.
 inline bool is_of_rotations(MatrixAlgebra const& algebra) {
@@ -22,4 +22,4 @@ bool is_of_rigid_motions(MatrixAlgebra const& algebra);
 /// True of SO(n) and SU(2), in the bases of the library.
 bool keeps_length_of_momenta(MatrixAlgebra const& algebra);
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -2,7 +2,7 @@
 
 #include "actio/any_group/semidirect_algebra.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 MatrixAlgebra semidirect_algebra(MatrixAlgebra const& group, int vectors, int length,
                                  std::vector<std::string> const& names) {
@@ -37,4 +37,4 @@ MatrixAlgebra semidirect_algebra(MatrixAlgebra const& group, int vectors, int le
   return algebra;
 }
 
-}  // namespace actio
+}  // namespace actio::systems

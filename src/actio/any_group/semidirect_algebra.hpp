@@ -3,7 +3,7 @@
 
 #include "actio/any_group/matrix_algebra.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// The algebra of G together with covectors that it acts on: in its dual moves the pair of a momentum and the
 /// vectors that the motion carries.
@@ -22,4 +22,4 @@ namespace actio {
 MatrixAlgebra semidirect_algebra(MatrixAlgebra const& group, int vectors, int length,
                                  std::vector<std::string> const& names = {});
 
-}  // namespace actio
+}  // namespace actio::systems

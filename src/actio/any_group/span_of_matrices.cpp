@@ -1,6 +1,6 @@
 #include "actio/any_group/span_of_matrices.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 bool SpanOfMatrices::cubes_stay() const {
   Vector<double> v(dimension());
@@ -13,4 +13,4 @@ bool SpanOfMatrices::cubes_stay() const {
   return row_norm(Matrix<double>(hat(vee(cube)) - cube)) <= 1e-10 * row_norm(e) * row_norm(e) * row_norm(e);
 }
 
-}  // namespace actio
+}  // namespace actio::systems

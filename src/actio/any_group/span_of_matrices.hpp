@@ -10,7 +10,7 @@
 #include "actio/groups/group.hpp"
 #include "actio/groups/restore_by_logarithm.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// The connected group of matrices with a given algebra: \ref SpannedGroup for bases of real matrices.
 ///
@@ -79,4 +79,4 @@ struct SpanOfMatrices {
   bool cubes_stay() const;
 };
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -2,7 +2,7 @@
 
 #include "actio/any_group/span_projection.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 
@@ -68,4 +68,4 @@ void SpanProjection::find_denominator() {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::systems

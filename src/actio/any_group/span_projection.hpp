@@ -11,7 +11,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio::detail {
+namespace actio::systems::detail {
 
 /// A list of matrices of one size, each as the row of its entries.
 struct SpanProjection {
@@ -38,4 +38,4 @@ struct SpanProjection {
   void find_denominator();
 };
 
-}  // namespace actio::detail
+}  // namespace actio::systems::detail

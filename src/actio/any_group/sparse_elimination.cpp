@@ -1,6 +1,6 @@
 #include "actio/any_group/sparse_elimination.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 namespace detail {
 
@@ -73,4 +73,4 @@ void SparseElimination::eliminate(int k, int pivot, SparseRow const& by) {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-namespace actio::detail {
+namespace actio::systems::detail {
 
 /// A row of a matrix, or a vector: its entries that are not zero, by their column.
 using SparseRow = std::map<int, double>;
@@ -56,4 +56,4 @@ class SparseElimination {
   void eliminate(int k, int pivot, SparseRow const& by);
 };
 
-}  // namespace actio::detail
+}  // namespace actio::systems::detail

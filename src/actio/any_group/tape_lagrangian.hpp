@@ -6,7 +6,7 @@
 #include "actio/any_group/reduced_system.hpp"
 #include "actio/groups/group.hpp"
 
-namespace actio {
+namespace actio::systems {
 
 /// l(v) of a system without carried vectors, at every scalar. A copy has its own work space for each call.
 struct TapeLagrangian {
@@ -23,4 +23,4 @@ struct TapeLagrangian {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::systems

@@ -1,6 +1,6 @@
 #include "actio/fast_body/pack.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 Machine best_machine() {
 #if ACTIO_AVX2
@@ -10,4 +10,4 @@ Machine best_machine() {
   return Machine::plain;
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

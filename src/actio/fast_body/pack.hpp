@@ -20,7 +20,7 @@
 #define ACTIO_FOR_AVX2
 #endif
 
-namespace actio {
+namespace actio::bodies {
 
 /// n doubles in the lanes of one SIMD register; n a power of two.
 template <int n>
@@ -107,4 +107,4 @@ void run_on(Machine machine, Kernel& kernel) {
     detail::run_plain(kernel);
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

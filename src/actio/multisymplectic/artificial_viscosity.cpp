@@ -1,10 +1,10 @@
 #include "actio/multisymplectic/artificial_viscosity.hpp"
 
-namespace actio {
+namespace actio::media {
 
 ViscosityNeedsShorterSteps::ViscosityNeedsShorterSteps(int which, double step, double longest)
     : OutsideDomain("medium: viscosity of cell " + std::to_string(which),
                     "a step is not longer than small motions take to be damped", step, longest),
       cell(which) {}
 
-}  // namespace actio
+}  // namespace actio::media

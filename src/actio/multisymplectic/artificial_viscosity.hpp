@@ -15,7 +15,7 @@
 #include "actio/multisymplectic/body_quadrature.hpp"
 #include "actio/multisymplectic/body_start.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A step that is longer than small motions take to be damped: measured its length, bound that time.
 struct ViscosityNeedsShorterSteps : OutsideDomain {
@@ -157,4 +157,4 @@ class ViscousForces {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -27,7 +27,7 @@
 #include "actio/multisymplectic/discrete_section.hpp"
 #include "actio/multisymplectic/simplex_geometry.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// The longest stable steps of the cells of a simplicial mesh, each alone: two over its largest frequency,
 /// that of small motions of its corners, with the masses that this cell gives them, about the places.
@@ -245,4 +245,4 @@ AsynchronousSteps<S, n, N, L> asynchronous_steps(L const& density, BodyMesh cons
   return {density, mesh, steps, places, velocities, held};
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -4,7 +4,7 @@
 #include "actio/multisymplectic/body_loads.hpp"
 #include "actio/multisymplectic/discrete_stress.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// The least Jacobian of a body, and the cell that has it.
 struct LeastJacobian {
@@ -237,4 +237,4 @@ class BodyForces {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -9,7 +9,7 @@
 #include "actio/multisymplectic/body_quadrature.hpp"
 #include "actio/multisymplectic/body_sides.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A potential in space, per mass: gravity, or a hill that stands for an obstacle.
 template <int d>
@@ -256,4 +256,4 @@ class LoadsOnBody {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/body_mesh.hpp"
 
-namespace actio {
+namespace actio::media {
 
 std::string BodyMesh::cell_name(int cell) const {
   if (!element_tags.empty()) return "element " + std::to_string(element_tags[cell]);
@@ -115,4 +115,4 @@ BodyMesh box_mesh(std::vector<double> const& lower, std::vector<double> const& u
   return mesh;
 }
 
-}  // namespace actio
+}  // namespace actio::media

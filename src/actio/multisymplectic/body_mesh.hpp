@@ -14,7 +14,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A mesh of a body that does not exist as described: without cells, inverted, in pieces, too large to count.
 struct NotABodyMesh : OutsideDomain {
@@ -189,4 +189,4 @@ struct CellGrid {
 BodyMesh box_mesh(std::vector<double> const& lower, std::vector<double> const& upper,
                   std::vector<int> const& cells, std::vector<bool> const& periodic = {});
 
-}  // namespace actio
+}  // namespace actio::media

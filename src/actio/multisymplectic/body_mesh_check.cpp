@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/body_mesh_check.hpp"
 
-namespace actio {
+namespace actio::media {
 
 CornerJacobian corner_jacobian(BodyMesh const& mesh, int cell, int corner) {
   int const d = mesh.dimension;
@@ -156,4 +156,4 @@ void require_body_mesh(BodyMesh const& mesh) {
   for (auto const& side : mesh.sides) facets_of_side(mesh, side.first);
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -8,7 +8,7 @@
 
 #include "actio/multisymplectic/body_mesh.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// The Jacobian of the reference map at a corner of a cell: the determinant of the edges that meet there,
 /// counted as running along 0, 1, 2, for a simplex of those from corner 0.
@@ -51,4 +51,4 @@ bool is_turned(std::array<int, 4> const& nodes, int facet);
 /// Its work is that of sorting all facets.
 void require_body_mesh(BodyMesh const& mesh);
 
-}  // namespace actio
+}  // namespace actio::media

@@ -17,7 +17,7 @@
 #include "actio/multisymplectic/hat_quadrature.hpp"
 #include "actio/multisymplectic/stored_energies.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// One deformation gradient of a cell, and what it stands for.
 template <int d>
@@ -283,4 +283,4 @@ class BodyQuadrature {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

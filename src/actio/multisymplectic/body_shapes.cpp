@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/body_shapes.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 namespace {
@@ -117,4 +117,4 @@ BodyMesh shell_mesh(double inner, double outer, std::array<int, 2> const& cells)
   });
 }
 
-}  // namespace actio
+}  // namespace actio::media

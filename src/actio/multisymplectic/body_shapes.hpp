@@ -10,7 +10,7 @@
 
 #include "actio/multisymplectic/body_mesh.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -115,4 +115,4 @@ inline BodyMesh ball_mesh(double radius, std::array<int, 2> const& cells) {
 /// Accuracy: nodes on their spheres to rounding.
 BodyMesh shell_mesh(double inner, double outer, std::array<int, 2> const& cells);
 
-}  // namespace actio
+}  // namespace actio::media

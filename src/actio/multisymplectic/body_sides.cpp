@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/body_sides.hpp"
 
-namespace actio {
+namespace actio::media {
 
 void require_side(BodyMesh const& mesh, std::string const& name) {
   if (mesh.sides.contains(name)) return;
@@ -10,4 +10,4 @@ void require_side(BodyMesh const& mesh, std::string const& name) {
                     "; the mesh has " + (known.empty() ? std::string("none") : listed(known)));
 }
 
-}  // namespace actio
+}  // namespace actio::media

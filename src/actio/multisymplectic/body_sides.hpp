@@ -7,7 +7,7 @@
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/nearest_name.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A name that no side of the mesh has; the message lists those that it has.
 struct UnknownSide : Error {
@@ -198,4 +198,4 @@ class HeldNodes {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/body_start.hpp"
 
-namespace actio {
+namespace actio::media {
 
 BodyCellInverts::BodyCellInverts(int which, std::string const& name, double jacobian, Step const& tried)
     : OutsideDomain(where(name, tried), "the Jacobian at its corners must be positive", jacobian, 0),
@@ -47,4 +47,4 @@ void BodyStepping::examine() const {
                         order, 2);
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -7,7 +7,7 @@
 
 #include "actio/multisymplectic/body_mesh.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A cell of a body that would turn inside out: the state is that before the step which would do it.
 struct BodyCellInverts : OutsideDomain {
@@ -101,4 +101,4 @@ struct BodyEnergies {
   double total() const { return kinetic + stored + loads; }
 };
 
-}  // namespace actio
+}  // namespace actio::media

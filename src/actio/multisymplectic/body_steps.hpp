@@ -9,7 +9,7 @@
 #include "actio/multisymplectic/body_forces.hpp"
 #include "actio/multisymplectic/largest_frequency.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// Places and velocities of all nodes, component by component, with what rounding has taken from them.
 ///
@@ -292,4 +292,4 @@ class BodySteps {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

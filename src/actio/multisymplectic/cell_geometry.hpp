@@ -12,7 +12,7 @@
 #include "actio/multisymplectic/corner_correction.hpp"
 #include "actio/numbers/linear.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A cell of a mesh of the body that is flat, or turned inside out.
 struct InvertedCell : OutsideDomain {
@@ -78,4 +78,4 @@ CellGeometry<S, n> cell_geometry(Matrix<S, n, corners_of_cell<n>> const& places,
   return geometry;
 }
 
-}  // namespace actio
+}  // namespace actio::media

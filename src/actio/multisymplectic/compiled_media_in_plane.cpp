@@ -1,7 +1,8 @@
 // The steps of media in the plane that our own programs use most, compiled once.
+// In a unit of its own
 #include "actio/multisymplectic/fast_medium_2d.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 template class FusedRows2d<CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox2d>>;
 template class FusedRows2d<CellOf<FastFluid<PolytropicByRoots<3, 5>>, FastBox2d>>;
@@ -10,4 +11,4 @@ template class FusedRows2d<CellOf<FastFluid<PolytropicGas>, FastBox2d>>;
 template class FusedRows2d<CellOf<FastNeoHookean<LogarithmicLaw>, FastBox2d>>;
 template class FusedRows2d<CellOf<FastStVenantKirchhoff, FastBox2d>>;
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

@@ -1,10 +1,11 @@
 // The steps of media in the space that our own programs use most, compiled once.
+// In a unit of its own
 #include "actio/multisymplectic/fast_medium_3d.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 template class FusedPlanes3d<CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox3d>>;
 template class FusedPlanes3d<CellOf<FastNeoHookean<LogarithmicLaw>, FastBox3d>>;
 template class FusedPlanes3d<CellOf<FastStVenantKirchhoff, FastBox3d>>;
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

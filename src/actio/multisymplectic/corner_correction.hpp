@@ -17,7 +17,7 @@
 #include "actio/forms/forms.hpp"
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// How many corners a cell with n dimensions has.
 template <int n>
@@ -103,4 +103,4 @@ CornerCorrection<S, n> corner_correction(Matrix<S, n, corners_of_cell<n>> const&
   return out;
 }
 
-}  // namespace actio
+}  // namespace actio::media

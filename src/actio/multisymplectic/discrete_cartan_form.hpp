@@ -8,7 +8,7 @@
 
 #include "actio/multisymplectic/discrete_lagrangian.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -78,4 +78,4 @@ Matrix<S, N, N> discrete_mixed_derivative(L const& density, SpaceTimeCell<S, n, 
   return derivative(Theta_l, y_m).matrix;
 }
 
-}  // namespace actio
+}  // namespace actio::media

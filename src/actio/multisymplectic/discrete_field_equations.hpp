@@ -7,7 +7,7 @@
 
 #include "actio/multisymplectic/discrete_cartan_form.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A sum, and the terms that it is made from.
 template <class Value, class B>
@@ -89,4 +89,4 @@ SumOfTerms<Matrix<S, N, 1>, Base<S>> discrete_euler_lagrange(L const& density,
   return E;
 }
 
-}  // namespace actio
+}  // namespace actio::media

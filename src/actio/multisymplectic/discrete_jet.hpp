@@ -9,7 +9,7 @@
 
 #include "actio/multisymplectic/cell_geometry.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A space-time cell with the values of a discrete section at its nodes.
 /// @tparam S  scalar of the values; shape and times are plain numbers
@@ -82,4 +82,4 @@ Jet<S, n, N> discrete_jet(SpaceTimeCell<S, n, N> const& cell, int l) {
   return j;
 }
 
-}  // namespace actio
+}  // namespace actio::media

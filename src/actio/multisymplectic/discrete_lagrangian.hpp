@@ -6,7 +6,7 @@
 
 #include "actio/multisymplectic/discrete_section.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// What one node contributes to the discrete Lagrangian of a cell: the density at the discrete jet there,
 /// times the volume that the node stands for.
@@ -66,4 +66,4 @@ void examine_slab(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
     });
 }
 
-}  // namespace actio
+}  // namespace actio::media

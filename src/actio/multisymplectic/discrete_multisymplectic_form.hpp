@@ -8,7 +8,7 @@
 
 #include "actio/multisymplectic/space_time_box.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// The discrete multisymplectic form \f$\Omega^l = -d\Theta^l\f$ of a node of a cell, on two vertical
 /// variations: \f$\Omega^l(V, W) = \delta_W\Theta^l\cdot V_l - \delta_V\Theta^l\cdot W_l\f$.
@@ -58,4 +58,4 @@ SumOfTerms<S, S> multisymplectic_balance(L const& density, SpaceTimeMesh<S, n> c
   // [claim_10_0_variational_discretisation]
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -10,7 +10,7 @@
 #include "actio/noether/covariant_momentum_map.hpp"
 #include "actio/noether/isometries.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A generator that moves points of space-time, which on a mesh has no discrete momentum.
 struct NotVertical : OutsideDomain {
@@ -100,4 +100,4 @@ SumOfTerms<S, S> momentum_of_level(L const& density, Xi const& xi, SpaceTimeMesh
   return total;
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -4,7 +4,7 @@
 #include "actio/multisymplectic/discrete_jet.hpp"
 #include "actio/multisymplectic/space_time_mesh.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// The values of a section at the nodes of one level of time.
 template <class S, int N>
@@ -89,7 +89,7 @@ SpaceTimeCell<S, n, N> cell_of(SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSe
 template <class S, int n, class Phi>
   requires SectionOver<Phi, S, n>
 auto restricted(SpaceTimeMesh<S, n> const& mesh, Phi const& phi, int levels) {
-  constexpr int N = detail::fibre_dimension<Phi, S, n>;
+  constexpr int N = actio::detail::fibre_dimension<Phi, S, n>;
   DiscreteSection<S, n, N> section;
   for (int k = 0; k < levels; ++k) {
     section.levels.emplace_back();
@@ -136,4 +136,4 @@ DiscreteSection<S, n, N> rate_of(DiscreteSection<Dual<S>, n, N> const& moved) {
   return V;
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -15,7 +15,7 @@
 #include "actio/multisymplectic/stored_energies.hpp"
 #include "actio/numbers/gauss_quadrature.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 /// The largest entry of a change over a bound from below of the least eigenvalue of C, which is positive.
@@ -65,4 +65,4 @@ Matrix<double, d, d> discrete_stress(Energy const& energy, Stress const& stress,
   return middle * S;
 }
 
-}  // namespace actio
+}  // namespace actio::media

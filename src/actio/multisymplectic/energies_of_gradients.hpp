@@ -10,7 +10,7 @@
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/linear.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// The cofactors of a matrix with up to three rows: its determinant's derivative.
 template <class T, int d>
@@ -224,4 +224,4 @@ struct QuadraticLaw {
   double slope_beyond(double m, double j, double) const { return (1 + j) * kappa * j + (m - mu); }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -12,7 +12,7 @@
 #include "actio/multisymplectic/fast_cell_2d.hpp"
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// What a side of a box of cells does.
 enum class FastSide {
@@ -147,4 +147,4 @@ struct Strips {
 };
 
 }  // namespace detail
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/fast_box_3d.hpp"
 
-namespace actio {
+namespace actio::media {
 
 detail::Space<double> FastBox3d::shift(int d) const {
     auto const& p = period[d];
@@ -18,4 +18,4 @@ double FastBox3d::response(std::array<int, 3> const& node, int c) const {
     return 1 / volume;
   }
 
-}  // namespace actio
+}  // namespace actio::media

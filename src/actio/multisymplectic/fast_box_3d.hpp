@@ -5,7 +5,7 @@
 #include "actio/multisymplectic/fast_box_2d.hpp"
 #include "actio/multisymplectic/fast_energies.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A box of cells with corners \f$X = origin+(i\,h_1,j\,h_2,k\,h_3)\f$.
 struct FastBox3d {
@@ -57,4 +57,4 @@ struct FastBox3d {
   void examine() const { detail::examine_box(*this); }
 };
 
-}  // namespace actio
+}  // namespace actio::media

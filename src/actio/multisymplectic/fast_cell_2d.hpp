@@ -17,7 +17,7 @@
 
 #include "actio/multisymplectic/fast_volume_laws.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -219,4 +219,4 @@ std::array<Plane<T>, 4> corner_forces(Cell const& cell, Edges<T> const& e) {
 }
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

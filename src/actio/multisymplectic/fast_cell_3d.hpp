@@ -12,7 +12,7 @@
 
 #include "actio/multisymplectic/fast_cell_2d.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -272,4 +272,4 @@ std::array<Space<T>, 8> corner_forces(Cell const& cell, Edges3d<T> const& e) {
   return out;
 }
 }  // namespace detail
-}  // namespace actio
+}  // namespace actio::media

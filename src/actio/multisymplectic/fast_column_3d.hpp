@@ -12,7 +12,7 @@
 
 #include "actio/multisymplectic/fast_box_3d.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// Four nodes across a row.
 using FourNodes = Space<Quad>[4];
@@ -267,4 +267,4 @@ struct AlongRow3d<StVenantKirchhoffCell3d> {
   }
 };
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

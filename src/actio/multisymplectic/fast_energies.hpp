@@ -5,7 +5,7 @@
 #include "actio/multisymplectic/fast_cell_3d.hpp"
 #include "actio/multisymplectic/strain_energies.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// The edges that meet at a corner, over the lengths of the cell: F, or of a displacement H.
 template <class T>
@@ -46,4 +46,4 @@ double cell_energy_of_displacement(Medium const& medium, std::array<double, d> c
   return sum_over_corners(h, e, [&](auto const& H) { return energy_from(medium, H); });
 }
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

@@ -13,7 +13,7 @@
 #include "actio/multisymplectic/largest_frequency.hpp"
 #include "actio/numbers/dual.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// A vector of the space that a box lies in.
 template <class Box, class T>
@@ -207,4 +207,4 @@ double bound_of_stable_steps(Box const& box, Cell const& cell, std::vector<Vecto
   return 2 / largest_frequency(window, cell, inside);
 }
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

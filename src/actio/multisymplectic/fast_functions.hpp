@@ -15,7 +15,7 @@
 
 #include "actio/multisymplectic/fast_lanes.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 inline constexpr double two_52 = 4503599627370496.0;             ///< \f$2^{52}\f$
 inline constexpr std::int64_t two_52_bits = 0x4330000000000000;  ///< its bits
@@ -289,4 +289,4 @@ T reciprocal(T const& x) {
   return T(1) / x;
 }
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

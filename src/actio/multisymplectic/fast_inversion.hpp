@@ -6,7 +6,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A cell of a medium that would turn inside out: the state is that before the step which would do it.
 struct CellInverts : OutsideDomain {
@@ -42,4 +42,4 @@ struct CellInverts : OutsideDomain {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/fast_lanes.hpp"
 
-namespace actio {
+namespace actio::media {
 
 std::vector<Registers> usable_registers() {
   std::vector<Registers> all{Registers::plain};
@@ -14,4 +14,4 @@ std::vector<Registers> usable_registers() {
   return all;
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace actio {
+namespace actio::media {
 
 /// For which registers a kernel of the fast road is compiled.
 enum class Registers {
@@ -125,4 +125,4 @@ void run_with(Registers registers, Kernel& kernel) {
 }
 
 }  // namespace detail
-}  // namespace actio
+}  // namespace actio::media

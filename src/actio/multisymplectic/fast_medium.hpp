@@ -10,7 +10,7 @@
 #include "actio/multisymplectic/fast_inversion.hpp"
 #include "actio/multisymplectic/fast_options.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -311,4 +311,4 @@ class FastMedium {
   long steps_ = 0, kept_at_ = 0;
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -15,7 +15,7 @@
 #include "actio/multisymplectic/fast_medium.hpp"
 #include "actio/multisymplectic/fast_rows_2d.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 template <class Cell>
@@ -39,4 +39,4 @@ extern template class FusedRows2d<CellOf<FastNeoHookean<LogarithmicLaw>, FastBox
 extern template class FusedRows2d<CellOf<FastStVenantKirchhoff, FastBox2d>>;
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

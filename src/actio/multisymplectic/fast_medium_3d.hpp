@@ -11,7 +11,7 @@
 #include "actio/multisymplectic/fast_medium.hpp"
 #include "actio/multisymplectic/fast_planes_3d.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 template <class Cell>
@@ -32,4 +32,4 @@ extern template class FusedPlanes3d<CellOf<FastNeoHookean<LogarithmicLaw>, FastB
 extern template class FusedPlanes3d<CellOf<FastStVenantKirchhoff, FastBox3d>>;
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

@@ -3,7 +3,7 @@
 
 #include "actio/multisymplectic/fast_lanes.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// How a medium of the fast road is computed. Nothing of this changes any bit of the result but the
 /// registers.
@@ -13,4 +13,4 @@ struct FastOptions {
   Registers registers = best_registers();  ///< for which the steps are compiled
 };
 
-}  // namespace actio
+}  // namespace actio::media

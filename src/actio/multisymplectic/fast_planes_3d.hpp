@@ -9,7 +9,7 @@
 #include "actio/multisymplectic/fast_sweep_3d.hpp"
 #include "actio/multisymplectic/fast_team.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// Places and velocities of all nodes, and their steps.
 template <class Cell>
@@ -223,4 +223,4 @@ void FusedPlanes3d<Cell>::sweep(Band& band) {
   band.signs |= sweep.signs;
 }
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

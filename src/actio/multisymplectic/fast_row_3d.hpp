@@ -6,7 +6,7 @@
 
 #include "actio/multisymplectic/fast_column_3d.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// The places of four rows of nodes: bit 0 of the index says behind, bit 1 above.
 struct FourRows {
@@ -110,4 +110,4 @@ struct CellRow3d {
   }
 };
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

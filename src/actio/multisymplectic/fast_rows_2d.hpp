@@ -9,7 +9,7 @@
 #include "actio/multisymplectic/fast_sweep_2d.hpp"
 #include "actio/multisymplectic/fast_team.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -196,4 +196,4 @@ bool FusedRows2d<Cell>::advance(long count) {
 }
 
 }  // namespace detail
-}  // namespace actio
+}  // namespace actio::media

@@ -13,7 +13,7 @@
 
 #include "actio/multisymplectic/fast_box_2d.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// A row of nodes.
 struct NodeRow2d {
@@ -282,4 +282,4 @@ struct Examination2d {
   }
 };
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

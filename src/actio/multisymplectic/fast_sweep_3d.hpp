@@ -12,7 +12,7 @@
 
 #include "actio/multisymplectic/fast_row_3d.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// A layer of cells, and the plane of nodes below it.
 struct Layer3d {
@@ -184,4 +184,4 @@ struct Examination3d {
   }
 };
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

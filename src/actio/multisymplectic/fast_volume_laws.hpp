@@ -15,7 +15,7 @@
 #include "actio/multisymplectic/fast_functions.hpp"
 #include "actio/multisymplectic/small_strains.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A law of the Jacobian for which slopes are computed in lanes.
 template <class Law>
@@ -278,4 +278,4 @@ auto scaled(Law const& law, double unit, double weight) {
 }
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/gmsh_blocks.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -86,4 +86,4 @@ std::pair<int, int> GmshBlocks::read_entity() {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

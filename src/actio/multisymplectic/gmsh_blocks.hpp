@@ -7,7 +7,7 @@
 
 #include "actio/multisymplectic/gmsh_contents.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// Reads them.
 class GmshBlocks : public GmshReader {
@@ -34,4 +34,4 @@ class GmshBlocks : public GmshReader {
   std::pair<int, int> read_entity();
 };
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/gmsh_contents.hpp"
 
-namespace actio {
+namespace actio::media {
 
 GmshShape const& gmsh_shape(GmshCursor const& file, int type) {
   static constexpr GmshShape known[] = {{15, 0, 1, "point"},      {1, 1, 2, "line"},
@@ -18,4 +18,4 @@ GmshShape const& gmsh_shape(GmshCursor const& file, int type) {
             "tetrahedron (4) and hexahedron (5)");
 }
 
-}  // namespace actio
+}  // namespace actio::media

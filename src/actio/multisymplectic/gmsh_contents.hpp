@@ -7,7 +7,7 @@
 
 #include "actio/multisymplectic/gmsh_cursor.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A kind of elements that is understood.
 struct GmshShape {
@@ -93,4 +93,4 @@ class GmshReader {
 };
 
 }  // namespace detail
-}  // namespace actio
+}  // namespace actio::media

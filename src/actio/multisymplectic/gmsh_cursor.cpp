@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/gmsh_cursor.hpp"
 
-namespace actio {
+namespace actio::media {
 
 std::string_view GmshCursor::word(char const* what) {
   skip_blanks();
@@ -44,4 +44,4 @@ std::size_t GmshCursor::checked(std::size_t count, std::size_t numbers, std::siz
   return count;
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -12,7 +12,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A file that is no Gmsh mesh, or none that can be read: what is wrong, and in which line or byte.
 struct NotAGmshFile : Error {
@@ -141,4 +141,4 @@ class GmshCursor {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/gmsh_file.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -120,4 +120,4 @@ int GmshSections::list_of(int dimension, int group) {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

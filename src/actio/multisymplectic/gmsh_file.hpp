@@ -6,7 +6,7 @@
 
 #include "actio/multisymplectic/gmsh_blocks.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// Reads the sections of a file one after the other.
 class GmshSections : public GmshBlocks {
@@ -34,4 +34,4 @@ class GmshSections : public GmshBlocks {
   int list_of(int dimension, int group);
 };
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

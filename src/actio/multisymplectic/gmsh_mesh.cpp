@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/gmsh_mesh.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -190,4 +190,4 @@ BodyMesh gmsh_mesh(std::string const& path) {
   return gmsh_mesh_of(text, path);
 }
 
-}  // namespace actio
+}  // namespace actio::media

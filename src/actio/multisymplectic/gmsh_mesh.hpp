@@ -14,7 +14,7 @@
 #include "actio/multisymplectic/body_mesh_check.hpp"
 #include "actio/multisymplectic/gmsh_file.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -87,4 +87,4 @@ inline BodyMesh gmsh_mesh_of(std::string_view text, std::string const& name) {
 /// @throws Error  where the file cannot be read; and as \ref gmsh_mesh_of
 BodyMesh gmsh_mesh(std::string const& path);
 
-}  // namespace actio
+}  // namespace actio::media

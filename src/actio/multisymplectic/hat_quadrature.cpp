@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/hat_quadrature.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -36,4 +36,4 @@ HatQuadrature::HatQuadrature(BodyMesh::Shape shape, int d) {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

@@ -6,7 +6,7 @@
 
 #include "actio/multisymplectic/body_mesh.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 /// Points and weights of a cell of some shape, with the hat functions of its corners there.
@@ -24,4 +24,4 @@ struct HatQuadrature {
 };
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/largest_frequency.hpp"
 
-namespace actio {
+namespace actio::media {
 
 namespace detail {
 
@@ -31,4 +31,4 @@ std::pair<double, double> top_of_lanczos_matrix(std::vector<double> const& a, st
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::media

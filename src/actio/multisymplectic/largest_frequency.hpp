@@ -12,7 +12,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio::detail {
+namespace actio::media::detail {
 
 /// The largest eigenvalue of a symmetric tridiagonal matrix, and the modulus of the last component of its
 /// unit eigenvector.
@@ -55,4 +55,4 @@ double largest_frequency(Mass const& mass, std::vector<double> u, Apply const& a
   return largest > 0 ? std::sqrt(largest) : 0;
 }
 
-}  // namespace actio::detail
+}  // namespace actio::media::detail

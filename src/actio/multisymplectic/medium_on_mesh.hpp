@@ -21,7 +21,7 @@
 #include "actio/multisymplectic/body_start.hpp"
 #include "actio/multisymplectic/body_steps.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A medium on a mesh of a body.
 template <int d>
@@ -353,4 +353,4 @@ class MediumOnMesh {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

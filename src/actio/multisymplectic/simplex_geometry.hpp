@@ -10,7 +10,7 @@
 #include "actio/multisymplectic/body_mesh_check.hpp"
 #include "actio/numbers/linear.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// What discrete jets need of the reference shape of a simplex.
 template <int n>
@@ -114,4 +114,4 @@ double mass_of_corner(L const& density, SimplexGeometry<n> const& cell, Matrix<d
   return m * cell.volume;
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -1,6 +1,6 @@
 #include "actio/multisymplectic/small_strains.hpp"
 
-namespace actio {
+namespace actio::media {
 
 double without_logarithm(double x) {
   if (std::abs(x) > 0.1) return x - std::log1p(x);
@@ -18,4 +18,4 @@ double exponential_beyond_line(double x) {
   return x * x / 2 * (1 + sum);
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -9,7 +9,7 @@
 
 #include "actio/numbers/linear.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// \f$x-\log(1+x)\f$ for x > -1.
 double without_logarithm(double x);
@@ -80,4 +80,4 @@ struct StrainMeasures {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::media

@@ -3,7 +3,7 @@
 
 #include "actio/multisymplectic/discrete_field_equations.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A box of space-time cells: slabs \f$k, \dots, k + s - 1\f$ and in each direction i the cells
 /// \f$c_i, \dots, c_i + m_i - 1\f$, counted around where the mesh is periodic.
@@ -71,4 +71,4 @@ SumOfTerms<S, S> boundary_sum(SpaceTimeMesh<S, n> const& mesh, CellBox<n> const&
   return total;
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -13,7 +13,7 @@
 
 #include "actio/multisymplectic/cell_geometry.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// What a side of the box is.
 enum class Side {
@@ -266,4 +266,4 @@ std::vector<S> equal_steps(S const& start, S const& step, int steps) {
   return times;
 }
 
-}  // namespace actio
+}  // namespace actio::media

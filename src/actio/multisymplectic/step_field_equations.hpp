@@ -7,7 +7,7 @@
 
 #include "actio/multisymplectic/discrete_field_equations.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// Where the nodes of fixed sides are if no motion is prescribed, and those of sliding sides across them:
 /// where they were.
@@ -202,4 +202,4 @@ StepReport first_step(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
   return detail::append_level(density, mesh, section, wall, guess, momentum);
 }
 
-}  // namespace actio
+}  // namespace actio::media

@@ -10,7 +10,7 @@
 
 #include "actio/multisymplectic/strain_energies.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// A stored energy in d dimensions, whatever its medium.
 template <int d>
@@ -65,4 +65,4 @@ std::shared_ptr<StoredEnergy<d> const> stored_energy(Medium const& medium) {
   return std::make_shared<detail::StoredEnergyOf<d, Medium>>(medium);
 }
 
-}  // namespace actio
+}  // namespace actio::media

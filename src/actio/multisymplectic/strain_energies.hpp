@@ -6,7 +6,7 @@
 #include "actio/multisymplectic/energies_of_gradients.hpp"
 #include "actio/multisymplectic/small_strains.hpp"
 
-namespace actio {
+namespace actio::media {
 
 /// W of a fluid whose law knows the change of the volume.
 template <class Volume, int d>
@@ -102,4 +102,4 @@ Matrix<double, d, d> green_stress_from(Medium const& medium, Matrix<double, d, d
   return green_stress_of(medium, beyond_identity<d>(E * 2));
 }
 
-}  // namespace actio
+}  // namespace actio::media

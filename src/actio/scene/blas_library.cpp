@@ -9,7 +9,7 @@ namespace {
 
 /// The functions, or why there are none.
 struct Blas {
-  BlasFunctions functions;
+  sphere::BlasFunctions functions;
   std::string why;
 
   Blas() {
@@ -21,8 +21,8 @@ struct Blas {
       why = message ? message : "it was not found when this command was built";
       return;
     }
-    functions = {reinterpret_cast<Gemm<double>*>(::dlsym(library, "dgemm_")),
-                 reinterpret_cast<Gemm<float>*>(::dlsym(library, "sgemm_"))};
+    functions = {reinterpret_cast<sphere::Gemm<double>*>(::dlsym(library, "dgemm_")),
+                 reinterpret_cast<sphere::Gemm<float>*>(::dlsym(library, "sgemm_"))};
     if (!functions.dgemm || !functions.sgemm) why = ACTIO_BLAS_LIBRARY " has no dgemm_ and sgemm_";
     // Threads are ours: what they share does not depend on how many they are.
     if (auto const set = reinterpret_cast<void (*)(int)>(::dlsym(library, "openblas_set_num_threads")))
@@ -32,9 +32,9 @@ struct Blas {
 
 }  // namespace
 
-Products blas_products(int threads, std::vector<std::string>& remarks) {
+sphere::Products blas_products(int threads, std::vector<std::string>& remarks) {
   static Blas const blas;
-  if (blas.why.empty()) return std::make_shared<BlasProducts>(blas.functions, threads);
+  if (blas.why.empty()) return std::make_shared<sphere::BlasProducts>(blas.functions, threads);
   remarks.push_back("OpenBLAS cannot be loaded, and products of matrices take longer: " + blas.why);
   return nullptr;
 }

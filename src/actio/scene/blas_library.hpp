@@ -13,6 +13,6 @@ namespace actio::scene {
 /// Products by the BLAS that was found when the command was built, on `threads` threads that are ours;
 /// inside, the library works on one. Null where it cannot be loaded: then the products are Eigen's, slower.
 /// @param remarks  what is said then
-Products blas_products(int threads, std::vector<std::string>& remarks);
+sphere::Products blas_products(int threads, std::vector<std::string>& remarks);
 
 }  // namespace actio::scene

@@ -11,7 +11,7 @@ namespace {
 constexpr int most_rows_told = 6;
 
 /// `-w`, `x1 + 2*x2`, `0`.
-std::string entry_in_words(MatrixAlgebra const& algebra, int row, int column) {
+std::string entry_in_words(systems::MatrixAlgebra const& algebra, int row, int column) {
   std::string out;
   for (auto const& e : algebra.entries) {
     if (e.row != row || e.column != column) continue;
@@ -22,7 +22,7 @@ std::string entry_in_words(MatrixAlgebra const& algebra, int row, int column) {
   return out.empty() ? "0" : out;
 }
 
-std::vector<std::string> velocity_in_words(MatrixAlgebra const& algebra) {
+std::vector<std::string> velocity_in_words(systems::MatrixAlgebra const& algebra) {
   std::vector<std::string> rows;
   if (algebra.size > most_rows_told) return rows;
   for (int i = 0; i < algebra.size; ++i) {
@@ -33,9 +33,9 @@ std::vector<std::string> velocity_in_words(MatrixAlgebra const& algebra) {
   return rows;
 }
 
-std::optional<MatrixAlgebra> algebra_of_name(std::string_view name) {
+std::optional<systems::MatrixAlgebra> algebra_of_name(std::string_view name) {
   try {
-    return named_algebra(name);
+    return systems::named_algebra(name);
   } catch (Error const&) {
     return {};
   }
@@ -46,7 +46,7 @@ std::string own_components_of_member(std::string name, int number) {
   std::size_t const at = name.find("(n)");
   if (at == std::string::npos) return "";
   name.replace(at, 3, fmt::format("({})", number));
-  auto const own = actio::detail::own_components(name);
+  auto const own = actio::systems::detail::own_components(name);
   return own.empty() ? "" : fmt::format(", {} on {}", fmt::join(own, " "), name);
 }
 
@@ -54,7 +54,7 @@ std::string own_components_of_member(std::string name, int number) {
 
 std::optional<NamedGroup> named_group(std::string_view word) {
   auto algebra = algebra_of_name(word);
-  if (!algebra && !find_groups(word).empty()) algebra = algebra_of_name(actio::detail::nearest_group(word));
+  if (!algebra && !find_groups(word).empty()) algebra = algebra_of_name(actio::systems::detail::nearest_group(word));
   if (!algebra) return {};
   return NamedGroup{algebra->name, algebra->components, velocity_in_words(*algebra)};
 }

@@ -7,7 +7,7 @@
 
 #include "actio/vorticity/skew_hermitian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// A skew-Hermitian matrix that is zero but for a few diagonals: \f$Y_{c+d,c}\f$ at (d, c), d = 0, 1, ...;
 /// zero where the matrix ends.
@@ -62,4 +62,4 @@ void banded_commutator(SkewBand<Real> const& y, SkewHermitian<Real> const& x, Sk
   }
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

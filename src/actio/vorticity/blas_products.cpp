@@ -1,6 +1,6 @@
 #include "actio/vorticity/blas_products.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 PanelThreads::~PanelThreads() {
   {
@@ -37,4 +37,4 @@ void PanelThreads::serve() {
   }
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -25,7 +25,7 @@
 
 #include "actio/vorticity/products.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// The product of general matrices as BLAS has it, called as in Fortran.
 template <class Real>
@@ -137,4 +137,4 @@ class BlasProducts : public ProductsBy<BlasProducts> {
   std::unique_ptr<PanelThreads> threads_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

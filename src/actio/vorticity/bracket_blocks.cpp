@@ -1,6 +1,6 @@
 #include "actio/vorticity/bracket_blocks.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 int symmetry_of(SkewHermitian<> const& w, double bound) {
   auto const n = static_cast<int>(w.size());
@@ -23,4 +23,4 @@ SkewHermitian<> symmetric_part(SkewHermitian<> w, int fold) {
   return w;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

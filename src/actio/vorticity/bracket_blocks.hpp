@@ -12,7 +12,7 @@
 
 #include "actio/vorticity/products.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// The largest k for which W is that of a k-fold symmetric flow about the pole: the greatest common divisor
 /// of its diagonals that are not zero.
@@ -70,4 +70,4 @@ class SymmetricProducts : public ProductsBy<SymmetricProducts> {
   Products products_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/canonical_splitting.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 CanonicalSplitting split_along(SkewHermitian<> const& p, SkewHermitian<> const& w) {
   auto const n = w.size();
@@ -24,4 +24,4 @@ CanonicalSplitting split_along(SkewHermitian<> const& p, SkewHermitian<> const& 
   return splitting;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

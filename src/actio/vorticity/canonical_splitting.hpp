@@ -10,7 +10,7 @@
 #include "actio/vorticity/dense_matrices.hpp"
 #include "actio/vorticity/quantized_sphere.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// W = Ws + Wr, at right angles.
 struct CanonicalSplitting {
@@ -30,4 +30,4 @@ CanonicalSplitting canonical_splitting(Stream const& stream, SkewHermitian<> con
   return split_along(stream.solve(w), w);
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

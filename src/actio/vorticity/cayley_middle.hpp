@@ -5,7 +5,7 @@
 
 #include "actio/vorticity/skew_hermitian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// \f$\tilde W = (1-A)^{-1}W_0(1+A)^{-1}\f$, the middle of the step from \f$W_0\f$ by
 /// \f$\mathrm{cay}(A)\f$. It is there for every A, since no eigenvalue of 1 - A has a modulus below 1.
@@ -30,4 +30,4 @@ void eliminate_middle(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w
   middle.imaginary = -(sides.bottomRows(n).transpose() + sides.bottomRows(n)) / 2;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

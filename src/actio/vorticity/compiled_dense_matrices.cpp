@@ -1,9 +1,10 @@
 // Eigenvalues and products of whole matrices, compiled once.
+// In a unit of its own
 #include <Eigen/Core>
 
 #include "actio/vorticity/dense_matrices.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 template Eigen::VectorXd hermitian_values(ComplexMatrix<> const&);
 template Eigen::VectorXd hermitian_values(Eigen::MatrixXd const&);
@@ -15,4 +16,4 @@ template Eigen::VectorXd regular_solution(Eigen::MatrixXd const&, Eigen::VectorX
 template ComplexMatrix<> product_of(ComplexMatrix<> const&, ComplexMatrix<> const&);
 template Eigen::MatrixXd product_of(Eigen::MatrixXd const&, Eigen::MatrixXd const&);
 
-}  // namespace actio
+}  // namespace actio::sphere

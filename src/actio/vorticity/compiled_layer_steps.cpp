@@ -1,9 +1,10 @@
 // The step of a layer of fluid, compiled once.
+// In a unit of its own
 #include "actio/vorticity/helmholtz_stream.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 template class VorticityStep<HelmholtzStream>;
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -6,7 +6,7 @@
 
 #include "actio/vorticity/skew_hermitian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Eigenvalues in ascending order, and a unitary matrix with an eigenvector in each column.
 template <class Dense>
@@ -73,4 +73,4 @@ extern template Eigen::VectorXd regular_solution(Eigen::MatrixXd const&, Eigen::
 extern template ComplexMatrix<> product_of(ComplexMatrix<> const&, ComplexMatrix<> const&);
 extern template Eigen::MatrixXd product_of(Eigen::MatrixXd const&, Eigen::MatrixXd const&);
 
-}  // namespace actio
+}  // namespace actio::sphere

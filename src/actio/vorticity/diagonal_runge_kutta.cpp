@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/diagonal_runge_kutta.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 Eigen::MatrixXd diagonal_tableau(std::vector<double> const& weights) {
   auto const stages = static_cast<Eigen::Index>(weights.size());
@@ -33,4 +33,4 @@ std::vector<double> five_stages(double first) {
   return {first, second, 1 - 2 * (first + second), second, first};
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -18,7 +18,7 @@
 #include "actio/reduction/composition.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// The tableau \f$a_{ij}\f$ of the symplectic diagonally implicit method with the weights \f$b_i\f$:
 /// \f$a_{ii} = b_i/2\f$, \f$a_{ij} = b_j\f$ for j < i.
@@ -67,7 +67,7 @@ class ComposedVorticityStep {
       : step_(step) {
     if (fractions.empty()) throw OutsideDomain("composition", "there must be steps; their number is", 0, 1);
     // Each remembers the steps of its own place, from which it guesses: these are evenly spaced.
-    for (double const b : detail::fractions_of_a_step(std::move(fractions))) {
+    for (double const b : actio::detail::fractions_of_a_step(std::move(fractions))) {
       steps_.emplace_back(stream, conserved, b * step, frame, products);
       longest_ = std::max(longest_, std::abs(b));
     }
@@ -102,4 +102,4 @@ class ComposedVorticityStep {
   std::vector<Step> steps_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

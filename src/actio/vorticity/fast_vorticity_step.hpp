@@ -24,7 +24,7 @@
 #include "actio/vorticity/past_steps.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Steps of one length for one flow, in mixed precision.
 /// @tparam Stream  a linear map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
@@ -318,4 +318,4 @@ double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
 
 extern template class FastVorticityStep<SphereLaplacian>;
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -1,6 +1,6 @@
 #include "actio/vorticity/helmholtz_stream.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 HelmholtzStream::HelmholtzStream(int n, double gamma)
     : n_(QuantizedSphere(n).n), gamma_(gamma), above_(n, n), pivot_(n, n) {
@@ -41,4 +41,4 @@ void HelmholtzStream::solve(Part const& w, Part& p, double mean) const {
   }
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

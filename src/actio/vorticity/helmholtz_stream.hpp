@@ -11,7 +11,7 @@
 
 #include "actio/vorticity/laplacian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// \f$(\Delta-\gamma)^{-1}\f$ on the matrices with trace zero, \f$\gamma > 0\f$.
 class HelmholtzStream {
@@ -46,4 +46,4 @@ class HelmholtzStream {
   Part above_, pivot_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -18,7 +18,7 @@
 
 #include "actio/vorticity/single_cayley.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Entries up to which size count for nothing: far from the diagonals of smooth flows there are no others.
 struct Negligible {
@@ -149,4 +149,4 @@ class IsospectralFinish {
   Negligible negligible_;  ///< as the equation was evaluated
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -1,6 +1,6 @@
 #include "actio/vorticity/laplacian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 SphereLaplacian::SphereLaplacian(int n) : n_(QuantizedSphere(n).n), above_(n, n), pivot_(n, n) {
   for (int k = 0; k < n; ++k)
@@ -68,4 +68,4 @@ void SphereLaplacian::solve_diagonal(Part const& w, Part& p) const {
   p.diagonal().array() -= sum / n_;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -14,7 +14,7 @@
 
 #include "actio/vorticity/quantized_sphere.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// \f$d_k\f$ of the diagonal m.
 inline double laplacian_diagonal(int n, int k, int m) {
@@ -61,4 +61,4 @@ class SphereLaplacian {
   Part above_, pivot_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/legendre_functions.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 LegendreFunctions::LegendreFunctions(Eigen::ArrayXd const& colatitudes, int degrees)
     : degrees_(degrees),
@@ -66,4 +66,4 @@ void LegendreFunctions::set_coefficients() {
   }
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

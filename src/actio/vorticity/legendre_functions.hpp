@@ -20,7 +20,7 @@
 #include <numbers>
 #include <vector>
 
-namespace actio {
+namespace actio::sphere {
 
 /// The normalised Legendre functions \f$P_{lm}(\theta)\f$, \f$Y_{lm} = P_{lm}e^{im\varphi}\f$, for one m
 /// after the other.
@@ -67,4 +67,4 @@ class LegendreFunctions {
   std::vector<double> rho_, alpha_, beta_;  ///< at l - m
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/matrix_harmonics.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 DiagonalBasis::DiagonalBasis(int n, int m) : n_(n), m_(m), a_(n - m + 1) {
   for (int l = m; l <= n; ++l) {
@@ -120,4 +120,4 @@ SphereHarmonics harmonics_of(SkewHermitian<> const& w) {
   return f;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

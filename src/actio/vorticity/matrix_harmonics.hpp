@@ -18,7 +18,7 @@
 
 #include "actio/vorticity/quantized_sphere.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// The coefficients of a real function on the sphere: \f$f = \sum_{l,m}f_{lm}Y_{lm}\f$ with
 /// \f$f_{l,-m} = (-1)^m\bar f_{lm}\f$, in orthonormal complex harmonics with the Condon-Shortley phase.
@@ -97,4 +97,4 @@ SkewHermitian<> matrix_of(SphereHarmonics const& f);
 /// O(N^2) memory.
 SphereHarmonics harmonics_of(SkewHermitian<> const& w);
 
-}  // namespace actio
+}  // namespace actio::sphere

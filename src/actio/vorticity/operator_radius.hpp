@@ -9,7 +9,7 @@
 #include "actio/vorticity/dense_matrices.hpp"
 #include "actio/vorticity/skew_hermitian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// The largest modulus of an eigenvalue by the method of Lanczos: an estimate from below, good to one per
 /// cent or so.
@@ -93,4 +93,4 @@ Real relative_distance(SkewHermitian<Real> const& x, SkewHermitian<Real> const& 
   return size == 0 ? std::sqrt(apart) : std::sqrt(apart / size);
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

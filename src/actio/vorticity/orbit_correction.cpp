@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/orbit_correction.hpp"
 
-namespace actio {
+namespace actio::sphere {
 namespace detail {
 namespace {
 
@@ -59,4 +59,4 @@ double correct_factors(QuantizedSphere const& sphere, StepRound const& round, st
   return change.cwiseQuotient(scale).norm();
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -22,7 +22,7 @@
 #include "actio/vorticity/spin_commutator.hpp"
 #include "actio/vorticity/turning_frame.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// A round of a step.
 struct StepRound {
@@ -43,4 +43,4 @@ namespace detail {}  // namespace detail
 double correct_factors(QuantizedSphere const& sphere, StepRound const& round, std::optional<double> turn,
                        Eigen::Vector4d& factors);
 
-}  // namespace actio
+}  // namespace actio::sphere

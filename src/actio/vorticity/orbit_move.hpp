@@ -20,7 +20,7 @@
 #include "actio/vorticity/single_cayley.hpp"
 #include "actio/vorticity/spin_columns.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Adds \f$\sum c_iX_i\f$: X_0, where there is one, and \f$X_j = [iS_j, W]\f$ for the axes of the turns.
 template <class Real>
@@ -201,4 +201,4 @@ class OrbitMove {
   SkewHermitian<Real> y_, once_, twice_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

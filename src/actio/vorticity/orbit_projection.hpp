@@ -26,7 +26,7 @@
 #include "actio/vorticity/products.hpp"
 #include "actio/vorticity/sphere_invariants.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Energy and angular momentum of a state: the levels on which its motion stays.
 struct EnergyMomentum {
@@ -168,4 +168,4 @@ class OrbitProjection {
   double p_size_ = 0;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

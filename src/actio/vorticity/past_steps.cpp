@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/past_steps.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 void LowerHalf::take(SkewHermitian<> const& m) {
   resize(m.size());
@@ -92,4 +92,4 @@ double error_of_guess(std::deque<PastStep> const& past, int most, SkewHermitian<
   return size == 0 ? std::sqrt(apart) : std::sqrt(apart / size);
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

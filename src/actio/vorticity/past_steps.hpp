@@ -9,7 +9,7 @@
 
 #include "actio/vorticity/skew_hermitian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// A skew-Hermitian matrix by what is on and below its diagonal, column by column without gaps: half of the
 /// memory, and read from its beginning to its end.
@@ -74,4 +74,4 @@ void extrapolate(std::deque<PastStep> const& past, LowerHalf PastStep::*which, i
 /// \f$|A-B|/|B|\f$ with the polynomial A of the displacements, by some of their columns.
 double error_of_guess(std::deque<PastStep> const& past, int most, SkewHermitian<> const& b);
 
-}  // namespace actio
+}  // namespace actio::sphere

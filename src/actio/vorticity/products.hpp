@@ -12,7 +12,7 @@
 
 #include "actio/vorticity/reach.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// What multiplies real square matrices of one size, in both precisions.
 class MatrixProducts {
@@ -189,4 +189,4 @@ extern template void EigenProducts::lower(Eigen::MatrixXd const&, Eigen::MatrixX
 extern template void EigenProducts::lower(Eigen::MatrixXf const&, Eigen::MatrixXf const&,
                                           Eigen::MatrixXf&) const;
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -1,6 +1,6 @@
 #include "actio/vorticity/quantized_sphere.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 ComplexMatrix<> QuantizedSphere::spin(int axis) const {
   ComplexMatrix<> s = ComplexMatrix<>::Zero(n, n);
@@ -12,4 +12,4 @@ ComplexMatrix<> QuantizedSphere::spin(int axis) const {
   return s;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -12,7 +12,7 @@
 #include "actio/numbers/errors.hpp"
 #include "actio/vorticity/skew_hermitian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// The sphere as matrices of size N.
 struct QuantizedSphere {
@@ -40,4 +40,4 @@ struct QuantizedSphere {
   ComplexMatrix<> spin(int axis) const;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

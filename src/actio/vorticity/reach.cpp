@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/reach.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 Eigen::Index reach_in_single(SkewHermitian<float> const& m) {
   if (m.size() < smallest_with_reach) return Reach::everything;
@@ -11,4 +11,4 @@ Eigen::Index reach_in_single(SkewHermitian<float> const& m) {
   return useful_reach(m.real, m.imaginary, 1e-9F * root);
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

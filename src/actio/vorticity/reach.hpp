@@ -12,7 +12,7 @@
 
 #include "actio/vorticity/skew_hermitian.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Up to how far from their diagonals the two factors of a product are looked at; by default all of them.
 struct Reach {
@@ -58,4 +58,4 @@ Eigen::Index useful_reach(Part const& real, Part const& imaginary, typename Part
 /// That beyond which are no entries that count in single precision.
 Eigen::Index reach_in_single(SkewHermitian<float> const& m);
 
-}  // namespace actio
+}  // namespace actio::sphere

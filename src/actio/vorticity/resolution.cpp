@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/resolution.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 Resolution resolution_of(SphereHarmonics const& vorticity) {
   int const n = vorticity.degrees();
@@ -23,4 +23,4 @@ Resolution resolution_of(SphereHarmonics const& vorticity) {
   return told;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -8,7 +8,7 @@
 
 #include "actio/vorticity/sphere_invariants.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// By how much the bracket of two functions of the degrees l and l' differs from that of the sphere, relative
 /// to its size: about \f$l^2l'^2/(6N^2)\f$. At most 1, where nothing is right; good to a fifth up to 0.1.
@@ -38,4 +38,4 @@ struct Resolution {
 /// @param vorticity  without that of the planet's rotation
 Resolution resolution_of(SphereHarmonics const& vorticity);
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/single_cayley.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 void SingleCayley::factor(SkewHermitian<> const& a, double radius, double error) {
   auto const n = a.size();
@@ -174,4 +174,4 @@ Eigen::VectorXd SingleCayley::reciprocal(double b, double error) {
   return c;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -16,7 +16,7 @@
 
 #include "actio/vorticity/products.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// \f$K = (1-A)^{-1} - 1\f$ and conjugations by it.
 class SingleCayley {
@@ -92,4 +92,4 @@ class SingleCayley {
   Part t1_, t2_, t3_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <complex>
 
-namespace actio {
+namespace actio::sphere {
 
 /// Complex matrices of a size known when the program runs.
 template <class S = double>
@@ -119,4 +119,4 @@ SkewHermitian<S> commutator(SkewHermitian<S> const& x, SkewHermitian<S> const& y
 // Our own programs have it compiled once (compiled_products.cpp).
 extern template SkewHermitian<> commutator(SkewHermitian<> const&, SkewHermitian<> const&);
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/sphere_flow.hpp"
 
-namespace actio {
+namespace actio::sphere {
 namespace detail {
 namespace {
 
@@ -32,4 +32,4 @@ FlowFields flow_on(SphereGrid const& grid, SphereHarmonics const& vorticity) {
   return {std::move(fields[0]), std::move(fields[1]), std::move(fields[2]), std::move(fields[3])};
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

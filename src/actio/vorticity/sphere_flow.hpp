@@ -8,7 +8,7 @@
 
 #include "actio/vorticity/sphere_transform.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// \f$\psi_{lm} = -f_{lm}/(l(l+1))\f$, with mean zero.
 inline SphereHarmonics stream_function(SphereHarmonics f) {
@@ -43,4 +43,4 @@ inline SphereHarmonics with_one_degree_more(SphereHarmonics const& f) {
 /// @param vorticity  of the fluid; that of its mean does not flow
 FlowFields flow_on(SphereGrid const& grid, SphereHarmonics const& vorticity);
 
-}  // namespace actio
+}  // namespace actio::sphere

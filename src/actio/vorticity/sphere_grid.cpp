@@ -1,6 +1,6 @@
 #include "actio/vorticity/sphere_grid.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 SphereGrid SphereGrid::uniform(int latitudes, int longitudes) {
   SphereGrid grid(latitudes, longitudes);
@@ -44,4 +44,4 @@ SphereGrid::SphereGrid(int rows, int columns)
                         std::min(rows, columns), 1);
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -8,7 +8,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Numbers on a grid: a row for each parallel, from the north, a column for each meridian, from longitude 0.
 using GridField = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -44,4 +44,4 @@ struct SphereGrid {
   SphereGrid(int rows, int columns);
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/sphere_invariants.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 Eigen::VectorXd vorticity_casimirs(SkewHermitian<> const& w, int most) {
   double const area = QuantizedSphere(static_cast<int>(w.size())).area_element();
@@ -22,4 +22,4 @@ Eigen::VectorXd vorticity_casimirs(SkewHermitian<> const& w, int most) {
   return casimirs;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -7,7 +7,7 @@
 #include "actio/vorticity/matrix_harmonics.hpp"
 #include "actio/vorticity/turning_frame.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// The kinetic energy \f$-\tfrac12\int\psi\zeta = -\tfrac12\tfrac{4\pi}N\langle P, W\rangle\f$ of the unit
 /// sphere with unit density.
@@ -52,4 +52,4 @@ inline SkewHermitian<> planetary_vorticity(QuantizedSphere const& sphere, double
   return w;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/sphere_transform.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 std::vector<GridField> values_on(SphereGrid const& grid, std::vector<SphereHarmonics> const& functions) {
   int const degrees = functions.empty() ? 0 : functions.front().degrees();
@@ -86,4 +86,4 @@ SphereHarmonics harmonics_from(SphereGrid const& grid, GridField const& field, i
   return f;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -17,7 +17,7 @@
 #include "actio/vorticity/matrix_harmonics.hpp"
 #include "actio/vorticity/sphere_grid.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Calls `use(m, first, lanes, from, u)` for blocks that hold the northern half of the parallels, the equator
 /// with it; rows of u before `from` are nothing.
@@ -47,4 +47,4 @@ inline GridField values_on(SphereGrid const& grid, SphereHarmonics const& f) {
 /// @throws OutsideDomain  where the grid is not Gauss's, or is too coarse for the degrees
 SphereHarmonics harmonics_from(SphereGrid const& grid, GridField const& field, int degrees);
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -10,7 +10,7 @@
 
 #include "actio/vorticity/quantized_sphere.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// \f$[ie\cdot S, W]\f$ for up to three axes e.
 template <class Real>
@@ -110,4 +110,4 @@ class SpinColumns {
   Column index_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/spin_commutator.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 SkewHermitian<> spin_commutator(QuantizedSphere const& sphere, int axis, SkewHermitian<> const& w) {
   int const n = sphere.n;
@@ -59,4 +59,4 @@ void add_spin(QuantizedSphere const& sphere, Eigen::Vector3d const& e, SkewHermi
   }
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -5,7 +5,7 @@
 
 #include "actio/vorticity/quantized_sphere.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// \f$[iS_j, W]\f$: how W changes when the sphere is turned about the axis j.
 /// @param axis  j - 1: 0, 1 or 2
@@ -18,4 +18,4 @@ double spin_component(QuantizedSphere const& sphere, int axis, SkewHermitian<> c
 /// \f$W + ie\cdot S\f$ in the place of W: a function \f$e\cdot x/\hbar\f$ is added. O(N) operations.
 void add_spin(QuantizedSphere const& sphere, Eigen::Vector3d const& e, SkewHermitian<>& w);
 
-}  // namespace actio
+}  // namespace actio::sphere

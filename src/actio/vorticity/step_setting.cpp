@@ -1,6 +1,6 @@
 #include "actio/vorticity/step_setting.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 NotContracting::NotContracting(double tried, double do_well)
     : Error("vorticity: the iteration of a step of length " + show(tried) + " does not contract; " +
@@ -9,4 +9,4 @@ NotContracting::NotContracting(double tried, double do_well)
       step(tried),
       largest(do_well) {}
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -6,7 +6,7 @@
 #include "actio/vorticity/products.hpp"
 #include "actio/vorticity/turning_frame.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// What a step conserves beside the spectrum of W.
 enum class Conserved {
@@ -83,4 +83,4 @@ class StepSetting {
   double eps_;              ///< h/(2 hbar)
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

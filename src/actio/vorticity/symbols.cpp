@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/symbols.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 Eigen::ArrayXd symbol_factors(int n, Symbol symbol) {
   Eigen::ArrayXd factors = Eigen::ArrayXd::Ones(n);
@@ -12,4 +12,4 @@ Eigen::ArrayXd symbol_factors(int n, Symbol symbol) {
   return factors;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -14,7 +14,7 @@
 
 #include "actio/vorticity/matrix_harmonics.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// How a matrix becomes a function.
 enum class Symbol {
@@ -35,4 +35,4 @@ inline SphereHarmonics symbol_of(SkewHermitian<> const& w, Symbol symbol) {
   return symbol_of(harmonics_of(w), symbol);
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/turning_frame.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 Turning::Turning(QuantizedSphere const& sphere, Eigen::Vector3d const& axis) : sphere_(sphere), axis_(axis) {
   azimuth_ = std::atan2(axis[1], axis[0]);
@@ -45,4 +45,4 @@ ComplexMatrix<> Turning::between(Eigen::MatrixXd const& f, ComplexMatrix<> const
   return out;
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

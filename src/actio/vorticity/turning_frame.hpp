@@ -10,7 +10,7 @@
 #include "actio/vorticity/dense_matrices.hpp"
 #include "actio/vorticity/spin_commutator.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// A frame that turns about an axis through the centre of the sphere.
 struct TurningFrame {
@@ -84,4 +84,4 @@ class Turning {
   Eigen::MatrixXd vectors_, transposed_;
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -34,7 +34,7 @@
 #include "actio/vorticity/step_setting.hpp"
 #include "actio/vorticity/zonal_background.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// Steps of one length for one flow.
 /// @tparam Stream  a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
@@ -309,4 +309,4 @@ VorticityReport VorticityStep<Stream>::advance(SkewHermitian<>& w) {
 // What stands outside the class, and what it calls, is then compiled nowhere else.
 extern template class VorticityStep<SphereLaplacian>;
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -2,7 +2,7 @@
 
 #include "actio/vorticity/zonal_background.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 ZonalTerms::ZonalTerms(QuantizedSphere const& sphere, ZonalBackground const& background, double eps)
     : scale_(background.vorticity * sphere.hbar()),
@@ -50,4 +50,4 @@ void ZonalTerms::add_outside(SkewHermitian<> const& a, SkewProducts<double>& pro
   mirror_lower(e);
 }
 
-}  // namespace actio
+}  // namespace actio::sphere

@@ -21,7 +21,7 @@
 #include "actio/vorticity/products.hpp"
 #include "actio/vorticity/quantized_sphere.hpp"
 
-namespace actio {
+namespace actio::sphere {
 
 /// A rotation of the whole sphere about the third axis, of which a step keeps the flow apart.
 struct ZonalBackground {
@@ -60,4 +60,4 @@ class ZonalTerms {
   Eigen::VectorXd own_, share_, middle_;  ///< a s_k, 1/(1 + a^2 s_k^2), mu_k
 };
 
-}  // namespace actio
+}  // namespace actio::sphere

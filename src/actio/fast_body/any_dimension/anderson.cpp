@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/anderson.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 void Anderson::mix(std::vector<double>& x, std::vector<double> const& residual) {
     if (!last_x_.empty()) {
@@ -30,4 +30,4 @@ void Anderson::mix(std::vector<double>& x, std::vector<double> const& residual) 
     }
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

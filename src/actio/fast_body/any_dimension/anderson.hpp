@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace actio {
+namespace actio::bodies {
 
 /// Makes the next argument of a fixed-point iteration from the last few.
 ///
@@ -41,4 +41,4 @@ class Anderson {
   std::vector<Vector> steps_, changes_;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -10,7 +10,7 @@
 
 #include "actio/fast_body/any_dimension/blocked_matrix.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// Adds the columns `from` to `to` of a b^T, for `rows` rows of blocks of a and one of b.
 /// @param apart  from one row of blocks to the next
@@ -78,4 +78,4 @@ template <int B>
                        std::min(columns, from + depth), product + full_block(shape, top, j), 16 * all);
 }
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

@@ -13,7 +13,7 @@
 
 #include "actio/fast_body/pack.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// Four doubles; the compiler's operators work lane by lane, and with one double on all lanes.
 typedef double FourLanes __attribute__((vector_size(32), may_alias));
@@ -110,4 +110,4 @@ class Zeros {
   std::unique_ptr<double[], Release> data_;
 };
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

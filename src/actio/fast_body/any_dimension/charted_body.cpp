@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/charted_body.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 Eigen::MatrixXd ChartedBody::whole(int k) const {
     Eigen::MatrixXd m(size(), size());
@@ -9,4 +9,4 @@ Eigen::MatrixXd ChartedBody::whole(int k) const {
     return m;
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

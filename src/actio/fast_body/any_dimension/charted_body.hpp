@@ -11,7 +11,7 @@
 #include "actio/fast_body/any_dimension/matrix_algebra.hpp"
 #include "actio/rigid_body/inertia.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 class FastNaturalChart;
 
@@ -96,4 +96,4 @@ class ChartedBody {
   std::size_t continuation_ = 0;  // the index of the one in use among all
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/fixed_point_step.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -54,4 +54,4 @@ auto choose_step(int n, Machine machine) -> bool (*)(FixedPointStep const&, Stag
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -8,7 +8,7 @@
 #include "actio/fast_body/any_dimension/rotating_body.hpp"
 #include "actio/fast_body/any_dimension/stopping_rule.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// The parts of a step of one body under one scheme.
 struct FixedPointStep {
@@ -115,4 +115,4 @@ bool carry_out_plain(FixedPointStep const& s, Stage stage, int n) { return carry
 /// The copy for this size and machine.
 auto choose_step(int n, Machine machine) -> bool (*)(FixedPointStep const&, Stage, int);
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/largest_step_n.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -79,10 +79,10 @@ double largest_step_n(Inertia<Eigen::Dynamic> const& inertia,
     bool const local = (i == 0 || value[at] >= value[at - 1]) && (i == count || value[at] >= value[at + 1]);
     if (local && value[at] > 0.9 * highest) {
       auto const f = [&](double t) { return spin(std::exp(t), 1e-4); };
-      best = std::max(best, detail::top_of_hump(f, low + (i - 1) * gap, low + (i + 1) * gap));
+      best = std::max(best, actio::detail::top_of_hump(f, low + (i - 1) * gap, low + (i + 1) * gap));
     }
   }
   return unit / size / best;
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -9,7 +9,7 @@
 
 #include "actio/rigid_body/largest_step.hpp"
 
-namespace actio {
+namespace actio::bodies {
 namespace detail {
 
 /// The largest eigenvalue of a symmetric tridiagonal matrix, by bisection on the signs of its pivots.
@@ -48,4 +48,4 @@ class SpinAgainstInertia {
 double largest_step_n(Inertia<Eigen::Dynamic> const& inertia,
                              Momentum<SO<Eigen::Dynamic>, double> const& pi);
 
-}  // namespace actio
+}  // namespace actio::bodies

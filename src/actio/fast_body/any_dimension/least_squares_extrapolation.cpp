@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/least_squares_extrapolation.hpp"
 
-namespace actio {
+namespace actio::bodies {
 namespace detail {
 namespace {
 
@@ -50,4 +50,4 @@ std::vector<Weights> const& all_extrapolations() {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// Weights \f$w_a\f$ of \f$x_{k+1}\approx\sum_{a<m}w_ax_{k-a}\f$: the value of the polynomial of degree p-1
 /// that is nearest to the last m terms, in the sense of least squares.
@@ -25,4 +25,4 @@ struct Weights {
 /// All that are worth trying, the shortest first: p up to 12, from p, p+2 and p+4 terms.
 std::vector<Weights> const& all_extrapolations();
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

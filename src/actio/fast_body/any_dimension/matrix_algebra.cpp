@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/matrix_algebra.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -27,4 +27,4 @@ void MatrixAlgebra::subtract_transposed(double* t) const {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::bodies

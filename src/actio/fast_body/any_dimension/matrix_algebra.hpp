@@ -6,7 +6,7 @@
 
 #include "actio/fast_body/any_dimension/block_products.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 template <int B>
 ACTIO_FOR_AVX2 void product_avx2(int n, double const* g, double const* e, double* product) {
@@ -84,4 +84,4 @@ class MatrixAlgebra {
   void (*product_)(int, double const*, double const*, double*);
 };
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

@@ -1,11 +1,11 @@
 #include "actio/fast_body/any_dimension/matrix_conditions.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
 int sign_of_determinant(Eigen::MatrixXd a) {
-  auto view = as_gsl(a);
+  auto view = actio::detail::as_gsl(a);
   std::vector<std::size_t> rows(static_cast<std::size_t>(a.rows()));
   gsl_permutation permutation{rows.size(), rows.data()};
   int sign = 1;
@@ -40,4 +40,4 @@ void require_rotation(Eigen::MatrixXd const& g, int n, char const* where) {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::bodies

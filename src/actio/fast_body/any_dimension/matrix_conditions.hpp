@@ -9,7 +9,7 @@
 
 #include "actio/numbers/eigenvalues.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// The sign of the determinant, 0 for a singular matrix; by the elimination of GSL.
 int sign_of_determinant(Eigen::MatrixXd a);
@@ -22,4 +22,4 @@ bool positive_definite(Eigen::MatrixXd a);
 ///                        reflection
 void require_rotation(Eigen::MatrixXd const& g, int n, char const* where);
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 FastMoserVeselov::FastMoserVeselov(Inertia<Eigen::Dynamic> inertia, double step, Sweeps sweeps,
                    Machine machine) : inertia_(std::move(inertia)),
@@ -127,4 +127,4 @@ bool FastMoserVeselov::on_branch_of_identity(detail::FixedPointStep const& s) co
     return real[0] + real[1] > -1e-7;
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -23,7 +23,7 @@
 #include "actio/fast_body/any_dimension/matrix_conditions.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// The Moser-Veselov scheme for one body in n dimensions and one step. One object serves many bodies, and
 /// threads.
@@ -109,4 +109,4 @@ class FastMoserVeselov {
   unsigned long id_ = next_id();
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

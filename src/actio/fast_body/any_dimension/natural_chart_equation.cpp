@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/natural_chart_equation.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -71,4 +71,4 @@ bool NaturalChartEquation::in_chart(double const* z) {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::bodies

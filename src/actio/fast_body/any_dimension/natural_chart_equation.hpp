@@ -27,7 +27,7 @@
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 #include "actio/rigid_body/inertia.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// The equation for one body, in a unit in which moments and momenta are near 1.
 class NaturalChartEquation {
@@ -72,4 +72,4 @@ class NaturalChartEquation {
   int sweeps_ = 0;
 };
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/natural_chart_n.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 FastNaturalChart::FastNaturalChart(Inertia<Eigen::Dynamic> inertia, double step, Machine machine) : inertia_(std::move(inertia)),
         step_(checked(step)),
@@ -139,4 +139,4 @@ void FastNaturalChart::choose_extrapolation(ChartedBody& body) {
     if (missed.empty()) body.continuation_ = 0;
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -18,7 +18,7 @@
 #include "actio/fast_body/any_dimension/relative_motion_sweeps.hpp"
 #include "actio/fast_body/any_dimension/step_continuation.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// The natural-chart scheme for one body in n dimensions and one step. One object serves many bodies, one
 /// after the other.
@@ -105,4 +105,4 @@ class FastNaturalChart {
   detail::Zeros p_, z_, e_, room_, product_;  // h M0 in the unit, Z, f - 1, and room to work in
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/one_parameter_subgroup.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -79,4 +79,4 @@ void OneParameterSubgroup::orthogonalize(double* e) {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -27,7 +27,7 @@
 #include "actio/fast_body/any_dimension/blocked_matrix.hpp"
 #include "actio/fast_body/any_dimension/least_squares_extrapolation.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// sum + rest + more, the first to rounding of the whole and the second what that rounding left over.
 [[gnu::always_inline]] inline void add_compensated(FourLanes& sum, FourLanes& rest, FourLanes const& more) {
@@ -158,4 +158,4 @@ template <int B>
     add_compensated(lanes(attitude + at), lanes(rest + at), lanes(product + at));
 }
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/rotating_body.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 Element<RotatingBody::Group, double> RotatingBody::attitude() const {
     Eigen::MatrixXd g(size(), size());
@@ -27,4 +27,4 @@ Momentum<RotatingBody::Group, double> RotatingBody::skew(int array) const {
     return pi;
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

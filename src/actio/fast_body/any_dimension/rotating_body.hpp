@@ -10,7 +10,7 @@
 #include "actio/fast_body/any_dimension/relative_motion_sweeps.hpp"
 #include "actio/rigid_body/inertia.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 class FastMoserVeselov;
 namespace detail {
@@ -134,4 +134,4 @@ class RotatingBody {
   unsigned long scheme_ = 0;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

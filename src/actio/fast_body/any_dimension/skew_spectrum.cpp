@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 
-namespace actio {
+namespace actio::bodies {
 namespace detail {
 namespace {
 
@@ -70,4 +70,4 @@ Eigen::VectorXd skew_spectrum(Eigen::MatrixXd const& a) {
   return moduli;
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -14,7 +14,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::bodies {
 namespace detail {
 
 }  // namespace detail
@@ -28,4 +28,4 @@ namespace detail {
 /// Accuracy: n epsilon of the largest or so.
 Eigen::VectorXd skew_spectrum(Eigen::MatrixXd const& a);
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -1,6 +1,6 @@
 #include "actio/fast_body/any_dimension/step_continuation.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -92,7 +92,7 @@ bool StepContinuation::differentiate(std::vector<double> const& x) {
     // GSL reads rows where there are columns.
     Eigen::MatrixXd const by_rows = derivative_.transpose();
     derivative_ = by_rows;
-    auto view = as_gsl(derivative_);
+    auto view = actio::detail::as_gsl(derivative_);
     int sign = 1;
     gsl_linalg_LU_decomp(&view.matrix, &order, &sign);
     return gsl_linalg_LU_sgndet(&view.matrix, sign) == 1;
@@ -100,7 +100,7 @@ bool StepContinuation::differentiate(std::vector<double> const& x) {
 
 std::vector<double> StepContinuation::newton_move(std::vector<double> move) {
     gsl_permutation order{order_.size(), order_.data()};
-    auto view = as_gsl(derivative_);
+    auto view = actio::detail::as_gsl(derivative_);
     auto right = gsl_vector_view_array(move.data(), move.size());
     gsl_linalg_LU_svx(&view.matrix, &order, &right.vector);
     return move;
@@ -108,4 +108,4 @@ std::vector<double> StepContinuation::newton_move(std::vector<double> move) {
 
 }  // namespace detail
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -16,7 +16,7 @@
 #include "actio/fast_body/any_dimension/natural_chart_equation.hpp"
 #include "actio/numbers/eigenvalues.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// The continuation of one solution in the length of the step.
 class StepContinuation {
@@ -76,4 +76,4 @@ class StepContinuation {
   std::vector<std::size_t> order_;
 };
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

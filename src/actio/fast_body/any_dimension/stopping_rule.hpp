@@ -7,7 +7,7 @@
 
 #include "actio/fast_body/any_dimension/relative_motion_sweeps.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// How far a step on SO(n) goes in solving its equation.
 enum class Sweeps {
@@ -91,4 +91,4 @@ struct StoppingRule {
 };
 
 }  // namespace detail
-}  // namespace actio
+}  // namespace actio::bodies

@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/body_batch.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -133,4 +133,4 @@ void BodyBatch::put(FreeBody const& body, StepParameters<double> const& paramete
     cold_[i].twist = std::atan2(parameters.sin_twist, parameters.cos_twist);
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -17,7 +17,7 @@
 #include "actio/fast_body/space/body_lanes.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// A body of a batch that cannot be stepped: which one, and why.
 struct BodyRefused : Error {
@@ -159,4 +159,4 @@ class BodyBatch {
   bool attitudes_ = true;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -23,7 +23,7 @@
 #include "actio/fast_body/pack.hpp"
 #include "actio/fast_body/space/short_flow.hpp"
 
-namespace actio::detail {
+namespace actio::bodies::detail {
 
 /// Four free bodies.
 struct FreeLanes {
@@ -119,4 +119,4 @@ struct LaneSteps {
   [[gnu::always_inline]] void operator()() const { run(std::make_index_sequence<packs>()); }
 };
 
-}  // namespace actio::detail
+}  // namespace actio::bodies::detail

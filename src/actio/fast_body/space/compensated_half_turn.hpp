@@ -13,7 +13,7 @@
 
 #include "actio/fast_body/space/half_turn.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// A body's state as an unevaluated sum.
 template <class T>
@@ -90,4 +90,4 @@ class CompensatedHalfTurn {
   T cos_twist_, sin_twist_;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

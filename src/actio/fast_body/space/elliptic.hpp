@@ -11,7 +11,7 @@
 
 #include "actio/numbers/scalar.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// Elliptic functions of one modulus.
 template <Real S>
@@ -99,4 +99,4 @@ class JacobiFunctions {
   bool degenerate_ = false;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

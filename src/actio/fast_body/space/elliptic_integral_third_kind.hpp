@@ -9,7 +9,7 @@
 
 #include "actio/numbers/scalar.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// \f$\frac1{\sqrt e}\arctan\sqrt e\f$, for e not negative.
 template <Real S>
@@ -74,4 +74,4 @@ S elliptic_integral_third_kind_on_separatrix(S const& u, S const& tanh_u, S cons
   return (u - tanh_u * arctan_ratio<S>(g * tanh_u * tanh_u)) / (S(1) + g);
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

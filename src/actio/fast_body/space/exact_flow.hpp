@@ -25,7 +25,7 @@
 #include "actio/fast_body/space/elliptic_integral_third_kind.hpp"
 #include "actio/fast_body/space/short_flow.hpp"
 
-namespace actio {
+namespace actio::bodies {
 namespace detail {
 
 /// \f$xy - zw\f$ without the cancellation, where the scalar has a fused multiplication.
@@ -183,4 +183,4 @@ StepParameters<S> exact_flow_of_momentum(InverseMoments<S> const& body, Three<S>
   return detail::flow_by_elliptic_functions<S, false>(body, u, orbit, t);
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

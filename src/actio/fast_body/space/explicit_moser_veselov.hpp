@@ -22,7 +22,7 @@
 #include "actio/fast_body/space/half_turn.hpp"
 #include "actio/numbers/scalar.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// The equation for \f$\kappa = \tan T\f$ of the explicit scheme: its residual, and the slope.
 template <Scalar S>
@@ -163,4 +163,4 @@ StepParameters<S> moser_veselov_parameters(HalfStep<S> const& step, Three<S> con
   return TwistFromMiddle<S>(step, u).parameters(sign * twist.kappa);
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

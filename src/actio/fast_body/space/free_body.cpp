@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/free_body.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 FreeBody::FreeBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum,
            Element<SU2, double> const& attitude) : inertia_(inertia), frame_(inertia) {
@@ -41,7 +41,7 @@ StepParameters<double> FreeBody::moser_veselov_parameters(double h, int order) c
                                      : modified_inertia<double>(moments_, start_.direction, t, order);
     bool found = false;
     StepParameters<double> const parameters =
-        actio::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
+        actio::bodies::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
     // With modified moments there may be roots again beyond the longest step; they do not grow out of the
     // identity.
     if (found && order > 2 && std::abs(t) * std::max(moments_.J[0], moments_.J[2]) > 0.5)
@@ -62,7 +62,7 @@ double FreeBody::longest_step(double h, int order) const {
       auto const modified = order == 2 ? ModifiedInertia<double>{1, 0}
                                        : modified_inertia<double>(moments_, start_.direction, t, order);
       bool found = false;
-      actio::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
+      actio::bodies::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
       return found;
     };
     if (!(rate_ > 0)) return std::abs(h);
@@ -81,4 +81,4 @@ double FreeBody::longest_step(double h, int order) const {
     return low;
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

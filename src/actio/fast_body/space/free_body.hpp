@@ -21,7 +21,7 @@
 #include "actio/rigid_body/largest_step.hpp"
 #include "actio/rigid_body/principal_inertia.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// Momentum and attitude of a body at one time.
 struct FreeState {
@@ -122,4 +122,4 @@ class FreeBody {
   InverseMoments<double> moments_;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/free_steps.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 FreeSteps::FreeSteps(FreeBody body, double h, StepParameters<double> const& parameters) : body_(std::move(body)),
         step_(h),
@@ -90,4 +90,4 @@ void FreeSteps::restore_attitude() {
     CompensatedState<double>::add(now_.state.attitude, now_.compensation.attitude, change);
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

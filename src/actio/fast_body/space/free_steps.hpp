@@ -7,7 +7,7 @@
 #include "actio/fast_body/space/compensated_half_turn.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// A free body in steps of one length.
 ///
@@ -130,4 +130,4 @@ class FreeSteps {
   bool leaps_ = false;  ///< whether each state is evaluated from the start instead
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -12,7 +12,7 @@
 
 #include "actio/fast_body/space/free_body.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// \f$R^Tn\f$: a vector of space in the frame of a body with the attitude q.
 template <class T>
@@ -112,4 +112,4 @@ inline GravityGradient gravity_gradient_in_orbit(Inertia<3> const& inertia, doub
   return torque;
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

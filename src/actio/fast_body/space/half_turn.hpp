@@ -22,7 +22,7 @@
 #include <array>
 #include <cmath>
 
-namespace actio {
+namespace actio::bodies {
 
 /// Three numbers of any kind: double, many digits, or the lanes of a SIMD register.
 template <class T>
@@ -172,4 +172,4 @@ class HalfTurn {
   T along_, about_;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

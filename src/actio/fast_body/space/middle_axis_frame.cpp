@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/middle_axis_frame.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 MiddleAxisFrame::MiddleAxisFrame(PrincipalInertia const& inertia) : axes_(inertia.axes) {
     Eigen::Vector3d const moments = inertia.inertia.moments;
@@ -19,4 +19,4 @@ Eigen::Vector4d MiddleAxisFrame::leave(Four<double> const& q) const {
     return axes_.leave(out);
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

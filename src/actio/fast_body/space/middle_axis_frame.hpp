@@ -15,7 +15,7 @@
 #include "actio/fast_body/space/half_turn.hpp"
 #include "actio/fast_body/space/principal_axes.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// To the axes in which free bodies are moved, and back to the frame of the body.
 class MiddleAxisFrame {
@@ -64,4 +64,4 @@ class MiddleAxisFrame {
   Three<double> moments_;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

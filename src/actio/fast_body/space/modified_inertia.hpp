@@ -11,7 +11,7 @@
 #include "actio/fast_body/space/short_flow.hpp"
 #include "actio/numbers/taylor.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// \f$\tilde j_i = s\,j_i + d\f$: the replaced moments.
 template <class S>
@@ -97,4 +97,4 @@ StepParameters<S> moser_veselov_parameters(Three<S> const& j, Three<S> const& u,
   return moser_veselov_parameters<S>(HalfStep<S>{j, j[0] - j[1], j[1] - j[2]}, u, found);
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

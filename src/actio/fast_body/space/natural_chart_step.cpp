@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/natural_chart_step.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 ChartFactors::ChartFactors(double s) {
     if (s < 0.25) {
@@ -81,4 +81,4 @@ NaturalChartStep::Linearization NaturalChartStep::at(Three<double> const& v) con
     return l;
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -16,7 +16,7 @@
 
 #include "actio/fast_body/space/half_turn.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// The two factors of the momentum of a step, as functions of \f$s=|v|^2\f$, and their slopes.
 struct ChartFactors {
@@ -83,4 +83,4 @@ class NaturalChartStep {
   Three<double> moments_, gap_;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/natural_chart_steps.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 NaturalChartSteps::NaturalChartSteps(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum,
                     Element<SU2, double> const& attitude, double h, std::vector<double> fractions) : step_(h),
@@ -70,4 +70,4 @@ void NaturalChartSteps::too_long() const {
     throw StepTooLong("natural-chart scheme", std::abs(step_), low);
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -16,7 +16,7 @@
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/fast_body/space/natural_chart_step.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// A free body in steps of one length, by the natural-chart scheme.
 ///
@@ -132,4 +132,4 @@ class NaturalChartSteps {
   bool attitude_known_ = true;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

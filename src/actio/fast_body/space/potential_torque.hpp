@@ -18,7 +18,7 @@
 
 #include "actio/fast_body/space/gravity_gradient.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// The entries of a matrix, row by row.
 using NineEntries = std::array<double, 9>;
@@ -78,4 +78,4 @@ class PotentialTorque {
   Potential potential_;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

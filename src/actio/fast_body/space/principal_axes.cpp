@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/principal_axes.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 PrincipalAxes::PrincipalAxes(Eigen::Matrix3d const& axes) : turned_(!is_identity(axes)) {
     if (!turned_) return;
@@ -17,4 +17,4 @@ PrincipalAxes::PrincipalAxes(Eigen::Matrix3d const& axes) : turned_(!is_identity
     turn_ = quaternion_of_rotation<double>(axes);
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -10,7 +10,7 @@
 #include "actio/groups/unit_quaternions.hpp"
 #include "actio/rigid_body/principal_inertia.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// To the principal axes of a body, and back to its frame.
 class PrincipalAxes {
@@ -50,4 +50,4 @@ class PrincipalAxes {
   Eigen::Vector4d turn_ = {1, 0, 0, 0};
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -21,7 +21,7 @@
 #include "actio/fast_body/pack.hpp"
 #include "actio/fast_body/space/half_turn.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// Differences of inverse moments, without the cancellation: \f$J_i-J_j = (I_j-I_i)/(I_iI_j)\f$. Axis 2,
 /// index 1, must have the middle moment.
@@ -228,4 +228,4 @@ struct ShortFlow {
   }
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -13,7 +13,7 @@
 
 #include "actio/fast_body/space/short_flow.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// Coefficients of all the series of a \ref short_step: \ref ShortSeries, \f$(-1)^n/(2n)!\f$,
 /// \f$(-1)^n/(2n+1)!\f$ and those of \f$(1+x)^{-1/2}\f$.
@@ -115,4 +115,4 @@ template <int terms, class T>
   return {X + off, square};
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

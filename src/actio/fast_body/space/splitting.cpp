@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/splitting.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 Splitting composed_splitting(std::string name, int order, std::vector<double> const& fractions) {
   Splitting step{std::move(name), order, {0}, fractions};
@@ -23,4 +23,4 @@ Splitting blanes_moan_splitting() {
   return {"Blanes-Moan", 4, {b1, b2, b3, b4, b3, b2, b1}, {a1, a2, a3, a3, a2, a1}};
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -13,7 +13,7 @@
 
 #include "actio/numbers/errors.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// A step: kick, drift, kick, ..., drift, kick, by parts of the step length. The last kick and the first of
 /// the next step are one.
@@ -40,4 +40,4 @@ Splitting composed_splitting(std::string name, int order, std::vector<double> co
 /// coefficients are printed with 15 digits, and what they miss the conditions by is at rounding.
 Splitting blanes_moan_splitting();
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -11,7 +11,7 @@
 
 #include "actio/fast_body/space/short_flow.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// The axis of symmetry: 2 or 0 where the moments of the other two axes are equal to rounding, -1 where no
 /// two are. The middle moment is the second.
@@ -52,4 +52,4 @@ FrameState<T> symmetric_motion(InverseMoments<T> const& body, int axis, FrameSta
           compose(compose(start.attitude, {c, s * u[0], s * u[1], s * u[2]}), about)};
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -1,6 +1,6 @@
 #include "actio/fast_body/space/torqued_batch.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 namespace detail {
 
@@ -127,4 +127,4 @@ void TorquedBatch::put(detail::TorquedFrame const& frame, detail::TorquedState c
     lanes.orbits = lanes.orbits || torque.rate != 0;
   }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -12,7 +12,7 @@
 #include "actio/fast_body/space/body_batch.hpp"
 #include "actio/fast_body/space/torqued_body.hpp"
 
-namespace actio {
+namespace actio::bodies {
 namespace detail {
 
 /// Four bodies under gravity.
@@ -196,4 +196,4 @@ class TorquedBatch {
   long steps_ = 0;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -18,7 +18,7 @@
 #include "actio/fast_body/space/short_step.hpp"
 #include "actio/fast_body/space/splitting.hpp"
 
-namespace actio {
+namespace actio::bodies {
 namespace detail {
 
 /// A body between kicks, in the axes that the drifts use: p = hM/(2I), I the unit of inertia, and the
@@ -263,4 +263,4 @@ class TorquedBody {
   long steps_ = 0;
 };
 
-}  // namespace actio
+}  // namespace actio::bodies

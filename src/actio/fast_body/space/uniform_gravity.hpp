@@ -22,7 +22,7 @@
 
 #include "actio/fast_body/space/gravity_gradient.hpp"
 
-namespace actio {
+namespace actio::bodies {
 
 /// The torque of a uniform field. Made by \ref uniform_gravity, which checks it.
 class UniformGravity {
@@ -63,4 +63,4 @@ inline UniformGravity uniform_gravity(Eigen::Vector3d const& lever, Eigen::Vecto
   return {{lever[0], lever[1], lever[2]}, {n[0], n[1], n[2]}};
 }
 
-}  // namespace actio
+}  // namespace actio::bodies

@@ -24,7 +24,7 @@ Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& rema
 /// `angular_velocity` or `angular_momentum`, as body momentum.
 Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInertia const& inertia);
 /// Attitude and momentum at the start.
-FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia,
+bodies::FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia,
                      std::vector<std::string>& remarks);
 
 /// The records of `attitude`, `angular_velocity` and `angular_momentum`.

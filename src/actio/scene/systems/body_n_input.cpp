@@ -65,7 +65,7 @@ Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::stri
                              "is {:.2g} where 1e-9 is taken{}",
                              off, near ? "; normalised it is " + written(nearest_orthogonal(g)) : ""));
   }
-  if (actio::detail::sign_of_determinant(g) != 1)
+  if (actio::bodies::detail::sign_of_determinant(g) != 1)
     initial.fail(
         "attitude",
         "attitude: a rotation is expected, with determinant 1; this is a reflection, with determinant -1");

@@ -94,7 +94,7 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
   bool const galerkin = choice.name == "galerkin";
   if (galerkin && !scene.carried.empty())
     method.fail("name", "galerkin: it takes no carried vectors; natural_chart does");
-  bool const left = scene.system->side == Side::left;
+  bool const left = scene.system->side == systems::Side::left;
   return {scene.system, galerkin ? order / 2 : 0,
           order == 2   ? std::vector<double>{1}
           : order == 4 ? suzuki<double>()

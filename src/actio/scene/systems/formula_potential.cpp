@@ -23,7 +23,7 @@ using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// \f$V(R\exp\hat\eta)\f$ to second order, from the first and the second derivatives by the entries of R,
 /// these the upper triangle row by row.
-Eigen::Matrix3d along_turns(NineEntries const& rotation, double const* first, double const* second) {
+Eigen::Matrix3d along_turns(bodies::NineEntries const& rotation, double const* first, double const* second) {
   Eigen::Map<Rows const> const R(rotation.data()), G(first);
   Eigen::Matrix<double, 9, 9> H;
   for (int i = 0; i < 9; ++i)
@@ -57,20 +57,20 @@ FormulaPotential::FormulaPotential(std::string const& text, TextPlace const& pla
   }
 }
 
-double FormulaPotential::operator()(NineEntries const& rotation, double time, NineEntries& slope) const {
+double FormulaPotential::operator()(bodies::NineEntries const& rotation, double time, bodies::NineEntries& slope) const {
   double x[10], y[10];
   std::ranges::copy(rotation, x), x[9] = time;
   tapes_->slope(x, y, work_);
   std::copy_n(y + 1, 9, slope.begin());
   return y[0];
 }
-Eigen::Matrix3d FormulaPotential::curvature(NineEntries const& rotation, double time) const {
+Eigen::Matrix3d FormulaPotential::curvature(bodies::NineEntries const& rotation, double time) const {
   double x[10], y[1 + 9 + 45];
   std::ranges::copy(rotation, x), x[9] = time;
   tapes_->curvature(x, y, work_);
   return along_turns(rotation, y + 1, y + 10);
 }
-ChangeInTime FormulaPotential::change(NineEntries const& rotation, double until, double enough) const {
+ChangeInTime FormulaPotential::change(bodies::NineEntries const& rotation, double until, double enough) const {
   std::vector<double> x(rotation.begin(), rotation.end());
   x.push_back(0);
   // As many intervals as take about a tenth of a second.

@@ -29,13 +29,13 @@ class FormulaPotential {
   FormulaPotential(std::string const& text, TextPlace const& place);
 
   /// V, energy, and its derivatives by the entries of the rotation.
-  double operator()(NineEntries const& rotation, double time, NineEntries& slope) const;
+  double operator()(bodies::NineEntries const& rotation, double time, bodies::NineEntries& slope) const;
   /// The second derivative along turns in the body, a symmetric matrix: of \f$V(R\exp\hat\eta)\f$ at
   /// \f$\eta = 0\f$, energy.
-  Eigen::Matrix3d curvature(NineEntries const& rotation, double time) const;
+  Eigen::Matrix3d curvature(bodies::NineEntries const& rotation, double time) const;
   /// How fast it changes from t = 0 on, the attitude being fixed.
   /// @param enough  a second derivative by the time that does not matter, energy/time^2
-  ChangeInTime change(NineEntries const& rotation, double until, double enough) const;
+  ChangeInTime change(bodies::NineEntries const& rotation, double until, double enough) const;
   /// How many operations a value with its first derivatives takes.
   std::size_t operations_of_slope() const;
   std::size_t operations_of_curvature() const;  ///< the same with the second ones

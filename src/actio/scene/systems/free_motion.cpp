@@ -10,7 +10,7 @@ namespace {
 /// To any time at once.
 class ExactMotion : public TurningBody {
  public:
-  explicit ExactMotion(FreeBody body) : body_(std::move(body)), now_(body_.at(0)) {}
+  explicit ExactMotion(bodies::FreeBody body) : body_(std::move(body)), now_(body_.at(0)) {}
   void go_to(double time) override {
     if (attitude_wanted())
       now_ = body_.at(time);
@@ -21,15 +21,15 @@ class ExactMotion : public TurningBody {
   Eigen::Vector4d attitude() const override { return now_.attitude.value; }
 
  private:
-  FreeBody body_;
-  FreeState now_;
+  bodies::FreeBody body_;
+  bodies::FreeState now_;
 };
 
 /// In steps, with the attitude or without.
 template <class Steps>
 class SteppedMotion : public TurningBody {
  public:
-  SteppedMotion(StepsFrom<Steps> from, FreeState const& start, double step)
+  SteppedMotion(StepsFrom<Steps> from, bodies::FreeState const& start, double step)
       : from_(std::move(from)), start_(start), steps_(from_(start, step)) {}
   void advance(long count) override {
     ahead_.reset();
@@ -73,22 +73,22 @@ class SteppedMotion : public TurningBody {
   }
 
   StepsFrom<Steps> from_;
-  FreeState start_;
+  bodies::FreeState start_;
   Steps steps_;
   std::optional<Steps> ahead_;
 };
 
 }  // namespace
 
-std::unique_ptr<TurningBody> exact_motion(FreeBody body) {
+std::unique_ptr<TurningBody> exact_motion(bodies::FreeBody body) {
   return std::make_unique<ExactMotion>(std::move(body));
 }
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<FreeSteps> steps, FreeState const& start, double step) {
-  return std::make_unique<SteppedMotion<FreeSteps>>(std::move(steps), start, step);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::FreeSteps> steps, bodies::FreeState const& start, double step) {
+  return std::make_unique<SteppedMotion<bodies::FreeSteps>>(std::move(steps), start, step);
 }
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, FreeState const& start,
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::NaturalChartSteps> steps, bodies::FreeState const& start,
                                             double step) {
-  return std::make_unique<SteppedMotion<NaturalChartSteps>>(std::move(steps), start, step);
+  return std::make_unique<SteppedMotion<bodies::NaturalChartSteps>>(std::move(steps), start, step);
 }
 
 }  // namespace actio::scene

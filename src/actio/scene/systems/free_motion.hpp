@@ -12,14 +12,14 @@ namespace actio::scene {
 
 /// The steps of a scheme from a state, with steps of a given length.
 template <class Steps>
-using StepsFrom = std::function<Steps(FreeState const& start, double step)>;
+using StepsFrom = std::function<Steps(bodies::FreeState const& start, double step)>;
 
 /// A free body that goes to any time at once.
-std::unique_ptr<TurningBody> exact_motion(FreeBody body);
+std::unique_ptr<TurningBody> exact_motion(bodies::FreeBody body);
 /// A free body in steps.
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<FreeSteps> steps, FreeState const& start, double step);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::FreeSteps> steps, bodies::FreeState const& start, double step);
 /// The same by the natural-chart scheme.
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, FreeState const& start,
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::NaturalChartSteps> steps, bodies::FreeState const& start,
                                             double step);
 
 }  // namespace actio::scene

@@ -57,11 +57,11 @@ class Substeps {
 
 /// In steps of a scheme for n at run time, or of a symmetric composition of it.
 template <class Scheme>
-class SteppedMotion : public TurningBodyN {
+class SteppedMotionN : public TurningBodyN {
  public:
   using Make = std::function<Substeps<Scheme>(double step)>;
 
-  SteppedMotion(Make make, double step, StartOfBodyN const& start, bool with_attitude)
+  SteppedMotionN(Make make, double step, StartOfBodyN const& start, bool with_attitude)
       : make_(std::move(make)),
         steps_(make_(step)),
         body_(released(steps_.front(), start.attitude, start.momentum)),
@@ -136,18 +136,18 @@ std::vector<double> fractions_of(int order) {
 }
 
 std::unique_ptr<TurningBodyN> stepped_motion_n(StepsOfBodyN const& choice, StartOfBodyN const& start,
-                                               double step, Sweeps sweeps) {
+                                               double step, bodies::Sweeps sweeps) {
   auto const fractions = fractions_of(choice.order);
   auto const inertia = start.inertia;
   auto const stepped = [&]<class Scheme>(std::type_identity<Scheme>, auto make) {
-    return std::make_unique<SteppedMotion<Scheme>>(
+    return std::make_unique<SteppedMotionN<Scheme>>(
         [=](double h) { return Substeps<Scheme>(fractions, h, make); }, step, start, choice.attitude);
   };
   if (choice.chart)
-    return stepped(std::type_identity<FastNaturalChart>{},
-                   [=](double h) { return FastNaturalChart(inertia, h); });
-  return stepped(std::type_identity<FastMoserVeselov>{},
-                 [=](double h) { return FastMoserVeselov(inertia, h, sweeps); });
+    return stepped(std::type_identity<bodies::FastNaturalChart>{},
+                   [=](double h) { return bodies::FastNaturalChart(inertia, h); });
+  return stepped(std::type_identity<bodies::FastMoserVeselov>{},
+                 [=](double h) { return bodies::FastMoserVeselov(inertia, h, sweeps); });
 }
 
 std::unique_ptr<TurningBodyN> constant_motion_n(Eigen::MatrixXd momentum, Eigen::MatrixXd attitude) {

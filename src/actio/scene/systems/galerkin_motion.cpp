@@ -9,8 +9,8 @@
 namespace actio::scene {
 namespace {
 
-using G = SpanOfMatrices;
-using Algebra = std::shared_ptr<MatrixAlgebra const>;
+using G = systems::SpanOfMatrices;
+using Algebra = std::shared_ptr<systems::MatrixAlgebra const>;
 
 Coordinates<G, double> coordinates(std::vector<double> const& list) {
   return Eigen::Map<Eigen::VectorXd const>(list.data(), static_cast<Eigen::Index>(list.size()));
@@ -21,14 +21,14 @@ std::vector<double> list_of(Coordinates<G, double> const& x) { return {x.data(),
 using Step = std::function<MomentumStep<G, double>(MomentumState<G, double> const&, double)>;
 
 Step step_of(ReducedScheme const& scheme) {
-  TapeLagrangian const l(scheme.system);
-  if (scheme.system->side == Side::left) return galerkin_step_left<double>(l, scheme.stages);
+  systems::TapeLagrangian const l(scheme.system);
+  if (scheme.system->side == systems::Side::left) return galerkin_step_left<double>(l, scheme.stages);
   return galerkin_step_right<double>(l, scheme.stages);
 }
 
 class GalerkinMotion : public ReducedMotion {
  public:
-  GalerkinMotion(ReducedScheme scheme, double step, ReducedPoint const& start,
+  GalerkinMotion(ReducedScheme scheme, double step, systems::ReducedPoint const& start,
                  std::vector<double> const& velocity, Eigen::MatrixXd const& configuration)
       : scheme_(std::move(scheme)),
         group_(scheme_.system->algebra),
@@ -71,7 +71,7 @@ class GalerkinMotion : public ReducedMotion {
     numbers(last_.momentum.components), numbers(last_.velocity.coordinates), numbers(configuration_);
     show(last_, configuration_);
   }
-  ReducedPoint const& point() const override { return point_; }
+  systems::ReducedPoint const& point() const override { return point_; }
   Eigen::MatrixXd const& configuration() const override { return shown_; }
   std::vector<double> const& velocity() const override { return velocity_; }
 
@@ -80,7 +80,7 @@ class GalerkinMotion : public ReducedMotion {
     auto const done = step_of(scheme_)(state, h);
     if (g.size()) {
       Eigen::MatrixXd const back = inverse(done.relative_motion).value;
-      g = scheme_.system->side == Side::left ? Eigen::MatrixXd(g * back) : Eigen::MatrixXd(back * g);
+      g = scheme_.system->side == systems::Side::left ? Eigen::MatrixXd(g * back) : Eigen::MatrixXd(back * g);
     }
     state = done.state;
   }
@@ -95,14 +95,14 @@ class GalerkinMotion : public ReducedMotion {
   double length_;
   MomentumState<G, double> last_;
   Eigen::MatrixXd configuration_, shown_;
-  ReducedPoint point_;
+  systems::ReducedPoint point_;
   std::vector<double> velocity_;
 };
 
 }  // namespace
 
 std::unique_ptr<ReducedMotion> galerkin_motion(ReducedScheme const& scheme, double step,
-                                               ReducedPoint const& start, std::vector<double> const& velocity,
+                                               systems::ReducedPoint const& start, std::vector<double> const& velocity,
                                                Eigen::MatrixXd const& configuration) {
   return std::make_unique<GalerkinMotion>(scheme, step, start, velocity, configuration);
 }

@@ -109,7 +109,7 @@ struct TopScene {
   SceneTable initial, method;
   std::vector<std::string> remarks;
   GivenTop top;
-  FreeState start;  ///< momentum about the fixed point, and attitude
+  bodies::FreeState start;  ///< momentum about the fixed point, and attitude
   MethodChoice choice;
   double fastest,  ///< a bound of the angular velocity and of the frequency of swings, 1/time
       step;
@@ -142,12 +142,12 @@ struct TopScene {
 std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
   PrincipalInertia const& inertia = scene.top.inertia;
   if (scene.is_free()) {
-    auto const steps = [=](FreeState const& start, double h) {
-      return FreeSteps(FreeBody(inertia, start.body_momentum, start.attitude), h);
+    auto const steps = [=](bodies::FreeState const& start, double h) {
+      return bodies::FreeSteps(bodies::FreeBody(inertia, start.body_momentum, start.attitude), h);
     };
-    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, step);
+    return stepped_motion(StepsFrom<bodies::FreeSteps>(steps), scene.start, step);
   }
-  auto const gravity = uniform_gravity(scene.top.lever, scene.top.down);
+  auto const gravity = bodies::uniform_gravity(scene.top.lever, scene.top.down);
   return torqued_motion(inertia, scene.start, gravity, step, scene.choice.order);
 }
 
@@ -163,7 +163,7 @@ std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule
   } catch (Error const& error) {
     failure = scene.method.place("step").text() + ": " + error.what();
   }
-  return exact_motion(FreeBody(scene.top.inertia, scene.start.body_momentum, scene.start.attitude));
+  return exact_motion(bodies::FreeBody(scene.top.inertia, scene.start.body_momentum, scene.start.attitude));
 }
 
 /// Steps three and six times as long cost a little less than a half of the run, since short and long drifts

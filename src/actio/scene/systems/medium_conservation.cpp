@@ -10,7 +10,7 @@ namespace {
 
 /// Whether a potential grows along the way once around the box that a loop goes.
 template <int d>
-bool grows_around(SpacePotential<d> const& potential, MaterialLoop<d> const& loop,
+bool grows_around(media::SpacePotential<d> const& potential, MaterialLoop<d> const& loop,
                   std::vector<std::array<double, d>> const& x) {
   auto const& begin = loop.stops.front();
   auto const& end = loop.stops.back();
@@ -33,8 +33,8 @@ std::set<Feature> features_of(SceneFile const& file, MediumMesh const& mesh, Med
   using enum Feature;
   std::set<Feature> out;
   for (auto const& [name, side] : loads.sides) {
-    if (side.kind != BodySide<d>::Kind::free) out.insert(held_side);
-    if (side.kind == BodySide<d>::Kind::moved) out.insert(moved_side);
+    if (side.kind != media::BodySide<d>::Kind::free) out.insert(held_side);
+    if (side.kind == media::BodySide<d>::Kind::moved) out.insert(moved_side);
   }
   if (std::ranges::find(mesh.periodic, true) != mesh.periodic.end()) out.insert(periodic_box);
   if (!loads.loads.potentials.empty()) out.insert(potential);
@@ -52,7 +52,7 @@ std::set<Feature> features_of_loops(MediumMesh const& mesh, MediumCells<d> const
   std::set<std::size_t> fixed, forced;
   for (auto const& [side, does] : mesh.sides) {
     bool const force = loads.loads.tractions.contains(side) || loads.loads.pressures.contains(side),
-               moved = loads.sides.contains(side) && loads.sides.at(side).kind == BodySide<d>::Kind::moved;
+               moved = loads.sides.contains(side) && loads.sides.at(side).kind == media::BodySide<d>::Kind::moved;
     if (force || moved || does == "fixed")
       for (std::size_t const node : nodes_of_side(mesh, cells, side))
         (does == "fixed" ? fixed : forced).insert(node);

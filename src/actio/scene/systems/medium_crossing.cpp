@@ -10,7 +10,7 @@ namespace {
 template <int d>
 class CharacteristicSpeed {
  public:
-  CharacteristicSpeed(StoredEnergy<d> const& law, double density, int axis)
+  CharacteristicSpeed(media::StoredEnergy<d> const& law, double density, int axis)
       : law_(law), of_weight_(law.weight(density) / density), axis_(axis) {}
   /// C(J); NaN where the medium is not stable there.
   double operator()(double J) const {
@@ -27,7 +27,7 @@ class CharacteristicSpeed {
   double steepening(double J) const { return slope(J) / (2 * std::pow((*this)(J), 1.5)); }
 
  private:
-  StoredEnergy<d> const& law_;
+  media::StoredEnergy<d> const& law_;
   double of_weight_;
   int axis_;
 };
@@ -64,7 +64,7 @@ int axis_of(MediumMesh const& mesh, MediumStart& start) {
     }
     // At a free side across the wave the medium gives way.
     for (int a = 0; a < d; ++a)
-      for (char const* const name : actio::detail::side_names[a])
+      for (char const* const name : actio::media::detail::side_names[a])
         plane = plane &&
                 (a == axis || mesh.periodic[static_cast<std::size_t>(a)] || mesh.sides.at(name) != "free");
     if (plane) return axis;
@@ -171,7 +171,7 @@ std::pair<double, bool> largest_rate(Wave const& wave, CharacteristicSpeed<d> co
 
 template <int d>
 std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, MediumStart& start,
-                                                    StoredEnergy<d> const& law) {
+                                                    media::StoredEnergy<d> const& law) {
   if (mesh.shape != "box" || !start.uniform) return {};
   int const axis = axis_of<d>(mesh, start);
   if (axis < 0) return {};
@@ -187,12 +187,12 @@ std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, Medi
 }
 /// Along a line.
 template std::optional<Crossing> crossing_of_characteristics<1>(MediumMesh const&, MediumStart&,
-                                                                StoredEnergy<1> const&);
+                                                                media::StoredEnergy<1> const&);
 /// In the plane.
 template std::optional<Crossing> crossing_of_characteristics<2>(MediumMesh const&, MediumStart&,
-                                                                StoredEnergy<2> const&);
+                                                                media::StoredEnergy<2> const&);
 /// In space.
 template std::optional<Crossing> crossing_of_characteristics<3>(MediumMesh const&, MediumStart&,
-                                                                StoredEnergy<3> const&);
+                                                                media::StoredEnergy<3> const&);
 
 }  // namespace actio::scene

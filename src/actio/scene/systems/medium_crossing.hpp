@@ -26,6 +26,6 @@ struct Crossing {
 /// Accuracy: four digits, by differences of the formulas.
 template <int d>
 std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, MediumStart& start,
-                                                    StoredEnergy<d> const& law);
+                                                    media::StoredEnergy<d> const& law);
 
 }  // namespace actio::scene

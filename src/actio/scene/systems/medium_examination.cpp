@@ -39,7 +39,7 @@ void require_periodic(SceneTable const& initial, std::string const& key, PlaceFo
 std::pair<std::size_t, int> side_of_box(std::string const& side) {
   for (std::size_t k = 0; k < 3; ++k)
     for (int const end : {0, 1})
-      if (side == actio::detail::side_names[k][end]) return {k, end};
+      if (side == actio::media::detail::side_names[k][end]) return {k, end};
   throw std::logic_error("a box has no side " + side);
 }
 
@@ -52,8 +52,8 @@ PointOfBody<d> direction_across(MediumMesh const& mesh, std::string const& side)
     return out;
   }
   try {
-    return plane_normal<d>(mesh.make(), side);
-  } catch (NotABodyMesh const&) {
+    return media::plane_normal<d>(mesh.make(), side);
+  } catch (media::NotABodyMesh const&) {
     return out;
   }
 }
@@ -114,7 +114,7 @@ std::vector<std::size_t> nodes_of_side(MediumMesh const& mesh, MediumCells<d> co
     return out;
   }
   std::set<int> nodes;
-  BodyMesh const made = mesh.read ? BodyMesh{} : mesh.make();
+  media::BodyMesh const made = mesh.read ? media::BodyMesh{} : mesh.make();
   for (auto const& facet : (mesh.read ? *mesh.read : made).sides.at(side))
     nodes.insert(facet.begin(), facet.end());
   for (int const n : nodes)
@@ -154,7 +154,7 @@ void require_reachable_end(SceneFile const& file, double longest, double until) 
                   longest, steps, until, loaded ? " or the loads" : ""));
 }
 
-void require_finite_energies(SceneFile const& file, BodyEnergies const& energies) {
+void require_finite_energies(SceneFile const& file, media::BodyEnergies const& energies) {
   if (std::isfinite(energies.total())) return;
   // Forces that are none make velocities that are none: what is stored comes first.
   bool const stored = !std::isfinite(energies.stored) || std::isnan(energies.kinetic),

@@ -32,7 +32,7 @@ ExaminedStart<d> examined_start(SceneFile const& file, MediumStart& start, Mediu
 /// @return what is no fault and still not what one would expect: a motion that begins with a push
 /// @throws SceneError  where they are not so, with what was found and what would do
 template <int d>
-std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, BodyMesh const& body,
+std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, media::BodyMesh const& body,
                                         MediumLoads<d> const& loads, ExaminedStart<d> const& start,
                                         double until);
 
@@ -52,6 +52,6 @@ std::map<std::string, double> driven_sides(MediumMesh const& mesh, MediumCells<d
 void require_reachable_end(SceneFile const& file, double longest, double until);
 /// That the energies at the start are finite.
 /// @throws SceneError  with the value and the bound, at the key that makes it so
-void require_finite_energies(SceneFile const& file, BodyEnergies const& energies);
+void require_finite_energies(SceneFile const& file, media::BodyEnergies const& energies);
 
 }  // namespace actio::scene

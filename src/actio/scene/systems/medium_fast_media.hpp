@@ -21,14 +21,14 @@ std::unique_ptr<FastRoad<Box::dimension>> fluid_on_fast_road(Material const& mat
   std::string const& name = material.record->name;
   auto const& c = material.constants;
   if (name == "shallow_water")
-    return fast_road_of(FastFluid{PolytropicByRoots<1, 2>{c[0] / 2 * density}}, box, density);
+    return fast_road_of(media::FastFluid{media::PolytropicByRoots<1, 2>{c[0] / 2 * density}}, box, density);
   if (name == "polytropic_gas" && c[1] == 2)
-    return fast_road_of(FastFluid{PolytropicByRoots<1, 2>{c[0] * density}}, box, density);
+    return fast_road_of(media::FastFluid{media::PolytropicByRoots<1, 2>{c[0] * density}}, box, density);
   if (!has_power(box, c[1])) return nullptr;
   if (name == "polytropic_gas")
-    return fast_road_of(FastFluid{GasLaw{c[0] * std::pow(density, c[1] - 1), c[1], 0}}, box, density);
+    return fast_road_of(media::FastFluid{GasLaw{c[0] * std::pow(density, c[1] - 1), c[1], 0}}, box, density);
   if (name == "tait")
-    return fast_road_of(FastFluid{GasLaw{c[0] / density, c[1], c[0] / density}}, box, density);
+    return fast_road_of(media::FastFluid{GasLaw{c[0] / density, c[1], c[0] / density}}, box, density);
   return nullptr;
 }
 
@@ -39,10 +39,10 @@ std::unique_ptr<FastRoad<Box::dimension>> solid_on_fast_road(Material const& mat
   std::string const& name = material.record->name;
   auto const& c = material.constants;
   if (name == "saint_venant_kirchhoff")
-    return fast_road_of(FastStVenantKirchhoff{c[0] / density, c[1] / density}, box, density);
+    return fast_road_of(media::FastStVenantKirchhoff{c[0] / density, c[1] / density}, box, density);
   if (name == "neo_hookean") {
     double const mu = c[0] / density, kappa = c[1] / density;
-    return fast_road_of(FastNeoHookean{mu, ReciprocalLaw{mu, kappa, kappa}}, box, density);
+    return fast_road_of(media::FastNeoHookean{mu, media::ReciprocalLaw{mu, kappa, kappa}}, box, density);
   }
   return nullptr;
 }

@@ -16,7 +16,7 @@ template <class Medium>
 struct FluidLaw {};
 /// \copydoc FluidLaw
 template <class Volume>
-struct FluidLaw<FastFluid<Volume>> {
+struct FluidLaw<media::FastFluid<Volume>> {
   using type = Volume;  ///< of its Jacobian
 };
 
@@ -24,14 +24,14 @@ struct FluidLaw<FastFluid<Volume>> {
 template <class Medium, class Box>
 double longest_step_of(Medium const& medium, Box const& box,
                        std::vector<std::array<double, Box::dimension>> const& x) {
-  std::vector<actio::detail::VectorOf<Box, double>> places;
+  std::vector<actio::media::detail::VectorOf<Box, double>> places;
   places.reserve(x.size());
-  for (auto const& p : x) places.push_back(actio::detail::as_vector(p));
-  auto const cell = actio::detail::cell_on(medium, box.spacing);
+  for (auto const& p : x) places.push_back(actio::media::detail::as_vector(p));
+  auto const cell = actio::media::detail::cell_on(medium, box.spacing);
   // Of a large box the window around its stiffest part, which is three per cent above at most.
   if (box.count() > (Box::dimension == 2 ? 20000 : 5000))
-    return 0.98 * actio::detail::bound_of_stable_steps(box, cell, places);
-  return 2 / actio::detail::largest_frequency(box, cell, places);
+    return 0.98 * actio::media::detail::bound_of_stable_steps(box, cell, places);
+  return 2 / actio::media::detail::largest_frequency(box, cell, places);
 }
 
 /// A medium on a box in the plane or in space.
@@ -90,7 +90,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
     for (int a = 0; a < d; ++a) mass *= cells_.box().share(a, index[static_cast<std::size_t>(a)]);
     return mass;
   }
-  BodyEnergies energies() const override {
+  media::BodyEnergies energies() const override {
     auto const [kinetic, stored] = medium_.energies();
     return {kinetic, stored, 0};
   }
@@ -104,7 +104,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   void sound(Steps const& steps) {
     try {
       steps();
-    } catch (CellInverts const& error) {
+    } catch (media::CellInverts const& error) {
       end_inside_out(
           error, medium_.time(), requires { typename FluidLaw<Medium>::type; });
     }
@@ -121,7 +121,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
     }
   }
   /// The medium as it is, with steps of this length.
-  FastMedium<Medium, Box> from_here(double step) const {
+  media::FastMedium<Medium, Box> from_here(double step) const {
     auto const x = medium_.places(), v = medium_.velocities();
     auto const in_order = [](std::vector<Place> const& all) {
       return [&all, k = std::size_t{0}](Place const&) mutable { return all[k++]; };
@@ -138,8 +138,8 @@ class FastMotion final : public MediumMotion<Box::dimension> {
     };
   }
   /// Whatever the number of threads, bits are the same: a large body takes those that there are.
-  static FastOptions options(Box const& box) {
-    FastOptions out;
+  static media::FastOptions options(Box const& box) {
+    media::FastOptions out;
     if (box.count() > (d == 2 ? 100000 : 30000))
       out.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     return out;
@@ -149,7 +149,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   double density_;
   Medium law_;
   StepWatch<d> watch_;
-  FastMedium<Medium, Box> medium_;
+  media::FastMedium<Medium, Box> medium_;
 };
 
 /// A medium of the fast road with its box.

@@ -20,8 +20,8 @@ class BoxCells final : public MediumCells<Box::dimension> {
 
   /// @param box  the cells
   explicit BoxCells(Box const& box) : box_(box) {}
-  BodyMesh::Shape shape() const override {
-    return d == 2 ? BodyMesh::Shape::quadrilateral : BodyMesh::Shape::hexahedron;
+  media::BodyMesh::Shape shape() const override {
+    return d == 2 ? media::BodyMesh::Shape::quadrilateral : media::BodyMesh::Shape::hexahedron;
   }
   std::size_t nodes() const override { return static_cast<std::size_t>(box_.count()); }
   std::size_t cells() const override {
@@ -87,12 +87,12 @@ std::optional<Box> fast_box(MediumMesh const& mesh) {
     box.cells[a] = mesh.cells[a], box.origin[a] = mesh.lower[a];
     box.spacing[a] = (mesh.upper[a] - mesh.lower[a]) / mesh.cells[a];
     for (int end = 0; end < 2; ++end) {
-      std::string const name = actio::detail::side_names[a][end];
+      std::string const name = actio::media::detail::side_names[a][end];
       std::string const does = mesh.periodic[a] ? "periodic" : mesh.sides.at(name);
-      box.ends(static_cast<int>(a))[static_cast<std::size_t>(end)] = does == "periodic"  ? FastSide::periodic
-                                                                     : does == "fixed"   ? FastSide::fixed
-                                                                     : does == "sliding" ? FastSide::sliding
-                                                                                         : FastSide::free;
+      box.ends(static_cast<int>(a))[static_cast<std::size_t>(end)] = does == "periodic"  ? media::FastSide::periodic
+                                                                     : does == "fixed"   ? media::FastSide::fixed
+                                                                     : does == "sliding" ? media::FastSide::sliding
+                                                                                         : media::FastSide::free;
     }
   }
   return box;
@@ -111,12 +111,12 @@ class FastRoad {
                                                   std::shared_ptr<MediumStart> start) const = 0;
 };
 /// Of a fluid of the library in the plane. Null where the fast road does not know it.
-std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, FastBox2d const& box, double density);
+std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, media::FastBox2d const& box, double density);
 /// Of a solid; likewise.
-std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, FastBox2d const& box, double density);
+std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, media::FastBox2d const& box, double density);
 /// Of a fluid in space; likewise.
-std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, FastBox3d const& box, double density);
+std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, media::FastBox3d const& box, double density);
 /// Of a solid in space; likewise.
-std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, FastBox3d const& box, double density);
+std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, media::FastBox3d const& box, double density);
 
 }  // namespace actio::scene

@@ -12,7 +12,7 @@ template <int d>
 struct MediumView {
   using Place = std::array<double, d>;          ///< a point, or a vector
   MediumMotion<d> const* motion = nullptr;      ///< what moves
-  std::shared_ptr<StoredEnergy<d> const> law;   ///< of the material
+  std::shared_ptr<media::StoredEnergy<d> const> law;   ///< of the material
   std::function<double(Place const&)> density;  ///< mass per reference volume at X
 };
 
@@ -28,7 +28,7 @@ struct PointOfCell {
   Matrix<double, d, d> H;                         ///< that of the displacement, F - 1
   Matrix<double, d, d> inverse;                   ///< of the reference edges
   double jacobian;                                ///< det F
-  CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
+  media::CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
 };
 
 /// `visit(point, cell)` for each point of each cell.
@@ -47,15 +47,15 @@ void for_points(MediumView<d> const& medium, std::vector<typename MediumCells<d>
     for (int p = 0; p < cells.points(); ++p) {
       PointOfCell<d> point{c, p, 0, 1, 1, {}, {}, {}, 0, &correction};
       auto const edges = cells.edges(from, p);
-      point.volume = small_determinant(edges) * cells.share() * correction.ratio;
+      point.volume = media::small_determinant(edges) * cells.share() * correction.ratio;
       point.inverse = inverse_matrix(edges);
       point.F = cells.edges(at, p) * point.inverse + more;
       point.H = cells.edges(moved, p) * point.inverse + more_moved;
-      point.jacobian = small_determinant(point.F);
+      point.jacobian = media::small_determinant(point.F);
       if (density) {
         std::array<double, d> X = from[p];
         if (cells.points() == 1) {
-          int const corners = corner_count(cells.shape());
+          int const corners = media::corner_count(cells.shape());
           X = {};
           for (int b = 0; b < corners; ++b)
             for (int a = 0; a < d; ++a) X[a] += from[b][a] / corners;
@@ -114,7 +114,7 @@ std::vector<double> mean_fields(MediumView<d> const& medium,
     for (std::size_t k = 0; k < size; ++k) sums[to * size + k] += share * here[k];
   };
   bool const many = cells.points() > 1;
-  int const corners = corner_count(cells.shape());
+  int const corners = media::corner_count(cells.shape());
   for_points(medium, x, true, [&](PointOfCell<d> const& point, auto const& cell) {
     write_fields(medium, point, asked, here.data());
     if (!on_nodes)

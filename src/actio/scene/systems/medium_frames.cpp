@@ -8,7 +8,7 @@
 namespace actio::scene {
 namespace {
 
-char const* shape_name(BodyMesh::Shape shape) {
+char const* shape_name(media::BodyMesh::Shape shape) {
   static constexpr char const* names[] = {"line", "triangle", "quadrilateral", "tetrahedron", "hexahedron"};
   return names[static_cast<int>(shape)];
 }
@@ -22,7 +22,7 @@ std::span<double const> in_a_row(std::vector<std::array<double, d>> const& all) 
 /// `visit(cell, corner)` for the corners of all cells, counted as VTK counts them.
 template <int d, class Visit>
 void for_corners(MediumCells<d> const& cells, Visit const& visit) {
-  auto const corners = static_cast<std::size_t>(corner_count(cells.shape()));
+  auto const corners = static_cast<std::size_t>(media::corner_count(cells.shape()));
   for (std::size_t c = 0; c < cells.cells(); ++c) {
     auto const cell = cells.cell(c);
     for (std::size_t k = 0; k < corners; ++k) visit(cell, vtk_corner(cells.shape(), k));
@@ -63,7 +63,7 @@ Hdf5Frames MediumFrames<d>::in(std::string const& folder, MediumCells<d> const& 
 
 template <int d>
 std::vector<Hdf5Frames::Constant> MediumFrames<d>::constants(MediumCells<d> const& cells) {
-  auto const corners = static_cast<std::size_t>(corner_count(cells.shape()));
+  auto const corners = static_cast<std::size_t>(media::corner_count(cells.shape()));
   std::vector<double> periods;
   for (int a = 0; a < d; ++a) periods.push_back(cells.period(a));
   std::vector<Hdf5Frames::Constant> out;

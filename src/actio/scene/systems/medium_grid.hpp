@@ -12,13 +12,13 @@
 namespace actio::scene {
 
 /// The number that VTK has for cells of a shape.
-inline unsigned char vtk_type(BodyMesh::Shape shape) {
+inline unsigned char vtk_type(media::BodyMesh::Shape shape) {
   static constexpr unsigned char types[] = {3, 5, 9, 10, 12};
   return types[static_cast<int>(shape)];
 }
 /// The corner of a cell that VTK counts as number k: around the faces of box-like ones.
-inline std::size_t vtk_corner(BodyMesh::Shape shape, std::size_t k) {
-  bool const boxlike = shape == BodyMesh::Shape::quadrilateral || shape == BodyMesh::Shape::hexahedron;
+inline std::size_t vtk_corner(media::BodyMesh::Shape shape, std::size_t k) {
+  bool const boxlike = shape == media::BodyMesh::Shape::quadrilateral || shape == media::BodyMesh::Shape::hexahedron;
   return boxlike ? k ^ (k >> 1 & 1) : k;
 }
 
@@ -32,7 +32,7 @@ class GridPoints {
 
   /// @param cells  outlive it
   explicit GridPoints(MediumCells<d> const& cells)
-      : cells_(cells), corners_(static_cast<std::size_t>(corner_count(cells.shape()))) {
+      : cells_(cells), corners_(static_cast<std::size_t>(media::corner_count(cells.shape()))) {
     bool around = false;
     for (int a = 0; a < d; ++a) around = around || cells.period(a) != 0;
     for (std::size_t c = 0; around && c < cells.cells(); ++c) {

@@ -92,7 +92,7 @@ void read_round(SceneTable& mesh, MediumMesh& out) {
 /// Makes a side of a group of facets inside of a body, if there is one with this name.
 /// @param key  of the table, where the name stands
 void use_group(SceneTable const& table, std::string const& key, std::string const& name, bool pressure,
-               BodyMesh& body) {
+               media::BodyMesh& body) {
   if (auto const none = body.no_sides.find(name); none != body.no_sides.end())
     table.fail(key, fmt::format("{}: the group '{}' of the mesh is no side of the body: {}", table.name(),
                                 shown(name), none->second));
@@ -106,7 +106,7 @@ void use_group(SceneTable const& table, std::string const& key, std::string cons
   body.sides.insert(body.inside.extract(inside));
 }
 /// Groups inside of a body are left, but for those that the scene names.
-void use_groups(SceneFile const& scene, BodyMesh& body) {
+void use_groups(SceneFile const& scene, media::BodyMesh& body) {
   SceneTable const boundary = scene.section("system.boundary"), load = scene.section("system.load"),
                    loops = scene.section("system.loops");
   for (auto const& name : boundary.keys()) use_group(boundary, name, name, false, body);
@@ -122,14 +122,14 @@ void use_groups(SceneFile const& scene, BodyMesh& body) {
 void read_mesh_file(SceneFile const& scene, SceneTable& mesh, MediumMesh& out) {
   mesh.allow({"shape", "file"});
   auto const [path, text] = mesh.read_file("file", "a mesh of Gmsh");
-  BodyMesh body;
+  media::BodyMesh body;
   try {
-    body = gmsh_mesh_of(text, path);
+    body = media::gmsh_mesh_of(text, path);
   } catch (Error const& error) {
     mesh.fail("file", std::string("file: ") + error.what());
   }
   use_groups(scene, body);
-  out.read = std::make_shared<BodyMesh const>(std::move(body));
+  out.read = std::make_shared<media::BodyMesh const>(std::move(body));
   out.dimension = out.read->dimension;
 }
 
@@ -141,7 +141,7 @@ std::vector<std::string> side_names(MediumMesh const& mesh) {
   else if (mesh.shape == "box")
     for (int k = 0; k < mesh.dimension; ++k)
       for (int end = 0; end < 2; ++end)
-        if (!mesh.periodic[static_cast<std::size_t>(k)]) out.emplace_back(actio::detail::side_names[k][end]);
+        if (!mesh.periodic[static_cast<std::size_t>(k)]) out.emplace_back(actio::media::detail::side_names[k][end]);
   if (mesh.inner > 0) out.emplace_back("inner");
   if (mesh.outer > 0) out.emplace_back("outer");
   return out;
@@ -188,14 +188,14 @@ double MediumMesh::node_count() const {
   return count;
 }
 
-BodyMesh MediumMesh::make() const {
+media::BodyMesh MediumMesh::make() const {
   if (read) return *read;
-  if (shape == "box") return box_mesh(lower, upper, cells, periodic);
+  if (shape == "box") return media::box_mesh(lower, upper, cells, periodic);
   std::array<int, 2> const n{cells[0], cells[1]};
-  BodyMesh mesh = shape == "disc"      ? disc_mesh(outer, n)
-                  : shape == "annulus" ? annulus_mesh(inner, outer, n)
-                  : shape == "ball"    ? ball_mesh(outer, n)
-                                       : shell_mesh(inner, outer, n);
+  media::BodyMesh mesh = shape == "disc"      ? media::disc_mesh(outer, n)
+                  : shape == "annulus" ? media::annulus_mesh(inner, outer, n)
+                  : shape == "ball"    ? media::ball_mesh(outer, n)
+                                       : media::shell_mesh(inner, outer, n);
   return mesh;
 }
 

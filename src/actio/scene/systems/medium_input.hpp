@@ -24,14 +24,14 @@ struct MediumMesh {
   std::vector<bool> periodic;            ///< of a box, along each direction
   double inner = 0;                      ///< radius of an annulus or a shell inside, length
   double outer = 0;                      ///< radius of a round body outside, length
-  std::shared_ptr<BodyMesh const> read;  ///< from a file; null of the others
+  std::shared_ptr<media::BodyMesh const> read;  ///< from a file; null of the others
   std::map<std::string, std::string> sides;  ///< what each side does: "free", "fixed", "sliding"
 
   /// How many cells there will be, and nodes, those of round bodies from above.
   double cell_count() const;
   double node_count() const;  ///< \copydoc cell_count
   /// The mesh, checked.
-  BodyMesh make() const;
+  media::BodyMesh make() const;
 };
 
 /// Reads them, and writes defaults back. A file is read; of the others nothing is made.

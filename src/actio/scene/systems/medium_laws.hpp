@@ -31,8 +31,8 @@ struct GasLaw {
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
-    if constexpr (std::same_as<T, actio::detail::Quad>) {
-      PolytropicGas{K, gamma}.slopes(J, out);
+    if constexpr (std::same_as<T, actio::media::detail::Quad>) {
+      media::PolytropicGas{K, gamma}.slopes(J, out);
       for (int k = 0; k < 4; ++k) out[k] = out[k] + T(B);
     } else {
       for (int k = 0; k < 4; ++k) out[k] = slope(J[k]);
@@ -41,7 +41,7 @@ struct GasLaw {
   /// U from \f$\log J\f$, without loss where that is small and U is zero at J = 1.
   double energy_beyond(double log) const {
     if (B == 0) return K / (gamma - 1) * std::exp((1 - gamma) * log);
-    return K / (gamma - 1) * exponential_beyond_line((1 - gamma) * log) + B * exponential_beyond_line(log) +
+    return K / (gamma - 1) * media::exponential_beyond_line((1 - gamma) * log) + B * media::exponential_beyond_line(log) +
            (B - K) * log;
   }
   /// \f$U'\f$, likewise.

@@ -21,7 +21,7 @@ std::vector<std::pair<SceneTable, std::string>> keys_of_potentials(SceneFile con
 }
 
 template <int d>
-void examine_potentials(SceneFile const& file, MediumMesh const& mesh, BodyMesh const& body,
+void examine_potentials(SceneFile const& file, MediumMesh const& mesh, media::BodyMesh const& body,
                         MediumLoads<d> const& loads, std::vector<PointOfBody<d>> const& places) {
   auto const keys = keys_of_potentials<d>(file);
   for (std::size_t p = 0; p < keys.size(); ++p) {
@@ -57,7 +57,7 @@ void examine_potentials(SceneFile const& file, MediumMesh const& mesh, BodyMesh 
 /// A force on a side that something else holds does nothing.
 template <int d>
 void examine_forces(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d> const& loads) {
-  using Kind = typename BodySide<d>::Kind;
+  using Kind = typename media::BodySide<d>::Kind;
   auto const held = [&](std::string const& side) -> std::string {
     auto const found = loads.sides.find(side);
     if (found == loads.sides.end() || found->second.kind == Kind::free) return "";
@@ -89,14 +89,14 @@ void examine_forces(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
 template <int d>
 struct Sided {
   std::string side;
-  BodySide<d> const* does;
+  media::BodySide<d> const* does;
 };
 
 template <int d>
 class MotionExamination {
  public:
-  using Kind = typename BodySide<d>::Kind;
-  MotionExamination(SceneFile const& file, BodyMesh const& body, MediumLoads<d> const& loads,
+  using Kind = typename media::BodySide<d>::Kind;
+  MotionExamination(SceneFile const& file, media::BodyMesh const& body, MediumLoads<d> const& loads,
                     ExaminedStart<d> const& start, double until)
       : motion_(file.section("system.load").has("motion") ? file.section("system.load").inside("motion")
                                                           : file.section("system.load")),
@@ -176,7 +176,7 @@ class MotionExamination {
   }
 
   SceneTable motion_;
-  BodyMesh const& body_;
+  media::BodyMesh const& body_;
   ExaminedStart<d> const& start_;
   double until_, near_ = 0;
   std::map<int, std::vector<Sided<d>>> nodes_;
@@ -186,7 +186,7 @@ class MotionExamination {
 }  // namespace
 
 template <int d>
-std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, BodyMesh const& body,
+std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, media::BodyMesh const& body,
                                         MediumLoads<d> const& loads, ExaminedStart<d> const& start,
                                         double until) {
   examine_forces<d>(file, mesh, loads);
@@ -196,13 +196,13 @@ std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const&
 }
 
 /// Along a line.
-template std::vector<std::string> examined_loads<1>(SceneFile const&, MediumMesh const&, BodyMesh const&,
+template std::vector<std::string> examined_loads<1>(SceneFile const&, MediumMesh const&, media::BodyMesh const&,
                                                     MediumLoads<1> const&, ExaminedStart<1> const&, double);
 /// In the plane.
-template std::vector<std::string> examined_loads<2>(SceneFile const&, MediumMesh const&, BodyMesh const&,
+template std::vector<std::string> examined_loads<2>(SceneFile const&, MediumMesh const&, media::BodyMesh const&,
                                                     MediumLoads<2> const&, ExaminedStart<2> const&, double);
 /// In space.
-template std::vector<std::string> examined_loads<3>(SceneFile const&, MediumMesh const&, BodyMesh const&,
+template std::vector<std::string> examined_loads<3>(SceneFile const&, MediumMesh const&, media::BodyMesh const&,
                                                     MediumLoads<3> const&, ExaminedStart<3> const&, double);
 
 }  // namespace actio::scene

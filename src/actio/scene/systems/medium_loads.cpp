@@ -31,7 +31,7 @@ struct Evaluated {
 
 /// A potential per mass in the coordinates of space.
 template <int d>
-SpacePotential<d> read_potential(SceneTable const& table, std::string const& key) {
+media::SpacePotential<d> read_potential(SceneTable const& table, std::string const& key) {
   using Place = std::array<double, d>;
   if (!table.is_text(key))
     table.fail(
@@ -77,7 +77,7 @@ SpacePotential<d> read_potential(SceneTable const& table, std::string const& key
 
 /// A motion of a side, formulas in X, Y, Z and t.
 template <int d>
-PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side,
+media::PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side,
                                 std::vector<LoadInTime>& in_time) {
   using Place = std::array<double, d>;
   auto variables = first_names({"X", "Y", "Z"}, d);
@@ -163,7 +163,7 @@ void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>&
     if (mesh.sides.at(side) != "free")
       table.fail(side, fmt::format("motion: the side '{}' is {} and cannot be moved besides", side,
                                    mesh.sides.at(side)));
-    out.sides[side] = {BodySide<d>::Kind::moved, read_motion<d>(table, side, out.in_time)};
+    out.sides[side] = {media::BodySide<d>::Kind::moved, read_motion<d>(table, side, out.in_time)};
   }
 }
 
@@ -219,7 +219,7 @@ bool has_loads(SceneFile const& file) {
 
 template <int d>
 MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh) {
-  using Kind = typename BodySide<d>::Kind;
+  using Kind = typename media::BodySide<d>::Kind;
   MediumLoads<d> out;
   for (auto const& [name, does] : mesh.sides) {
     if (does == "free") continue;

@@ -68,8 +68,8 @@ MaterialLoop<2> boundary_loop(MediumCells<2> const& cells) {
   std::map<int, int> next;
   for (int const pass : {0, 1})
     for (std::size_t c = 0; c < cells.cells(); ++c)
-      for (int f = 0; f < facet_count(cells.shape()); ++f) {
-        auto const& corners = facet_corners(cells.shape(), f);
+      for (int f = 0; f < media::facet_count(cells.shape()); ++f) {
+        auto const& corners = media::facet_corners(cells.shape(), f);
         auto const cell = cells.cell(c);
         int const a = cell.nodes[static_cast<std::size_t>(corners[0])],
                   b = cell.nodes[static_cast<std::size_t>(corners[1])];
@@ -110,12 +110,12 @@ MaterialLoop<d> loop_of_side(SceneTable const& table, std::string const& key, Me
         for (long const end : {0, 1}) {
           std::array<long, 2> at{};
           at[a] = end * mesh.cells[a];
-          if (side == actio::detail::side_names[a][end] && mesh.periodic[1 - a])
+          if (side == actio::media::detail::side_names[a][end] && mesh.periodic[1 - a])
             out = BoxRows<2>(mesh).around(1 - a, at);
         }
     } else {
       std::map<int, int> next;
-      BodyMesh const body = mesh.make();
+      media::BodyMesh const body = mesh.make();
       for (auto const& facet : body.sides.at(side)) next[facet[0]] = facet[1];
       out = taken_chain(next);
       if (!next.empty()) out = {};

@@ -82,7 +82,7 @@ struct MooneyRivlinOfGradient {
 template <int d>
 double strain_energy(MooneyRivlinOfGradient const& medium, Matrix<double, d, d> const& E) {
   auto const& [c1, c2, volume] = medium.law;
-  StrainMeasures<d> const of(E);
+  media::StrainMeasures<d> const of(E);
   return 2 * (c1 + (d - 1) * c2) * of.distortion + 4 * c2 * of.second +
          volume.lambda / 2 * of.logarithm * of.logarithm;
 }
@@ -90,11 +90,11 @@ double strain_energy(MooneyRivlinOfGradient const& medium, Matrix<double, d, d> 
 template <int d>
 Matrix<double, d, d> strain_stress(MooneyRivlinOfGradient const& medium, Matrix<double, d, d> const& E) {
   auto const& [c1, c2, volume] = medium.law;
-  StrainMeasures<d> const of(E);
+  media::StrainMeasures<d> const of(E);
   double const J = 1 + of.volume;
   Matrix<double, d, d> left = E * (4 * (c1 + (d - 1) * c2)), rest = E * (-4 * c2);
   for (int i = 0; i < d; ++i) left(i, i) += volume.lambda * of.logarithm, rest(i, i) += 4 * c2 * E.trace();
-  return left * cofactors(beyond_identity<d>(E * 2)) * (1 / (J * J)) + rest;
+  return left * media::cofactors(media::beyond_identity<d>(E * 2)) * (1 / (J * J)) + rest;
 }
 
 std::vector<std::string> names_of(bool fluid) {
@@ -182,24 +182,24 @@ bool pressure_is_of_density(Material const& material) {
 }
 
 template <int d>
-std::shared_ptr<StoredEnergy<d> const> stored_energy_of(Material const& material) {
+std::shared_ptr<media::StoredEnergy<d> const> stored_energy_of(Material const& material) {
   std::string const& name = material.record->name;
   auto const& c = material.constants;
-  if (name == "polytropic_gas") return stored_energy<d>(isentropic_gas(c[0], c[1]));
-  if (name == "shallow_water") return stored_energy<d>(isentropic_gas(c[0] / 2, 2));
-  if (name == "tait") return stored_energy<d>(per_volume(FastFluid{GasLaw{c[0], c[1], c[0]}}));
+  if (name == "polytropic_gas") return media::stored_energy<d>(media::isentropic_gas(c[0], c[1]));
+  if (name == "shallow_water") return media::stored_energy<d>(media::isentropic_gas(c[0] / 2, 2));
+  if (name == "tait") return media::stored_energy<d>(media::per_volume(media::FastFluid{GasLaw{c[0], c[1], c[0]}}));
   if (name == "saint_venant_kirchhoff")
-    return stored_energy<d>(per_volume(FastStVenantKirchhoff{c[0], c[1]}));
+    return media::stored_energy<d>(media::per_volume(media::FastStVenantKirchhoff{c[0], c[1]}));
   if (name == "neo_hookean")
-    return stored_energy<d>(per_volume(FastNeoHookean{c[0], QuadraticLaw{c[0], c[1]}}));
-  return stored_energy<d>(
-      per_volume(MooneyRivlinOfGradient{MooneyRivlin{c[0], c[1], LogarithmicVolume<double>{c[2]}}}));
+    return media::stored_energy<d>(media::per_volume(media::FastNeoHookean{c[0], media::QuadraticLaw{c[0], c[1]}}));
+  return media::stored_energy<d>(
+      media::per_volume(MooneyRivlinOfGradient{MooneyRivlin{c[0], c[1], LogarithmicVolume<double>{c[2]}}}));
 }
 /// Along a line.
-template std::shared_ptr<StoredEnergy<1> const> stored_energy_of<1>(Material const&);
+template std::shared_ptr<media::StoredEnergy<1> const> stored_energy_of<1>(Material const&);
 /// In the plane.
-template std::shared_ptr<StoredEnergy<2> const> stored_energy_of<2>(Material const&);
+template std::shared_ptr<media::StoredEnergy<2> const> stored_energy_of<2>(Material const&);
 /// In space.
-template std::shared_ptr<StoredEnergy<3> const> stored_energy_of<3>(Material const&);
+template std::shared_ptr<media::StoredEnergy<3> const> stored_energy_of<3>(Material const&);
 
 }  // namespace actio::scene

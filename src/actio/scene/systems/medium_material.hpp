@@ -33,6 +33,6 @@ bool pressure_is_of_density(Material const& material);
 
 /// Its stored energy in d dimensions, 1, 2 or 3.
 template <int d>
-std::shared_ptr<StoredEnergy<d> const> stored_energy_of(Material const& material);
+std::shared_ptr<media::StoredEnergy<d> const> stored_energy_of(Material const& material);
 
 }  // namespace actio::scene

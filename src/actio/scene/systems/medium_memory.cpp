@@ -26,7 +26,7 @@ struct Counted {
 
   Counted(MediumMesh const& mesh, Request const& request)
       : d(mesh.dimension), nodes(mesh.node_count()), cells(mesh.cell_count()), vector(8 * d * nodes) {
-    bool const simplices = mesh.read && is_simplex(mesh.read->shape);
+    bool const simplices = mesh.read && media::is_simplex(mesh.read->shape);
     corners = simplices ? d + 1 : std::exp2(d), points = simplices || d == 1 ? 1 : corners;
     around = std::find(mesh.periodic.begin(), mesh.periodic.end(), true) != mesh.periodic.end();
     auto const asked = [&](char const* name) {
@@ -101,7 +101,7 @@ double bytes_on_plain_road(Counted const& body, MediumMesh const& mesh, Request 
   double const surface = 2 * body.d * std::pow(body.nodes, 1 - 1 / body.d);
   double const cell = 32 + 4 * body.corners + (body.around ? 8 + body.corners : 0) +
                       8 * body.points * (body.d * body.d + 2) + (viscous ? 8 : 0) +
-                      (body.corners == 8 && mesh.shape != "box" ? sizeof(CornerCorrection<double, 3>) : 0);
+                      (body.corners == 8 && mesh.shape != "box" ? sizeof(media::CornerCorrection<double, 3>) : 0);
   double const kept = 24 * body.nodes + cell * body.cells + 8 * body.nodes +
                       (24 + held * (32 + 8 * (body.d + body.d * body.d))) * surface +
                       (13 + (viscous ? 2 : 0)) * body.vector +

@@ -7,7 +7,7 @@ namespace actio::scene {
 namespace {
 
 template <int d>
-BodyStart<d> start_of(std::shared_ptr<MediumStart> const& start) {
+media::BodyStart<d> start_of(std::shared_ptr<MediumStart> const& start) {
   using Place = std::array<double, d>;
   return {[start](Place const& X) {
             double rho = 0;
@@ -37,7 +37,7 @@ class MeshMotion final : public MotionOnMesh<d> {
                 {1, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
         cells_(medium_.mesh()),
         fluid_(road.material.record->fluid && d > 1),
-        conserves_form_(road.conserve == Conserve::form),
+        conserves_form_(road.conserve == media::Conserve::form),
         watch_(1, 32, fluid_, conserves_form_),
         walls_(road.loads, medium_.mesh(), medium_.places()) {}
 
@@ -70,7 +70,7 @@ class MeshMotion final : public MotionOnMesh<d> {
   std::vector<Place> places() const override { return medium_.places(); }
   std::vector<Place> velocities() const override { return medium_.velocities(); }
   double mass(std::size_t node) const override { return medium_.masses()[node]; }
-  BodyEnergies energies() const override { return medium_.energies(); }
+  media::BodyEnergies energies() const override { return medium_.energies(); }
   double dissipated() const override { return medium_.dissipated(); }
   double longest_step() const override { return medium_.largest_step_of_waves(); }
   double longest_in_one_part() const override { return medium_.largest_step_of_viscosity(); }
@@ -84,9 +84,9 @@ class MeshMotion final : public MotionOnMesh<d> {
   void sound(Steps const& steps) {
     try {
       steps();
-    } catch (BodyCellInverts const& error) {
+    } catch (media::BodyCellInverts const& error) {
       end_inside_out(error, medium_.time(), fluid_);
-    } catch (BodyStepUnsolved const& error) {
+    } catch (media::BodyStepUnsolved const& error) {
       end_inside_out(error, medium_.time(), fluid_);
     }
   }
@@ -103,7 +103,7 @@ class MeshMotion final : public MotionOnMesh<d> {
     });
   }
 
-  MediumOnMesh<d> medium_;
+  media::MediumOnMesh<d> medium_;
   MeshCells<d> cells_;
   bool fluid_;  // nothing resists shear
   bool conserves_form_;

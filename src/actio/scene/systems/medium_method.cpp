@@ -10,11 +10,11 @@
 namespace actio::scene {
 namespace {
 
-ArtificialViscosity read_viscosity(SceneTable const& method, bool plain) {
+media::ArtificialViscosity read_viscosity(SceneTable const& method, bool plain) {
   if (!method.has("viscosity")) return {};
   SceneTable const table = method.inside("viscosity");
   table.allow({"linear", "quadratic"});
-  ArtificialViscosity out;
+  media::ArtificialViscosity out;
   for (auto const& [key, value] :
        {std::pair{"linear", &out.linear}, std::pair{"quadratic", &out.quadratic}}) {
     if (!table.has(key)) continue;
@@ -68,7 +68,7 @@ MediumMethod read_medium_method(SceneFile const& file) {
   out.order = read_method(method, medium_methods()).number();
   if (!method.has("conserve")) method.set("conserve", "form");
   if (method.choice("conserve", "value of conserve", {"form", "energy"}) == "energy")
-    out.conserve = Conserve::energy;
+    out.conserve = media::Conserve::energy;
   out.viscosity = read_viscosity(method, out.plain());
   return out;
 }

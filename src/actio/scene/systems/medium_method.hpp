@@ -14,10 +14,10 @@ std::vector<Method> medium_methods();
 /// `[method]` without the step.
 struct MediumMethod {
   int order = 2;                       ///< of the steps: 2 or 4
-  Conserve conserve = Conserve::form;  ///< what they keep
-  ArtificialViscosity viscosity = {};  ///< what spreads shocks
+  media::Conserve conserve = media::Conserve::form;  ///< what they keep
+  media::ArtificialViscosity viscosity = {};  ///< what spreads shocks
   /// Whether steps are those of the fast road.
-  bool plain() const { return order == 2 && conserve == Conserve::form && !viscosity.any(); }
+  bool plain() const { return order == 2 && conserve == media::Conserve::form && !viscosity.any(); }
 };
 /// Reads it, and writes defaults back.
 /// @throws SceneError  where a key is refused

@@ -19,7 +19,7 @@ class MediumCells {
     std::array<unsigned char, 8> wraps{};  ///< of the corners
   };
   virtual ~MediumCells() = default;
-  virtual BodyMesh::Shape shape() const = 0;               ///< of every cell
+  virtual media::BodyMesh::Shape shape() const = 0;               ///< of every cell
   virtual std::size_t nodes() const = 0;                   ///< how many there are
   virtual std::size_t cells() const = 0;                   ///< how many there are
   virtual Place reference(std::size_t node) const = 0;     ///< X of a node, length
@@ -29,28 +29,28 @@ class MediumCells {
 
   /// Where the corners of a cell are, given the places of all nodes.
   void gather(Cell const& cell, std::vector<Place> const& x, Place (&at)[8]) const {
-    for (int b = 0; b < corner_count(shape()); ++b) {
+    for (int b = 0; b < media::corner_count(shape()); ++b) {
       at[b] = x[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)])];
       beyond(cell, b, at[b]);
     }
   }
   /// Where the corners of a cell are in the reference space.
   void gather_reference(Cell const& cell, Place (&at)[8]) const {
-    for (int b = 0; b < corner_count(shape()); ++b) {
+    for (int b = 0; b < media::corner_count(shape()); ++b) {
       at[b] = reference(static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)]));
       beyond(cell, b, at[b]);
     }
   }
   /// How far the corners of a cell are from there, without loss where that is little.
   void gather_displacement(Cell const& cell, std::vector<Place> const& x, Place (&moved)[8]) const {
-    for (int b = 0; b < corner_count(shape()); ++b) {
+    for (int b = 0; b < media::corner_count(shape()); ++b) {
       auto const node = static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)]);
       Place const X = reference(node);
       for (int k = 0; k < d; ++k) moved[b][k] = x[node][k] - X[k];
     }
   }
   /// How many deformation gradients a cell has: at each corner of a box-like one, otherwise one.
-  int points() const { return is_simplex(shape()) || d == 1 ? 1 : corner_count(shape()); }
+  int points() const { return media::is_simplex(shape()) || d == 1 ? 1 : media::corner_count(shape()); }
   /// The corners at both ends of edge k of a point of a cell.
   std::array<int, 2> ends(int point, int k) const {
     if (points() == 1) return {0, k + 1};
@@ -66,18 +66,18 @@ class MediumCells {
     return out;
   }
   /// What corners of a cell need besides their edges.
-  CornerCorrection<double, d> correction(Place const (&from)[8]) const {
+  media::CornerCorrection<double, d> correction(Place const (&from)[8]) const {
     if constexpr (d == 3)
-      if (shape() == BodyMesh::Shape::hexahedron) {
+      if (shape() == media::BodyMesh::Shape::hexahedron) {
         Matrix<double, 3, 8> places;
         for (int b = 0; b < 8; ++b)
           for (int a = 0; a < 3; ++a) places(a, b) = from[b][a];
-        return corner_correction<double, 3>(places);
+        return media::corner_correction<double, 3>(places);
       }
     return {};
   }
   /// What places or velocities of corners add by it to the deformation gradients at all points of a cell.
-  static Matrix<double, d, d> common(CornerCorrection<double, d> const& of, Place const (&at)[8]) {
+  static Matrix<double, d, d> common(media::CornerCorrection<double, d> const& of, Place const (&at)[8]) {
     return of.template common<double, d>([&](int b, int a) { return at[b][a]; });
   }
   /// The part of a cell that a point stands for, over the determinant of its edges, without a correction.
@@ -107,7 +107,7 @@ std::pair<double, std::size_t> least_jacobian(MediumCells<d> const& cells,
       Matrix<double, d, d> const A = cells.edges(from, p);
       Matrix<double, d, d> a = cells.edges(at, p);
       if (correction.any) a += cells.common(correction, at) * A;
-      double const J = small_determinant(a) / small_determinant(A);
+      double const J = media::small_determinant(a) / media::small_determinant(A);
       if (!(J >= least.first)) least = {J, c};
       if (!(J == J)) return least;
     }
@@ -132,7 +132,7 @@ class MediumMotion : public Motion {
   virtual std::vector<Place> places() const = 0;      ///< of the nodes, length
   virtual std::vector<Place> velocities() const = 0;  ///< of the nodes, length/time
   virtual double mass(std::size_t node) const = 0;    ///< of a node
-  virtual BodyEnergies energies() const = 0;          ///< now
+  virtual media::BodyEnergies energies() const = 0;          ///< now
   virtual double dissipated() const { return 0; }     ///< by viscosity, energy
 
  private:
@@ -161,8 +161,8 @@ template <int d>
 class MeshCells final : public MediumCells<d> {
  public:
   /// @param mesh  outlives it
-  explicit MeshCells(BodyMesh const& mesh) : mesh_(mesh) {}
-  BodyMesh::Shape shape() const override { return mesh_.shape; }
+  explicit MeshCells(media::BodyMesh const& mesh) : mesh_(mesh) {}
+  media::BodyMesh::Shape shape() const override { return mesh_.shape; }
   std::size_t nodes() const override { return mesh_.nodes.size(); }
   std::size_t cells() const override { return mesh_.cells.size(); }
   std::array<double, d> reference(std::size_t node) const override {
@@ -179,7 +179,7 @@ class MeshCells final : public MediumCells<d> {
   std::string name(std::size_t number) const override { return mesh_.cell_name(static_cast<int>(number)); }
 
  private:
-  BodyMesh const& mesh_;
+  media::BodyMesh const& mesh_;
 };
 
 }  // namespace actio::scene

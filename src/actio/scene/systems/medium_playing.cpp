@@ -36,7 +36,7 @@ DrawnMesh drawn_mesh(MediumCells<d> const& cells) {
   for (std::size_t k = 0; k < at_corners.size(); ++k) at_corners[k] = grid.corner(k);
   if (d > 1)
     return DrawnMesh::of(d, std::move(points), std::move(nodes), at_corners,
-                         static_cast<std::size_t>(corner_count(cells.shape())));
+                         static_cast<std::size_t>(media::corner_count(cells.shape())));
   auto const [first, last] = std::minmax_element(points.begin(), points.end(),
                                                  [](auto const& a, auto const& b) { return a[0] < b[0]; });
   double const height = 0.08 * ((*last)[0] - (*first)[0]);
@@ -80,7 +80,7 @@ void add_frame(PlayedMedium& played, MediumView<d> const& medium, DrawnMesh cons
     }
   }
   auto& speeds = played.fields[size].values.emplace_back();
-  int const corners = corner_count(cells.shape());
+  int const corners = media::corner_count(cells.shape());
   for (auto const& face : mesh.faces) {
     auto const cell = cells.cell(face.cell);
     double sum = 0;

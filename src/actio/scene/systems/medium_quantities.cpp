@@ -13,7 +13,7 @@ using Kind = Quantity::Kind;
 
 /// The square of the speed of sound along a dilation of the undeformed body.
 template <int d>
-double sound_squared(StoredEnergy<d> const& law, double density) {
+double sound_squared(media::StoredEnergy<d> const& law, double density) {
   Matrix<double, d, d> const one = Matrix<double, d, d>::Identity(), P = law.stress(one),
                              rate = law.stress_rate(one, one);
   double sum = 0;
@@ -67,7 +67,7 @@ class Observed {
     return {terms, rounding * per_speed * sound(), per_speed * sound()};
   }
   /// Of energies. What is stored where nothing moves is rounding, of terms that cancel.
-  QuantityGraph::Unit unit(BodyEnergies const& e) {
+  QuantityGraph::Unit unit(media::BodyEnergies const& e) {
     double mass = 0;
     for (std::size_t k = 0; k < motion().cells().nodes(); ++k) mass += motion().mass(k);
     double const at_rest = mass * sound() * sound(), sum = e.kinetic + std::abs(e.stored) + std::abs(e.loads);

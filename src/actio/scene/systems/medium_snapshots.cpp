@@ -225,7 +225,7 @@ class MediumSnapshots : public SnapshotWriter {
       first += wide;
     }
     file.points(at_points(points, true, [&](auto k) { return x[k]; }));
-    file.cells([&](std::size_t k) { return points.corner(k); }, corner_count(cells.shape()),
+    file.cells([&](std::size_t k) { return points.corner(k); }, media::corner_count(cells.shape()),
                vtk_type(cells.shape()));
     file.end(durable);
   }

@@ -157,7 +157,7 @@ template <int d>
 std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, MeshRoad<d>& road) {
   try {
     return road.motion();
-  } catch (NotABodyMesh const& error) {
+  } catch (media::NotABodyMesh const& error) {
     for (auto const& [name, side] : road.loads.sides)
       if (std::string(error.what()).starts_with("side '" + name + "'"))
         file.section("system.boundary").fail(name, std::string("boundary: ") + error.what());
@@ -192,7 +192,7 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
   double const longest = motion->longest_step();
   require_reachable_end(request.file, longest, request.schedule.until());
   simulation.step = medium_step(request, longest, frequency, simulation.remarks,
-                                motion->longest_in_one_part(), method.conserve == Conserve::form);
+                                motion->longest_in_one_part(), method.conserve == media::Conserve::form);
   motion->begin(simulation.step, longest);
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, std::move(motion),
@@ -235,8 +235,8 @@ Simulation prepare_medium(bool fluid, Request const& request) {
         "quantities: angular_momentum is that of bodies in the plane or in space");
   Simulation simulation(quantities_of(fluid, request.file));
   bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
-  if (plain_steps && (prepare_fast<FastBox2d>(simulation, request, mesh, fluid, material, start) ||
-                      prepare_fast<FastBox3d>(simulation, request, mesh, fluid, material, start)))
+  if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, fluid, material, start) ||
+                      prepare_fast<media::FastBox3d>(simulation, request, mesh, fluid, material, start)))
     return simulation;
   simulation.bytes = require_memory(request.file, mesh, false, request);
   if (d == 1)

@@ -20,12 +20,12 @@ class WallWatch {
 
   /// @param loads  with potentials; those that are quadratic are seen by any step
   /// @param body   nodes of its moved sides are where their motion has them, and pass through anything
-  WallWatch(MediumLoads<d> const& loads, BodyMesh const& body, std::vector<Place> const& places) {
+  WallWatch(MediumLoads<d> const& loads, media::BodyMesh const& body, std::vector<Place> const& places) {
     for (auto const& potential : loads.loads.potentials)
       if (!is_quadratic(potential, places)) potentials_.push_back(potential);
     free_.assign(body.nodes.size(), true);
     for (auto const& [name, side] : loads.sides)
-      if (side.kind == BodySide<d>::Kind::moved)
+      if (side.kind == media::BodySide<d>::Kind::moved)
         for (auto const& facet : body.sides.at(name))
           for (int const node : facet)
             if (node >= 0) free_[static_cast<std::size_t>(node)] = false;
@@ -67,18 +67,18 @@ class WallWatch {
     double value;
     Place gradient;
   };
-  static Known at(SpacePotential<d> const& potential, Place const& x) {
+  static Known at(media::SpacePotential<d> const& potential, Place const& x) {
     return {potential.value(x), potential.gradient(x)};
   }
 
   std::vector<Known> known_;  // of each node, by potentials
-  std::vector<SpacePotential<d>> potentials_;
+  std::vector<media::SpacePotential<d>> potentials_;
   std::vector<bool> free_;
   std::vector<Place> from_;
   double cell_ = 1;
 
   /// Whether the curvature is the same everywhere around the body.
-  static bool is_quadratic(SpacePotential<d> const& potential, std::vector<Place> const& places) {
+  static bool is_quadratic(media::SpacePotential<d> const& potential, std::vector<Place> const& places) {
     std::minstd_rand random(1);
     Place first{};
     for (int k = 0; k < 20; ++k) {
@@ -93,7 +93,7 @@ class WallWatch {
     return true;
   }
 
-  void examine(SpacePotential<d> const& potential, std::size_t node, Place const& x0, Known const& first,
+  void examine(media::SpacePotential<d> const& potential, std::size_t node, Place const& x0, Known const& first,
                Place const& x1, Known const& last, double step, double time) const {
     auto const along = [&](Place const& g) {
       double sum = 0;

@@ -96,7 +96,7 @@ class StepWatch {
     return sum;
   }
   static Matrix<double, d, d> inverse(Matrix<double, d, d> const& A) {
-    return cofactors(A).transpose() * (1 / small_determinant(A));
+    return media::cofactors(A).transpose() * (1 / media::small_determinant(A));
   }
   static Deformation deformation(MediumMotion<d> const& motion) {
     MediumCells<d> const& cells = motion.cells();
@@ -108,13 +108,13 @@ class StepWatch {
     for (std::size_t c = 0; c < cells.cells(); ++c) {
       auto const cell = cells.cell(c);
       cells.gather(cell, x, at), cells.gather_reference(cell, from);
-      for (int b = 0; b < corner_count(cells.shape()); ++b)
+      for (int b = 0; b < media::corner_count(cells.shape()); ++b)
         rate[b] = v[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(b)])];
       auto const correction = cells.correction(from);
       Matrix<double, d, d> const more = cells.common(correction, at);
       for (int p = 0; p < cells.points(); ++p) {
         Matrix<double, d, d> const back = inverse(cells.edges(from, p)), F = cells.edges(at, p) * back + more;
-        double const J = small_determinant(F), squeeze = square(cofactors(F)) / (J * J);
+        double const J = media::small_determinant(F), squeeze = square(media::cofactors(F)) / (J * J);
         if (squeeze > out.squeeze) out.squeeze = squeeze, out.cell = c, out.jacobian = J;
         out.stretch = std::max(out.stretch, square(F));
         if (p > 0) continue;

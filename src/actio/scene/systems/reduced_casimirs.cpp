@@ -26,7 +26,7 @@ std::vector<int> components_that_stay_zero(ReducedScene const& scene) {
 }
 /// The structure of an algebra by an ideal that is spanned by one vector of the basis: on its dual that
 /// component is zero.
-MatrixAlgebra without(MatrixAlgebra algebra, int component) {
+systems::MatrixAlgebra without(systems::MatrixAlgebra algebra, int component) {
   std::erase_if(algebra.constants,
                 [&](auto const& c) { return c.a == component || c.b == component || c.c == component; });
   for (auto& c : algebra.constants) c.a -= c.a > component, c.b -= c.b > component, c.c -= c.c > component;
@@ -36,12 +36,12 @@ MatrixAlgebra without(MatrixAlgebra algebra, int component) {
 }
 
 /// The Casimirs, on momentum and vectors.
-std::vector<Casimir> casimirs_of(ReducedScene const& scene) {
+std::vector<systems::Casimir> casimirs_of(ReducedScene const& scene) {
   auto const& algebra = scene.system->algebra;
   if (scene.carried.empty()) return casimirs(algebra);
   std::vector<std::string> names;
   for (auto const& vector : scene.carried) names.push_back(vector.name);
-  auto whole = semidirect_algebra(algebra, static_cast<int>(names.size()), algebra.size, names);
+  auto whole = systems::semidirect_algebra(algebra, static_cast<int>(names.size()), algebra.size, names);
   auto const zero = components_that_stay_zero(scene);
   for (std::size_t k = zero.size(); k-- > 0;) whole = without(std::move(whole), zero[k]);
   return casimirs(whole);
@@ -52,7 +52,7 @@ std::vector<Casimir> casimirs_of(ReducedScene const& scene) {
 void define_casimirs(Simulation& simulation, Request const& request, ReducedScene const& scene,
                      ReducedMotion const& motion) {
   if (std::ranges::find(request.quantities, "casimir") == request.quantities.end()) return;
-  auto const all = std::make_shared<std::vector<Casimir> const>(casimirs_of(scene));
+  auto const all = std::make_shared<std::vector<systems::Casimir> const>(casimirs_of(scene));
   if (all->empty())
     request.file.section("output").fail(
         "quantities", "casimir: the dual of this algebra has no Casimir of degree one or two");

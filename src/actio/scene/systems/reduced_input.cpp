@@ -18,7 +18,7 @@
 namespace actio::scene {
 namespace {
 
-MatrixAlgebra read_algebra(SceneTable const& system) {
+systems::MatrixAlgebra read_algebra(SceneTable const& system) {
   bool const named = system.has("group");
   if (named == system.has("algebra"))
     throw SceneError(named ? system.place("algebra") : system.place(),
@@ -27,7 +27,7 @@ MatrixAlgebra read_algebra(SceneTable const& system) {
                              "'algebra', a basis of matrices");
   std::string const key = named ? "group" : "algebra";
   try {
-    return named ? named_algebra(system.text(key)) : spanned_algebra(system.matrices(key));
+    return named ? systems::named_algebra(system.text(key)) : systems::spanned_algebra(system.matrices(key));
   } catch (SceneError const&) {
     throw;
   } catch (Error const& error) {
@@ -70,7 +70,7 @@ std::map<std::string, double> read_parameters(SceneTable const& system,
 
 /// A vector as long as the matrices have rows; on a group of rigid motions one without its last component is
 /// a direction, which the motion only turns.
-Eigen::VectorXd padded(SceneTable const& table, std::string const& key, MatrixAlgebra const& algebra) {
+Eigen::VectorXd padded(SceneTable const& table, std::string const& key, systems::MatrixAlgebra const& algebra) {
   auto numbers = table.numbers(key);
   auto const rows = static_cast<std::size_t>(algebra.size);
   bool const motions = algebra.name == "SE(2)" || algebra.name == "SE(3)";
@@ -85,7 +85,7 @@ Eigen::VectorXd padded(SceneTable const& table, std::string const& key, MatrixAl
   return Eigen::Map<Eigen::VectorXd const>(numbers.data(), algebra.size);
 }
 
-std::vector<CarriedVector> read_carried(SceneTable const& system, MatrixAlgebra const& algebra) {
+std::vector<CarriedVector> read_carried(SceneTable const& system, systems::MatrixAlgebra const& algebra) {
   std::vector<CarriedVector> out;
   if (!system.has("advected")) return out;
   SceneTable const table = system.inside("advected");
@@ -110,7 +110,7 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, MatrixAlgebra 
 }
 
 /// The names of the components of a carried vector.
-std::vector<std::string> components_of(CarriedVector const& vector, MatrixAlgebra const& algebra) {
+std::vector<std::string> components_of(CarriedVector const& vector, systems::MatrixAlgebra const& algebra) {
   std::vector<std::string> out;
   for (int i = 1; i <= algebra.size; ++i) out.push_back(vector.name + std::to_string(i));
   return out;
@@ -118,7 +118,7 @@ std::vector<std::string> components_of(CarriedVector const& vector, MatrixAlgebr
 
 /// Refuses a parameter, or a carried vector, that the Lagrangian does not use; a vector may be asked for.
 void require_used(SceneFile const& file, std::map<std::string, double> const& parameters,
-                  std::vector<CarriedVector> const& carried, MatrixAlgebra const& algebra,
+                  std::vector<CarriedVector> const& carried, systems::MatrixAlgebra const& algebra,
                   std::set<std::string, std::less<>> const& used) {
   SceneTable const system = file.section("system");
   for (auto const& [name, value] : parameters)
@@ -139,7 +139,7 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
   }
 }
 
-Tape read_lagrangian(SceneFile const& file, MatrixAlgebra const& algebra,
+Tape read_lagrangian(SceneFile const& file, systems::MatrixAlgebra const& algebra,
                      std::vector<CarriedVector> const& carried) {
   SceneTable const system = file.section("system");
   std::vector<std::string> names = algebra.components;
@@ -151,13 +151,13 @@ Tape read_lagrangian(SceneFile const& file, MatrixAlgebra const& algebra,
   return std::move(formula.value);
 }
 
-Eigen::MatrixXd read_configuration(SceneTable& initial, MatrixAlgebra const& algebra,
+Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra const& algebra,
                                    std::vector<std::string>& remarks) {
   if (!initial.has("configuration"))
     initial.set("configuration", Eigen::MatrixXd(Eigen::MatrixXd::Identity(algebra.size, algebra.size)));
   Eigen::MatrixXd const g = initial.matrix("configuration", algebra.size);
   double distance = 0;
-  if (!is_element(algebra, g, distance))
+  if (!systems::is_element(algebra, g, distance))
     initial.fail(
         "configuration",
         std::isfinite(distance)
@@ -187,7 +187,7 @@ std::string combination(Eigen::VectorXd const& direction, std::vector<std::strin
 }
 
 void require_regular(SceneTable const& system, ReducedScene const& scene) {
-  LegendreVelocity legendre(*scene.system);
+  systems::LegendreVelocity legendre(*scene.system);
   Eigen::MatrixXd const hessian = legendre.hessian(scene.velocity, scene.start.vectors);
   // Far below them, a quotient of one by them is beyond the numbers.
   constexpr double smallest = 1e-280;
@@ -196,7 +196,7 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
                 fmt::format("lagrangian: its second derivatives at the start are {:.3g} at most, and at "
                             "least {:.3g} is needed; a Lagrangian times a number has the same motion",
                             largest, smallest));
-  LeastRegular const least(hessian);
+  systems::LeastRegular const least(hessian);
   if (least.smallest > 1e-12 * least.largest) return;
   system.fail(
       "lagrangian",
@@ -206,13 +206,13 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
                   least.largest));
 }
 
-Chart read_chart(SceneTable const& method, MatrixAlgebra const& algebra) {
-  if (!method.is_text("name") || method.text("name") != "cayley_chart") return Chart::exponential;
-  if (!SpanOfMatrices(algebra).cayley_stays())
+systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const& algebra) {
+  if (!method.is_text("name") || method.text("name") != "cayley_chart") return systems::Chart::exponential;
+  if (!systems::SpanOfMatrices(algebra).cayley_stays())
     method.fail("name",
                 "cayley_chart: Cayley's transform does not map the algebra into this group, as it does for "
                 "SO(n), SE(2), SE(3), U(n), Sp(2n) and GL(n); natural_chart serves every group");
-  return Chart::cayley;
+  return systems::Chart::cayley;
 }
 
 }  // namespace
@@ -225,25 +225,25 @@ std::vector<std::string> carried_names(SceneFile const& file) {
 
 ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>& remarks) {
   SceneTable system = file.section("system"), initial = file.section("initial");
-  MatrixAlgebra algebra = read_algebra(system);
+  systems::MatrixAlgebra algebra = read_algebra(system);
   if (!system.has("side")) system.set("side", "left");
-  Side const side = system.choice("side", "side", {"left", "right"}) == "left" ? Side::left : Side::right;
+  systems::Side const side = system.choice("side", "side", {"left", "right"}) == "left" ? systems::Side::left : systems::Side::right;
   ReducedScene scene;
   scene.carried = read_carried(system, algebra);
   Tape l = read_lagrangian(file, algebra, scene.carried);
   scene.velocity = initial.numbers("velocity", algebra.dimension);
   scene.configuration = read_configuration(initial, algebra, remarks);
   Eigen::MatrixXd mover = scene.configuration;
-  if (side == Side::left) mover = inverse_matrix(scene.configuration, "configuration");
+  if (side == systems::Side::left) mover = inverse_matrix(scene.configuration, "configuration");
   for (auto const& vector : scene.carried) {
     Eigen::VectorXd const a = mover * vector.constant;
     scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());
   }
-  Chart const chart = read_chart(file.section("method"), algebra);
-  scene.system = std::make_shared<ReducedSystem const>(
+  systems::Chart const chart = read_chart(file.section("method"), algebra);
+  scene.system = std::make_shared<systems::ReducedSystem const>(
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
   try {
-    scene.start.momentum = LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
+    scene.start.momentum = systems::LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
   } catch (NotFinite const&) {
     system.fail("lagrangian",
                 "lagrangian: at the start its value or one of its derivatives is no finite number");

@@ -13,12 +13,12 @@
 namespace actio::scene {
 namespace {
 
-using G = SpanOfMatrices;
+using G = systems::SpanOfMatrices;
 
 /// What one step has done: where it leads, and how the group moved, E in g E (left) or E g (right).
 template <class S>
 struct StepDone {
-  ReducedPointOver<S> point;
+  systems::ReducedPointOver<S> point;
   Element<G, S> motion;
 };
 
@@ -29,35 +29,35 @@ class StepMap {
       : scheme_(std::move(scheme)), group_(scheme_.system->algebra), velocity_(std::move(velocity)) {}
 
   template <class S>
-  StepDone<S> operator()(double h, ReducedPointOver<S> const& from) const {
+  StepDone<S> operator()(double h, systems::ReducedPointOver<S> const& from) const {
     return scheme_.stages > 0 ? by_galerkin(h, from) : by_chart(h, from);
   }
-  ReducedSystem const& system() const { return *scheme_.system; }
+  systems::ReducedSystem const& system() const { return *scheme_.system; }
   G const& group() const { return group_; }
 
  private:
   template <class S>
-  StepDone<S> by_chart(double h, ReducedPointOver<S> const& from) const {
+  StepDone<S> by_chart(double h, systems::ReducedPointOver<S> const& from) const {
     StepDone<S> done{{}, identity<S>(group_)};
-    ChartMap const map(*scheme_.system, scheme_.fractions, velocity_);
+    systems::ChartMap const map(*scheme_.system, scheme_.fractions, velocity_);
     done.point = map(S(h), from, [&](S const& length, std::vector<S> const& v) {
-      Matrix<S> const a = hat_of_step(scheme_.system->algebra, length, v);
+      Matrix<S> const a = systems::hat_of_step(scheme_.system->algebra, length, v);
       Element<G, S> const moved{group_,
-                                scheme_.system->chart == Chart::cayley ? cayley(a) : matrix_exponential(a)};
-      done.motion = scheme_.system->side == Side::left ? done.motion * moved : moved * done.motion;
+                                scheme_.system->chart == systems::Chart::cayley ? cayley(a) : matrix_exponential(a)};
+      done.motion = scheme_.system->side == systems::Side::left ? done.motion * moved : moved * done.motion;
     });
     return done;
   }
   template <class S>
-  StepDone<S> by_galerkin(double h, ReducedPointOver<S> const& from) const {
-    TapeLagrangian const l(scheme_.system);
+  StepDone<S> by_galerkin(double h, systems::ReducedPointOver<S> const& from) const {
+    systems::TapeLagrangian const l(scheme_.system);
     auto const coordinates = [](auto const& list) {
       Coordinates<G, S> x(static_cast<Index>(list.size()));
       for (std::size_t i = 0; i < list.size(); ++i) x[static_cast<Index>(i)] = S(list[i]);
       return x;
     };
     MomentumState<G, S> const state{{group_, coordinates(from.momentum)}, {group_, coordinates(velocity_)}};
-    auto const done = scheme_.system->side == Side::left
+    auto const done = scheme_.system->side == systems::Side::left
                           ? galerkin_step_left<double>(l, scheme_.stages)(state, h)
                           : galerkin_step_right<double>(l, scheme_.stages)(state, h);
     auto const& p = done.state.momentum.components;
@@ -72,13 +72,13 @@ class StepMap {
 /// Momentum and vectors as one element of the dual of the algebra in which they move.
 class PointsAsMomenta {
  public:
-  explicit PointsAsMomenta(ReducedSystem const& system)
-      : group_(system.vectors ? semidirect_algebra(system.algebra, system.vectors, system.length())
+  explicit PointsAsMomenta(systems::ReducedSystem const& system)
+      : group_(system.vectors ? systems::semidirect_algebra(system.algebra, system.vectors, system.length())
                               : system.algebra),
         dimension_(static_cast<std::size_t>(system.dimension())) {}
 
   template <class S>
-  Momentum<G, S> operator()(ReducedPointOver<S> const& point) const {
+  Momentum<G, S> operator()(systems::ReducedPointOver<S> const& point) const {
     Momentum<G, S> mu{group_, Coordinates<G, S>(group_.dimension())};
     Index at = 0;
     for (S const& x : point.momentum) mu.components[at++] = x;
@@ -86,7 +86,7 @@ class PointsAsMomenta {
     return mu;
   }
   template <class S>
-  ReducedPointOver<S> back(Momentum<G, S> const& mu) const {
+  systems::ReducedPointOver<S> back(Momentum<G, S> const& mu) const {
     S const* const first = mu.components.data();
     return {{first, first + dimension_}, {first + dimension_, first + mu.components.size()}};
   }
@@ -97,7 +97,7 @@ class PointsAsMomenta {
 };
 
 /// The point now, over plain numbers.
-ReducedPointOver<double> point_of(ReducedMotion const& motion) {
+systems::ReducedPointOver<double> point_of(ReducedMotion const& motion) {
   return {motion.point().momentum, motion.point().vectors};
 }
 
@@ -124,10 +124,10 @@ class StepOnCotangentBundle {
 
   template <class S>
   Costate<G, S> operator()(Costate<G, S> const& at) const {
-    bool const left = step_.system().side == Side::left;
+    bool const left = step_.system().side == systems::Side::left;
     auto const& g = at.configuration;
     auto const p = left ? Ad_star(g, at.momentum) : at.momentum;
-    ReducedPointOver<S> from{{p.components.data(), p.components.data() + p.components.size()}, {}};
+    systems::ReducedPointOver<S> from{{p.components.data(), p.components.data() + p.components.size()}, {}};
     auto const mover = left ? inverse(g) : g;
     for (auto const& vector : carried_)
       for (Index i = 0; i < vector.constant.size(); ++i) {
@@ -166,7 +166,7 @@ double symplectic_defect_now(ReducedScheme const& scheme, double h, ReducedMotio
 }
 
 /// The largest difference of two points.
-double apart(ReducedPointOver<double> const& a, ReducedPointOver<double> const& b) {
+double apart(systems::ReducedPointOver<double> const& a, systems::ReducedPointOver<double> const& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.momentum.size(); ++i)
     largest = std::max(largest, std::abs(a.momentum[i] - b.momentum[i]));
@@ -236,7 +236,7 @@ class FollowingTangent : public ReducedMotion {
     stream(tangent);
     now_ = tangent_;
   }
-  ReducedPoint const& point() const override { return motion_->point(); }
+  systems::ReducedPoint const& point() const override { return motion_->point(); }
   Eigen::MatrixXd const& configuration() const override { return motion_->configuration(); }
   std::vector<double> const& velocity() const override { return motion_->velocity(); }
   Eigen::MatrixXd const* tangent() const override { return &now_; }
@@ -244,7 +244,7 @@ class FollowingTangent : public ReducedMotion {
  private:
   Eigen::MatrixXd tangent_over(double h) const {
     StepMap const step(scheme_, motion_->velocity());
-    return tangent_of([&](auto const& x) { return step(h, x).point; }, motion_->point());
+    return systems::tangent_of([&](auto const& x) { return step(h, x).point; }, motion_->point());
   }
 
   std::unique_ptr<ReducedMotion> motion_;

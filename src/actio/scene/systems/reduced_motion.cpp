@@ -10,7 +10,7 @@ namespace {
 /// In steps of the natural chart, or of a symmetric composition of it.
 class ChartMotion : public ReducedMotion {
  public:
-  ChartMotion(ReducedScheme scheme, double step, ReducedPoint const& start,
+  ChartMotion(ReducedScheme scheme, double step, systems::ReducedPoint const& start,
               std::vector<double> const& velocity, Eigen::MatrixXd const& configuration)
       : scheme_(std::move(scheme)),
         step_(step),
@@ -40,23 +40,23 @@ class ChartMotion : public ReducedMotion {
   }
   void change_step(double first, double step, long) override {
     look_ahead(first);
-    ChartIntegrator steps(scheme_.system, step, scheme_.fractions, point(), velocity());
+    systems::ChartIntegrator steps(scheme_.system, step, scheme_.fractions, point(), velocity());
     if (scheme_.with_configuration) steps.follow_configuration(configuration());
     steps_ = std::move(steps), step_ = step;
     ahead_.reset();
   }
   void remember(CheckpointStream& stream) override { steps_.remember(stream); }
-  ReducedPoint const& point() const override { return now().point(); }
+  systems::ReducedPoint const& point() const override { return now().point(); }
   Eigen::MatrixXd const& configuration() const override { return now().configuration(); }
   std::vector<double> const& velocity() const override { return now().velocity(); }
 
  private:
-  ChartIntegrator const& now() const { return ahead_ ? *ahead_ : steps_; }
+  systems::ChartIntegrator const& now() const { return ahead_ ? *ahead_ : steps_; }
 
   ReducedScheme scheme_;
   double step_;
-  ChartIntegrator steps_;
-  std::optional<ChartIntegrator> ahead_;
+  systems::ChartIntegrator steps_;
+  std::optional<systems::ChartIntegrator> ahead_;
 };
 
 /// The start, for ever.
@@ -64,12 +64,12 @@ class Standing : public ReducedMotion {
  public:
   explicit Standing(ReducedScene const& scene)
       : point_(scene.start), configuration_(scene.configuration), velocity_(scene.velocity) {}
-  ReducedPoint const& point() const override { return point_; }
+  systems::ReducedPoint const& point() const override { return point_; }
   Eigen::MatrixXd const& configuration() const override { return configuration_; }
   std::vector<double> const& velocity() const override { return velocity_; }
 
  private:
-  ReducedPoint point_;
+  systems::ReducedPoint point_;
   Eigen::MatrixXd configuration_;
   std::vector<double> velocity_;
 };
@@ -85,11 +85,11 @@ double length_between(std::vector<double> a, std::vector<double> const& b) {
 
 /// A scheme that preserves the bracket has an energy that hardly changes, or no solution near the motion.
 /// @throws OutsideDomain  where a step changes the energy by more than half of the sizes of its parts
-void require_like_energy(ReducedSystem const& system, ReducedPoint const& start, ReducedPoint const& end,
+void require_like_energy(systems::ReducedSystem const& system, systems::ReducedPoint const& start, systems::ReducedPoint const& end,
                          std::vector<double> velocity) {
-  LegendreVelocity legendre(system);
+  systems::LegendreVelocity legendre(system);
   double size = 0;
-  auto const energy = [&](ReducedPoint const& at) {
+  auto const energy = [&](systems::ReducedPoint const& at) {
     legendre.solve(at.momentum, at.vectors, velocity);
     double const e = legendre.energy(velocity, at.vectors);
     double kinetic = 0;
@@ -119,7 +119,7 @@ StateDistance ReducedMotion::distance(Motion const& other) const {
   return out;
 }
 
-std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, ReducedPoint const& start,
+std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, systems::ReducedPoint const& start,
                                                      std::vector<double> const& velocity,
                                                      Eigen::MatrixXd const& configuration) const {
   auto const made = [&](Eigen::MatrixXd const& g) -> std::unique_ptr<ReducedMotion> {
@@ -132,7 +132,7 @@ std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, ReducedPoint c
   return made(configuration);
 }
 
-double ReducedScheme::longest_step(double step, double divisor, ReducedPoint const& start,
+double ReducedScheme::longest_step(double step, double divisor, systems::ReducedPoint const& start,
                                    std::vector<double> const& velocity) const {
   ReducedScheme trial = *this;
   trial.with_configuration = false;
@@ -151,7 +151,7 @@ double ReducedScheme::longest_step(double step, double divisor, ReducedPoint con
   return 0;
 }
 
-void ReducedScheme::fail(Error const& error, double step, ReducedPoint const& start,
+void ReducedScheme::fail(Error const& error, double step, systems::ReducedPoint const& start,
                          std::vector<double> const& velocity) const {
   if (double const longest = longest_step(step, 0, start, velocity); longest > 0)
     throw StepTooLong(name, step, longest);

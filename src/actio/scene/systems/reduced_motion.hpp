@@ -15,7 +15,7 @@ namespace actio::scene {
 /// A motion whose state is a momentum, carried vectors and, where it is followed, a configuration.
 class ReducedMotion : public Motion {
  public:
-  virtual ReducedPoint const& point() const = 0;             ///< momentum and vectors now
+  virtual systems::ReducedPoint const& point() const = 0;             ///< momentum and vectors now
   virtual Eigen::MatrixXd const& configuration() const = 0;  ///< now; empty where it is not followed
   virtual std::vector<double> const& velocity() const = 0;   ///< near the one now, for searches
   /// So many steps; what fails is thrown as it is.
@@ -29,7 +29,7 @@ class ReducedMotion : public Motion {
 
 /// What is stepped: the scheme, and from where.
 struct ReducedScheme {
-  std::shared_ptr<ReducedSystem const> system;  ///< that is stepped
+  std::shared_ptr<systems::ReducedSystem const> system;  ///< that is stepped
   int stages = 0;                               ///< of Galerkin's method; 0: the natural chart
   std::vector<double> fractions;                ///< of the substeps of the natural chart
   bool with_configuration = true;               ///< whether configurations are reconstructed
@@ -37,17 +37,17 @@ struct ReducedScheme {
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made
-  std::unique_ptr<ReducedMotion> motion(double step, ReducedPoint const& start,
+  std::unique_ptr<ReducedMotion> motion(double step, systems::ReducedPoint const& start,
                                         std::vector<double> const& velocity,
                                         Eigen::MatrixXd const& configuration) const;
   /// A length of steps that can be made from a state, shorter than this one: eight of them, and eight that
   /// are shorter by a fifth, and by another. Zero where none is found.
   /// @param divisor  of the times of the rows, which the step divides; zero: any length
-  double longest_step(double step, double divisor, ReducedPoint const& start,
+  double longest_step(double step, double divisor, systems::ReducedPoint const& start,
                       std::vector<double> const& velocity) const;
   /// Throws what says the longest step that would do where a step from a state fails; where none would, what
   /// it failed with.
-  [[noreturn]] void fail(Error const& error, double step, ReducedPoint const& start,
+  [[noreturn]] void fail(Error const& error, double step, systems::ReducedPoint const& start,
                          std::vector<double> const& velocity) const;
 };
 

@@ -8,7 +8,7 @@ namespace actio::scene {
 namespace {
 
 /// \f$\sqrt{|\mathrm{tr}\,\mathrm{ad}_v^2|}/2\f$.
-double turning(ReducedSystem const& system, Eigen::VectorXd const& v) {
+double turning(systems::ReducedSystem const& system, Eigen::VectorXd const& v) {
   auto const ad = system.algebra.ad(Vector<double>(v));
   double trace = 0;
   for (Index i = 0; i < ad.rows(); ++i)
@@ -23,19 +23,19 @@ Eigen::VectorXd as_vector(std::vector<double> const& list) {
 }  // namespace
 
 double fastest_rate(ReducedScene const& scene, double time) {
-  ReducedSystem const& system = *scene.system;
+  systems::ReducedSystem const& system = *scene.system;
   Eigen::VectorXd const v = as_vector(scene.velocity);
   double const turns = turning(system, v);
-  ChartMap const map(system, {1}, scene.velocity);
+  systems::ChartMap const map(system, {1}, scene.velocity);
   double h = turns > 0 ? std::min(time, 0.05 / turns) : time;
   for (int k = 0; k < 200; ++k) try {
-      Eigen::MatrixXd const tangent = tangent_of(
-          [&](ReducedPointOver<Moved<double>> const& x) { return map(Moved<double>(h), x); }, scene.start);
+      Eigen::MatrixXd const tangent = systems::tangent_of(
+          [&](systems::ReducedPointOver<Moved<double>> const& x) { return map(Moved<double>(h), x); }, scene.start);
       auto const n = tangent.rows();
-      double const radius = eigenvalues_of(tangent - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff();
-      auto const after = map(h, ReducedPointOver<double>{scene.start.momentum, scene.start.vectors});
+      double const radius = systems::eigenvalues_of(tangent - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff();
+      auto const after = map(h, systems::ReducedPointOver<double>{scene.start.momentum, scene.start.vectors});
       std::vector<double> v_after = scene.velocity;
-      LegendreVelocity(system).solve(after.momentum, after.vectors, v_after);
+      systems::LegendreVelocity(system).solve(after.momentum, after.vectors, v_after);
       double const grows = turning(system, as_vector(v_after) - v) / h;
       double const fastest = std::max({turns, radius / h, std::sqrt(grows)});
       // Of a step that is short for what it found the rates are those at the start.

@@ -22,7 +22,7 @@ std::vector<std::string> ends_of(std::vector<std::string> const& components) {
 /// What is computed of a state, with the work space for it.
 class Reader {
  public:
-  Reader(std::shared_ptr<ReducedSystem const> system, ReducedMotion const& motion)
+  Reader(std::shared_ptr<systems::ReducedSystem const> system, ReducedMotion const& motion)
       : system_(std::move(system)), motion_(motion), legendre_(*system_), velocity_(motion.velocity()) {}
 
   std::vector<double> const& velocity() {
@@ -45,7 +45,7 @@ class Reader {
   void momentum_across(double* out) const {
     Eigen::MatrixXd const& g = motion_.configuration();
     Eigen::MatrixXd const back = inverse_matrix(g, "configuration");
-    bool const left = system_->side == Side::left;
+    bool const left = system_->side == systems::Side::left;
     auto const& p = motion_.point().momentum;
     // What rounding leaves of it, far out on a group that is not compact.
     double const lost = 0x1p-52 * g.norm() * back.norm();
@@ -63,9 +63,9 @@ class Reader {
   }
 
  private:
-  std::shared_ptr<ReducedSystem const> system_;
+  std::shared_ptr<systems::ReducedSystem const> system_;
   ReducedMotion const& motion_;
-  LegendreVelocity legendre_;
+  systems::LegendreVelocity legendre_;
   std::vector<double> velocity_;
   double kinetic_ = 0;
 };
@@ -80,7 +80,7 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   auto const& algebra = scene.system->algebra;
   auto const ends = ends_of(algebra.components);
   auto const reader = std::make_shared<Reader>(scene.system, motion);
-  bool const left = scene.system->side == Side::left;
+  bool const left = scene.system->side == systems::Side::left;
   graph.define("velocity", ends, [reader](auto, double* out) { std::ranges::copy(reader->velocity(), out); });
   graph.define(left ? "body_momentum" : "spatial_momentum", ends,
                [&motion](auto, double* out) { std::ranges::copy(motion.point().momentum, out); });

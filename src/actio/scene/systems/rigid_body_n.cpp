@@ -25,7 +25,7 @@ void require_finite_start(SceneTable const& initial, StartOfBodyN const& start, 
                  "angular_velocity: the numbers are too large: energy and |M|^2 are beyond 1e308");
   if (!casimirs) return;
   int const n = start.inertia.group.n;
-  double const largest = skew_spectrum(start.momentum).maxCoeff(), most = largest_modulus_for_casimirs(n);
+  double const largest = bodies::skew_spectrum(start.momentum).maxCoeff(), most = largest_modulus_for_casimirs(n);
   if (largest > most)
     initial.fail("angular_velocity",
                  fmt::format("angular_velocity: the largest modulus in the spectrum of M is {}; with more "
@@ -104,7 +104,7 @@ Companion companion_of(StepsOfBodyN const& choice, StartOfBodyN const& start, do
   if (choice.chart && !wanted)
     return {nullptr, 0, 0, choice.attitude,
             "not estimated: it costs more than half of the run; output.error_estimate = true asks for it"};
-  Sweeps const sweeps = choice.order == 2 ? Sweeps::to_half_the_digits : Sweeps::to_rounding;
+  bodies::Sweeps const sweeps = choice.order == 2 ? bodies::Sweeps::to_half_the_digits : bodies::Sweeps::to_rounding;
   return companions(
       [&](long multiple) {
         return stepped_motion_n(choice, start, static_cast<double>(multiple) * step, sweeps);
@@ -124,7 +124,7 @@ Simulation prepare(Request const& request) {
   StartOfBodyN const start = read_start(system, initial, asked("casimir"), simulation.remarks);
   MethodChoice const asked_method = read_method(method, methods());
   StepsOfBodyN const choice{asked_method.name == "natural_chart", asked_method.number(), with_attitude};
-  double const fastest = skew_spectrum(start.velocity).maxCoeff();
+  double const fastest = bodies::skew_spectrum(start.velocity).maxCoeff();
   simulation.step =
       read_step(method, request.schedule, fastest, default_turn(choice, fastest, request.schedule.until()));
   simulation.steps_at_once =

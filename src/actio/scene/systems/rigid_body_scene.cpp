@@ -41,17 +41,17 @@ std::unique_ptr<TurningBody> free_motion(RigidBodyScene const& scene) {
     auto const fractions = order == 2   ? std::vector<double>{1}
                            : order == 4 ? suzuki<double>()
                                         : kahan_li<double>();
-    auto const steps = [=](FreeState const& start, double h) {
-      return NaturalChartSteps(inertia, start.body_momentum, start.attitude, h, fractions);
+    auto const steps = [=](bodies::FreeState const& start, double h) {
+      return bodies::NaturalChartSteps(inertia, start.body_momentum, start.attitude, h, fractions);
     };
-    return stepped_motion(StepsFrom<NaturalChartSteps>(steps), scene.start, scene.step);
+    return stepped_motion(StepsFrom<bodies::NaturalChartSteps>(steps), scene.start, scene.step);
   }
   bool const exact_flow = scene.choice.name == "variational";
-  auto const steps = [=](FreeState const& start, double h) {
-    FreeBody const body(inertia, start.body_momentum, start.attitude);
-    return exact_flow ? FreeSteps(body, h) : FreeSteps(body, h, body.moser_veselov_parameters(h, order));
+  auto const steps = [=](bodies::FreeState const& start, double h) {
+    bodies::FreeBody const body(inertia, start.body_momentum, start.attitude);
+    return exact_flow ? bodies::FreeSteps(body, h) : bodies::FreeSteps(body, h, body.moser_veselov_parameters(h, order));
   };
-  return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step);
+  return stepped_motion(StepsFrom<bodies::FreeSteps>(steps), scene.start, scene.step);
 }
 
 std::unique_ptr<TorquedMotion> torqued(RigidBodyScene const& scene, double step) {

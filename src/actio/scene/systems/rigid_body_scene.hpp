@@ -14,8 +14,8 @@ struct RigidBodyScene {
   std::vector<std::string> remarks;   ///< what was done to the input
   PrincipalInertia inertia;           ///< of the body
   std::optional<SceneTorque> torque;  ///< none: the body is free
-  FreeState start;                    ///< momentum and attitude
-  FreeBody free;                      ///< the body without its torque
+  bodies::FreeState start;                    ///< momentum and attitude
+  bodies::FreeBody free;                      ///< the body without its torque
   MethodChoice choice;                ///< of the method and its order
   double fastest,  ///< a bound of the angular velocity, or of what else the step is measured by, 1/time
       step;        ///< time

@@ -102,12 +102,12 @@ void SceneTorque::read_gradient(SceneTable const& gradient) {
   Eigen::Vector3d const towards = direction(table, "direction");
   symmetric_ = !turns, axis_ = towards;
   if (!turns) {
-    torque_ = gravity_gradient(inertia_.inertia, 3 * strength, towards);
+    torque_ = bodies::gravity_gradient(inertia_.inertia, 3 * strength, towards);
     return;
   }
   rate_ = rate, axis_ = direction(table, "normal");
   check_right_angle(table, towards, axis_);
-  GravityGradient orbit = gravity_gradient_in_orbit(inertia_.inertia, rate, towards, axis_);
+  bodies::GravityGradient orbit = bodies::gravity_gradient_in_orbit(inertia_.inertia, rate, towards, axis_);
   orbit.strength = 3 * strength;
   torque_ = orbit;
 }
@@ -120,7 +120,7 @@ void SceneTorque::read_uniform(SceneTable const& uniform) {
     throw SceneError(uniform.place(),
                      "[system.torque.uniform_gravity]: the numbers are too large: mass times lever "
                      "times acceleration is beyond 1e154");
-  torque_ = actio::uniform_gravity(weight, pull);
+  torque_ = actio::bodies::uniform_gravity(weight, pull);
   axis_ = -pull.stableNormalized().normalized(), symmetric_ = true;
 }
 
@@ -129,16 +129,16 @@ void SceneTorque::read_formula(SceneTable const& torque) {
   place_ = torque.place("potential");
   formula_in_time_ = potential.uses_time();
   if (int const axis = potential.axis(); axis >= 0) axis_ = Eigen::Vector3d::Unit(axis), symmetric_ = true;
-  torque_ = PotentialTorque<FormulaPotential>(std::move(potential));
+  torque_ = bodies::PotentialTorque<FormulaPotential>(std::move(potential));
 }
 
 double SceneTorque::potential(Eigen::Vector4d const& attitude, double time) const {
-  if (auto const* const gradient = std::get_if<GravityGradient>(&torque_))
+  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&torque_))
     // Its moments are those along the principal axes.
-    return gradient->potential({SU2{}, PrincipalAxes(inertia_.axes).enter(attitude)}, time);
-  if (auto const* const gravity = std::get_if<UniformGravity>(&torque_))
+    return gradient->potential({SU2{}, bodies::PrincipalAxes(inertia_.axes).enter(attitude)}, time);
+  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&torque_))
     return gravity->potential({SU2{}, attitude});
-  return std::get<PotentialTorque<FormulaPotential>>(torque_).potential({SU2{}, attitude}, time);
+  return std::get<bodies::PotentialTorque<FormulaPotential>>(torque_).potential({SU2{}, attitude}, time);
 }
 
 std::optional<SceneTorque> read_torque(SceneTable const& system, PrincipalInertia const& inertia) {

@@ -38,7 +38,7 @@ class SceneTorque {
   /// attitudes from bounds over all times, so that no short event is stepped over.
   /// @param until    the last time
   /// @param remarks  are told what was not found out
-  double pace(FreeState const& start, double until, std::vector<std::string>& remarks) const;
+  double pace(bodies::FreeState const& start, double until, std::vector<std::string>& remarks) const;
   /// How many steps take a few milliseconds, as `Simulation` has it.
   long steps_at_once() const;
 
@@ -46,15 +46,15 @@ class SceneTorque {
   void read_gradient(SceneTable const& gradient);
   void read_uniform(SceneTable const& uniform);
   void read_formula(SceneTable const& torque);
-  void check_start(FormulaPotential const& potential, FreeState const& start) const;
-  double pace_of(GravityGradient const& gradient, FreeState const& start) const;
-  double pace_of(UniformGravity const& gravity, FreeState const& start) const;
-  double pace_of(PotentialTorque<FormulaPotential> const& potential, FreeState const& start, double until,
+  void check_start(FormulaPotential const& potential, bodies::FreeState const& start) const;
+  double pace_of(bodies::GravityGradient const& gradient, bodies::FreeState const& start) const;
+  double pace_of(bodies::UniformGravity const& gravity, bodies::FreeState const& start) const;
+  double pace_of(bodies::PotentialTorque<FormulaPotential> const& potential, bodies::FreeState const& start, double until,
                  std::vector<std::string>& remarks) const;
 
   PrincipalInertia inertia_;
   Place place_;  // of the formula
-  AnyTorque torque_ = UniformGravity{};
+  AnyTorque torque_ = bodies::UniformGravity{};
   Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
   double rate_ = 0;
   bool formula_in_time_ = false, symmetric_ = false;

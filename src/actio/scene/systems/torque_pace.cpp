@@ -23,7 +23,7 @@ class Samples {
       : first_{first[0], first[1], first[2], first[3]}, until_(until), count_(count) {}
   bool next() { return ++n_ <= count_; }
   double time() const { return until_ * part(0.8566748838545029); }
-  Four<double> attitude() const {
+  bodies::Four<double> attitude() const {
     if (n_ == 0) return first_;
     // Two circles, the squares of whose radii share the unit.
     double const u = part(0.7338918566271260), a = 2 * std::numbers::pi * part(0.6287067210378087),
@@ -33,14 +33,14 @@ class Samples {
 
  private:
   double part(double power) const { return std::fmod(power * n_, 1.0); }
-  Four<double> first_;
+  bodies::Four<double> first_;
   double until_;
   int count_, n_ = -1;
 };
 
 }  // namespace
 
-double SceneTorque::pace_of(GravityGradient const& gradient, FreeState const& start) const {
+double SceneTorque::pace_of(bodies::GravityGradient const& gradient, bodies::FreeState const& start) const {
   // With T the kinetic energy, E - rate <M, axis> is conserved, and |M| is at most sqrt(2 I_max T): a
   // quadratic inequality for the root of T.
   Eigen::Vector3d const moments = inertia_.inertia.moments;
@@ -55,26 +55,26 @@ double SceneTorque::pace_of(GravityGradient const& gradient, FreeState const& st
   return std::max({fastest_turn(inertia_, root * root), std::sqrt(gradient.strength), std::abs(rate_)});
 }
 
-double SceneTorque::pace_of(UniformGravity const& gravity, FreeState const& start) const {
+double SceneTorque::pace_of(bodies::UniformGravity const& gravity, bodies::FreeState const& start) const {
   Eigen::Vector3d const lever(gravity.lever[0], gravity.lever[1], gravity.lever[2]);
   double const fall = lever.norm() + potential(start.attitude.value, 0);
   return std::max(fastest_turn(inertia_, kinetic_energy(inertia_, start.body_momentum) + fall),
                   swing_of_weight(inertia_, lever));
 }
 
-void SceneTorque::check_start(FormulaPotential const& potential, FreeState const& start) const {
+void SceneTorque::check_start(FormulaPotential const& potential, bodies::FreeState const& start) const {
   auto const& q = start.attitude.value;
-  NineEntries const rotation = rotation_entries({q[0], q[1], q[2], q[3]});
-  NineEntries slope;
+  bodies::NineEntries const rotation = bodies::rotation_entries({q[0], q[1], q[2], q[3]});
+  bodies::NineEntries slope;
   double const value = potential(rotation, 0, slope);
-  Three<double> const torque = torque_of_slope(rotation, slope);
-  if (!is_finite(value) || !is_finite(dot(torque, torque)))
+  bodies::Three<double> const torque = bodies::torque_of_slope(rotation, slope);
+  if (!is_finite(value) || !is_finite(bodies::dot(torque, torque)))
     throw SceneError(place_, fmt::format("potential: at the start it is {}, and the torque [{}, {}, {}], "
                                          "where finite numbers are needed",
                                          told(value), told(torque[0]), told(torque[1]), told(torque[2])));
 }
 
-double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, FreeState const& start,
+double SceneTorque::pace_of(bodies::PotentialTorque<FormulaPotential> const& torque, bodies::FreeState const& start,
                             double until, std::vector<std::string>& remarks) const {
   check_start(torque.function(), start);
   Eigen::Matrix3d const inverse = inertia_.inverse_tensor();
@@ -85,15 +85,15 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
   auto const operations = static_cast<double>(torque.function().operations_of_curvature());
   int const count = std::clamp(static_cast<int>(2e7 / (operations + 1)), 20, 2000);
   for (Samples samples(start.attitude.value, formula_in_time_ ? until : 0, count); samples.next();) {
-    NineEntries const rotation = rotation_entries(samples.attitude());
-    NineEntries slope;
+    bodies::NineEntries const rotation = bodies::rotation_entries(samples.attitude());
+    bodies::NineEntries slope;
     double const V = torque.function()(rotation, samples.time(), slope);
     Eigen::Matrix3d const K = torque.function().curvature(rotation, samples.time());
     // The body does not come where the potential has no value, or is above the energy.
     if (!is_finite(V) || !is_finite(K) || (!formula_in_time_ && V > kinetic + first)) continue;
     least = std::min(least, V), most = std::max(most, V);
     swing = std::max(swing, swing_frequency(inertia_, K));
-    Eigen::Vector3d const t(torque_of_slope(rotation, slope).data());
+    Eigen::Vector3d const t(bodies::torque_of_slope(rotation, slope).data());
     if (magnitude(t) > 0) lightest = std::max(lightest, t.normalized().dot(inverse * t.normalized()));
   }
   // What falls turns about the axes that there are torques about. Where the energy is not conserved it may
@@ -103,7 +103,7 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
   if (!formula_in_time_) return moves;
   ChangeInTime change{least, most};
   for (Samples samples(start.attitude.value, until, 3); samples.next();)
-    change.join(torque.function().change(rotation_entries(samples.attitude()), until,
+    change.join(torque.function().change(bodies::rotation_entries(samples.attitude()), until,
                                          moves * moves * (change.most - change.least)));
   if (!change.settled)
     remarks.push_back(fmt::format(
@@ -113,15 +113,15 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
   return std::max(moves, change.frequency());
 }
 
-double SceneTorque::pace(FreeState const& start, double until, std::vector<std::string>& remarks) const {
-  if (auto const* const gradient = std::get_if<GravityGradient>(&torque_)) return pace_of(*gradient, start);
-  if (auto const* const gravity = std::get_if<UniformGravity>(&torque_)) return pace_of(*gravity, start);
-  return pace_of(std::get<PotentialTorque<FormulaPotential>>(torque_), start, until, remarks);
+double SceneTorque::pace(bodies::FreeState const& start, double until, std::vector<std::string>& remarks) const {
+  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&torque_)) return pace_of(*gradient, start);
+  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&torque_)) return pace_of(*gravity, start);
+  return pace_of(std::get<bodies::PotentialTorque<FormulaPotential>>(torque_), start, until, remarks);
 }
 
 long SceneTorque::steps_at_once() const {
   constexpr long most = 1 << 14, kicks = 6;
-  auto const* const formula = std::get_if<PotentialTorque<FormulaPotential>>(&torque_);
+  auto const* const formula = std::get_if<bodies::PotentialTorque<FormulaPotential>>(&torque_);
   if (!formula) return most;
   auto const operations = static_cast<long>(formula->function().operations_of_slope());
   return std::clamp(10'000'000 / (kicks * (operations + 1)), 1L, most);

@@ -17,8 +17,8 @@ namespace {
 template <class Torque>
 class StepsOfTorque : public TorquedMotion {
  public:
-  StepsOfTorque(PrincipalInertia const& inertia, FreeState const& start, Torque torque, double step,
-                Splitting method)
+  StepsOfTorque(PrincipalInertia const& inertia, bodies::FreeState const& start, Torque torque, double step,
+                bodies::Splitting method)
       : inertia_(inertia), inverse_(inertia.inverse_tensor()), torque_(std::move(torque)), now_(start) {
     body_.emplace(inertia, start.body_momentum, start.attitude, torque_, step, std::move(method));
     now_ = body_->state();
@@ -27,7 +27,7 @@ class StepsOfTorque : public TorquedMotion {
     body_->step(steps);
     show(*body_);
     // The energy bounds how fast gravity makes a body turn; a formula may do anything.
-    if constexpr (std::is_same_v<Torque, PotentialTorque<FormulaPotential>>) check_turn();
+    if constexpr (std::is_same_v<Torque, bodies::PotentialTorque<FormulaPotential>>) check_turn();
   }
   void look_ahead(double time) override {
     show(*body_);
@@ -43,7 +43,7 @@ class StepsOfTorque : public TorquedMotion {
       on_the_way.step();
       show(on_the_way);
     }
-    body_.emplace(inertia_, now_.body_momentum, now_.attitude, torque_, step, Splitting(body_->method()));
+    body_.emplace(inertia_, now_.body_momentum, now_.attitude, torque_, step, bodies::Splitting(body_->method()));
     auto counted = [made](auto&, auto&, long& steps) { steps = made; };
     body_->remember(counted);
     show(*body_);
@@ -58,10 +58,10 @@ class StepsOfTorque : public TorquedMotion {
 
  private:
   /// The body as it is shown, with a step of this length.
-  TorquedBody<Torque> from_here(double step) const {
+  bodies::TorquedBody<Torque> from_here(double step) const {
     return {inertia_, now_.body_momentum, now_.attitude, torque_, step, body_->method(), time_};
   }
-  void show(TorquedBody<Torque> const& body) { now_ = body.state(), time_ = body.time(); }
+  void show(bodies::TorquedBody<Torque> const& body) { now_ = body.state(), time_ = body.time(); }
   void check_turn() const {
     double const turn = (inverse_ * body_momentum()).norm() * body_->step_length();
     if (turn > turn_of_a_step::most)
@@ -75,17 +75,17 @@ class StepsOfTorque : public TorquedMotion {
   PrincipalInertia inertia_;
   Eigen::Matrix3d inverse_;
   Torque torque_;
-  std::optional<TorquedBody<Torque>> body_;
-  FreeState now_;
+  std::optional<bodies::TorquedBody<Torque>> body_;
+  bodies::FreeState now_;
   double time_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<TorquedMotion> torqued_motion(PrincipalInertia const& inertia, FreeState const& start,
+std::unique_ptr<TorquedMotion> torqued_motion(PrincipalInertia const& inertia, bodies::FreeState const& start,
                                               AnyTorque const& torque, double step,
                                               std::string const& order) {
-  auto const method = order == "2" ? strang_splitting() : blanes_moan_splitting();
+  auto const method = order == "2" ? bodies::strang_splitting() : bodies::blanes_moan_splitting();
   return std::visit(
       [&](auto const& t) -> std::unique_ptr<TorquedMotion> {
         return std::make_unique<StepsOfTorque<std::decay_t<decltype(t)>>>(inertia, start, t, step, method);

@@ -15,7 +15,7 @@
 namespace actio::scene {
 
 /// The torques that a scene may name.
-using AnyTorque = std::variant<GravityGradient, UniformGravity, PotentialTorque<FormulaPotential>>;
+using AnyTorque = std::variant<bodies::GravityGradient, bodies::UniformGravity, bodies::PotentialTorque<FormulaPotential>>;
 
 /// A body under a torque, in steps.
 class TorquedMotion : public TurningBody {
@@ -26,7 +26,7 @@ class TorquedMotion : public TurningBody {
 
 /// The motion from a state at the time 0.
 /// @param order  of the scheme, as the scene has it: "2", which is Strang's, or "4", that of Blanes and Moan
-std::unique_ptr<TorquedMotion> torqued_motion(PrincipalInertia const& inertia, FreeState const& start,
+std::unique_ptr<TorquedMotion> torqued_motion(PrincipalInertia const& inertia, bodies::FreeState const& start,
                                               AnyTorque const& torque, double step, std::string const& order);
 
 /// Between two kicks the torque is taken to be as at the first of them. So the scheme is meant for steps in

@@ -88,7 +88,7 @@ void define_turning_body_n(QuantityGraph& graph, TurningBodyN const& motion,
   graph.define(
       "spectrum", numbered(1, n),
       [n](auto needs, double* moduli) {
-        Eigen::Map<Eigen::VectorXd>(moduli, n) = skew_spectrum(skew_matrix(needs[0], n));
+        Eigen::Map<Eigen::VectorXd>(moduli, n) = bodies::skew_spectrum(skew_matrix(needs[0], n));
       },
       [n](auto, double const* moduli, std::size_t) { return moduli[n - 1]; });
   graph.define("casimir", numbered(2, n, 2), [n](auto needs, double* casimirs) {

@@ -16,10 +16,10 @@ using Flow = std::shared_ptr<SphereFlow const>;
 
 void define_quadratic_invariants(QuantityGraph& graph, VorticityMotion const& motion, Flow const& flow) {
   graph.define("energy", {""}, [&motion, flow](auto, double* energy) {
-    *energy = vorticity_energy(flow->stream, motion.vorticity_but_for_rotation());
+    *energy = sphere::vorticity_energy(flow->stream, motion.vorticity_but_for_rotation());
   });
   graph.define("enstrophy", {""},
-               [&motion](auto, double* out) { *out = enstrophy(motion.vorticity_but_for_rotation()); });
+               [&motion](auto, double* out) { *out = sphere::enstrophy(motion.vorticity_but_for_rotation()); });
   // The root of the integral of the square of a coordinate, times that of the vorticity: no flow has more. It
   // is that of the flow, beside which the momentum of the sphere's own rotation may be large; but not so
   // small that the rounding of that is all there is to see.
@@ -30,8 +30,8 @@ void define_quadratic_invariants(QuantityGraph& graph, VorticityMotion const& mo
       },
       [&motion](auto, double const*, std::size_t) {
         return std::sqrt(4 * M_PI / 3 * 2 *
-                         std::max(enstrophy(motion.vorticity_but_for_rotation()),
-                                  1e-20 * enstrophy(motion.absolute_vorticity())));
+                         std::max(sphere::enstrophy(motion.vorticity_but_for_rotation()),
+                                  1e-20 * sphere::enstrophy(motion.absolute_vorticity())));
       });
 }
 
@@ -75,7 +75,7 @@ void define_values(QuantityGraph& graph, VorticityMotion const& motion, Flow con
 /// `use(l, power)` for each degree, from 1 on.
 template <class Use>
 void by_degree(VorticityMotion const& motion, double* out, Use const& use) {
-  SphereHarmonics const f = harmonics_of(motion.vorticity_but_for_rotation());
+  sphere::SphereHarmonics const f = sphere::harmonics_of(motion.vorticity_but_for_rotation());
   for (int l = 1; l < f.degrees(); ++l) out[l - 1] = use(l, f.power(l));
 }
 
@@ -93,9 +93,9 @@ void define_splitting(QuantityGraph& graph, VorticityMotion const& motion, Flow 
   graph.define("splitting", {"_steady_energy", "_steady_enstrophy", "_rest_energy", "_rest_enstrophy"},
                [&motion, flow](auto, double* out) {
                  auto const [steady, rest] =
-                     canonical_splitting(flow->stream, motion.vorticity_but_for_rotation());
-                 out[0] = vorticity_energy(flow->stream, steady), out[1] = enstrophy(steady);
-                 out[2] = vorticity_energy(flow->stream, rest), out[3] = enstrophy(rest);
+                     sphere::canonical_splitting(flow->stream, motion.vorticity_but_for_rotation());
+                 out[0] = sphere::vorticity_energy(flow->stream, steady), out[1] = sphere::enstrophy(steady);
+                 out[2] = sphere::vorticity_energy(flow->stream, rest), out[3] = sphere::enstrophy(rest);
                });
 }
 

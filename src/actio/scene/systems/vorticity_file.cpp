@@ -32,7 +32,7 @@ bool parse_row(std::string_view line, double (&row)[4]) {
 
 }  // namespace
 
-std::string put_coefficient(SphereHarmonics& f, Eigen::MatrixXi& lines, int line, double l, double m,
+std::string put_coefficient(sphere::SphereHarmonics& f, Eigen::MatrixXi& lines, int line, double l, double m,
                             double re, double im) {
   int const n = f.degrees();
   if (l != std::round(l) || m != std::round(m))
@@ -64,17 +64,17 @@ std::string put_coefficient(SphereHarmonics& f, Eigen::MatrixXi& lines, int line
   return "";
 }
 
-SphereHarmonics read_harmonics_file(std::string const& path, int n) {
+sphere::SphereHarmonics read_harmonics_file(std::string const& path, int n) {
   std::ifstream in(path, std::ios::binary);
   std::string const text{std::istreambuf_iterator<char>(in), {}};
   if (!in.is_open() || in.bad()) throw FileError(path + ": cannot be read");
   return read_harmonics(text, path, n);
 }
 
-SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n) {
+sphere::SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n) {
   std::istringstream in(text);
   skip_byte_order_mark(in);
-  SphereHarmonics f(n);
+  sphere::SphereHarmonics f(n);
   Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(n, n);
   int number = 0, last = 0;
   for (std::string line; std::getline(in, line);) {

@@ -10,12 +10,12 @@ constexpr double least_deformation = 1e-3, most_deformation = 1e3;
 
 }  // namespace
 
-SphereHarmonics SphereHamiltonian::vorticity_of(SphereHarmonics laplacian_of_psi) const {
+sphere::SphereHarmonics SphereHamiltonian::vorticity_of(sphere::SphereHarmonics laplacian_of_psi) const {
   for (int l = 1; l < laplacian_of_psi.degrees(); ++l)
     laplacian_of_psi.coefficient.row(l) *= divisor(l) / (l * (l + 1.0));
   return laplacian_of_psi;
 }
-SphereHarmonics SphereHamiltonian::laplacian_of_psi(SphereHarmonics vorticity) const {
+sphere::SphereHarmonics SphereHamiltonian::laplacian_of_psi(sphere::SphereHarmonics vorticity) const {
   for (int l = 1; l < vorticity.degrees(); ++l) vorticity.coefficient.row(l) *= l * (l + 1.0) / divisor(l);
   return vorticity;
 }

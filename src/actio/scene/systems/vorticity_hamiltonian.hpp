@@ -23,9 +23,9 @@ struct SphereHamiltonian {
   /// \f$2\Omega/(2+\gamma)\f$: its own rotation for Euler's.
   double frame_rate(double rotation) const { return 2 * rotation / divisor(1); }
   /// The vorticity that belongs to the velocity of a flow, from \f$\Delta\psi\f$.
-  SphereHarmonics vorticity_of(SphereHarmonics laplacian_of_psi) const;
+  sphere::SphereHarmonics vorticity_of(sphere::SphereHarmonics laplacian_of_psi) const;
   /// And back: \f$\Delta\psi\f$.
-  SphereHarmonics laplacian_of_psi(SphereHarmonics vorticity) const;
+  sphere::SphereHarmonics laplacian_of_psi(sphere::SphereHarmonics vorticity) const;
 };
 
 /// `system.hamiltonian` and `system.deformation`, with the first written back where it is left out.

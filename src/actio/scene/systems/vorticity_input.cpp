@@ -31,7 +31,7 @@ std::string state_of(SceneTable& initial) {
   return name;
 }
 
-void read_rows(SceneTable const& initial, SphereHarmonics& f) {
+void read_rows(SceneTable const& initial, sphere::SphereHarmonics& f) {
   auto const rows = initial.rows("harmonics", 4);
   Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(f.degrees(), f.degrees());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -43,7 +43,7 @@ void read_rows(SceneTable const& initial, SphereHarmonics& f) {
 }
 
 /// The coefficients in the file of the scene.
-SphereHarmonics read_file(SceneTable& initial, int n) {
+sphere::SphereHarmonics read_file(SceneTable& initial, int n) {
   auto const [path, text] = initial.read_file("file", "a table of harmonics");
   try {
     return read_harmonics(text, path, n);
@@ -79,7 +79,7 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
                                        given[0], given[1]));
   start.key = given[0];
 
-  start.relative = SphereHarmonics(start.n);
+  start.relative = sphere::SphereHarmonics(start.n);
   if (given[0] == "harmonics") {
     read_rows(initial, start.relative);
   } else if (given[0] == "file") {
@@ -95,7 +95,7 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
     start.relative = std::move(flow.relative), start.matrix = std::move(flow.matrix);
     return start;
   }
-  start.matrix = matrix_of(start.relative);
+  start.matrix = sphere::matrix_of(start.relative);
   return start;
 }
 

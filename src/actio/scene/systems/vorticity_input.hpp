@@ -13,8 +13,8 @@ struct VorticityStart {
   int n = 0;                      ///< N
   SphereHamiltonian hamiltonian;  ///< of the flow
   double rotation = 0;            ///< of the sphere, 1/time
-  SphereHarmonics relative;       ///< the vorticity relative to the sphere
-  SkewHermitian<> matrix;         ///< the same as a matrix
+  sphere::SphereHarmonics relative;       ///< the vorticity relative to the sphere
+  sphere::SkewHermitian<> matrix;         ///< the same as a matrix
   std::string key;                ///< of [initial] that says it
 };
 
@@ -35,15 +35,15 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
 /// @param n      degrees are less than N
 /// @throws SceneError  with the line: of what is no such row, a row that is there twice or of a degree
 ///   beyond; where one is missing
-SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n);
+sphere::SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n);
 /// The same out of a file.
 /// @throws FileError   where it cannot be read
-SphereHarmonics read_harmonics_file(std::string const& path, int n);
+sphere::SphereHarmonics read_harmonics_file(std::string const& path, int n);
 
 /// One row of coefficients, put where it belongs.
 /// @param lines  where each coefficient was read, 0: not yet; N by N
 /// @return what is wrong with it; empty where nothing is
-std::string put_coefficient(SphereHarmonics& f, Eigen::MatrixXi& lines, int line, double l, double m,
+std::string put_coefficient(sphere::SphereHarmonics& f, Eigen::MatrixXi& lines, int line, double l, double m,
                             double re, double im);
 
 }  // namespace actio::scene

@@ -10,14 +10,14 @@
 
 namespace actio::scene {
 
-double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved, bool to_rounding,
+double bytes_for_vorticity(int n, std::size_t substeps, sphere::Conserved conserved, bool to_rounding,
                            std::vector<std::string> const& quantities) {
-  bool const poisson = conserved == Conserved::lie_poisson;
+  bool const poisson = conserved == sphere::Conserved::lie_poisson;
   // The state and a copy for a row between steps, the Laplacian, the start, and what a step has on the way.
   double count = 4 + 2 + 2 + 10;
   // Each substep: products, unknowns and what they are made of, directions, and steps to guess from, five, or
   // eight halves of two matrices; matrices of single precision count for half.
-  bool const all = conserved == Conserved::all_invariants;
+  bool const all = conserved == sphere::Conserved::all_invariants;
   double const before = to_rounding ? 5 * (poisson ? 2 : 4) : (poisson ? 8 : 5) * 2;
   double const plain = 5 + 14 + (all ? 6 : 0);
   count += static_cast<double>(substeps) * ((to_rounding ? plain : 18 + 5 + 16) + before);

@@ -14,7 +14,7 @@ namespace actio::scene {
 /// @param substeps    of a step: 1, or those of a composition, each of which has its own steps to guess from
 /// @param quantities  that were asked for
 /// Accuracy: measured to be within a third, for N from 256 on.
-double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved, bool to_rounding,
+double bytes_for_vorticity(int n, std::size_t substeps, sphere::Conserved conserved, bool to_rounding,
                            std::vector<std::string> const& quantities);
 
 /// What this process may have: what is free of the machine, of the group that it runs in, and of its own

@@ -19,12 +19,12 @@ class VorticityMotion : public Motion {
   /// The vorticity relative to the rotating sphere, in the frame of the sphere, at the time of the motion.
   /// About N^2 operations where the angular momentum lies along the pole, otherwise four products of
   /// matrices.
-  virtual SkewHermitian<> vorticity_at_output() const = 0;
+  virtual sphere::SkewHermitian<> vorticity_at_output() const = 0;
   /// The same but for a rotation, which is none at the start: for what does not depend on one, as the energy
   /// in each degree. About N^2 operations.
-  virtual SkewHermitian<> vorticity_but_for_rotation() const = 0;
+  virtual sphere::SkewHermitian<> vorticity_but_for_rotation() const = 0;
   /// The absolute vorticity but for a rotation: for the eigenvalues and their powers.
-  virtual SkewHermitian<> absolute_vorticity() const = 0;
+  virtual sphere::SkewHermitian<> absolute_vorticity() const = 0;
   /// The angular momentum of the absolute motion, along axes that do not turn with the sphere; those of the
   /// sphere at the start.
   virtual Eigen::Vector3d angular_momentum() const = 0;

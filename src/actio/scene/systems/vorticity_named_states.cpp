@@ -41,12 +41,12 @@ struct Reader : StateRequest {
   }
   /// Random coefficients, each degree having on average so much of the energy; scaled to the energy, or the
   /// enstrophy, of the scene.
-  SphereHarmonics random(int last, std::function<double(int l)> const& energy) {
+  sphere::SphereHarmonics random(int last, std::function<double(int l)> const& energy) {
     return scaled(hamiltonian.vorticity_of(random_flow(
         n, last, seed, [&](int l) { return energy(l) * (l * (l + 1.0) / hamiltonian.divisor(l)); })));
   }
   /// Scaled to the energy, or the enstrophy, of the scene.
-  SphereHarmonics scaled(SphereHarmonics f) {
+  sphere::SphereHarmonics scaled(sphere::SphereHarmonics f) {
     if (table.has("energy") && table.has("enstrophy"))
       table.fail("enstrophy",
                  "enstrophy: energy and enstrophy exclude each other; one of "
@@ -64,29 +64,29 @@ struct Reader : StateRequest {
   }
 };
 
-SphereHarmonics read_rossby_haurwitz(Reader& in) {
+sphere::SphereHarmonics read_rossby_haurwitz(Reader& in) {
   int const l = in.degree("degree", std::min(5, in.n - 1)), m = in.whole("order", std::min(4, l), 0, l);
-  SphereHarmonics f(in.n);
+  sphere::SphereHarmonics f(in.n);
   f(1, 0) = rotation_coefficient(in.number("zonal_rate", 0));
   f = in.hamiltonian.vorticity_of(f);
   f(l, m) += in.number("amplitude", 1);
   return f;
 }
 
-SphereHarmonics read_wave_4(Reader& in) {
+sphere::SphereHarmonics read_wave_4(Reader& in) {
   if (in.n < 6)
     throw SceneError(in.table.place(), fmt::format("rossby_haurwitz_4: it is a wave of degree 5; with "
                                                    "N = {} degrees go from 1 to {}",
                                                    in.n, in.n - 1));
   // 7.848e-6 beside the 7.292e-5 of the Earth, both per second.
   double const usual = in.rotation != 0 ? 7.848 / 72.92 * std::abs(in.rotation) : 1;
-  SphereHarmonics f(in.n);
+  sphere::SphereHarmonics f(in.n);
   f(1, 0) = rotation_coefficient(in.number("zonal_rate", usual));
   f(5, 4) = wave_4_coefficient(in.number("amplitude", usual));
   return in.hamiltonian.vorticity_of(f);
 }
 
-SphereHarmonics read_random(Reader& in) {
+sphere::SphereHarmonics read_random(Reader& in) {
   int const last = in.degree("lmax", std::min(10, in.n - 1)), first = in.whole("lmin", 1, 1, last);
   double const slope = in.number("slope", 0);
   if (!(std::abs(slope) <= 100))
@@ -95,7 +95,7 @@ SphereHarmonics read_random(Reader& in) {
                    [&](int l) { return l < first ? 0 : std::pow(static_cast<double>(l) / first, slope); });
 }
 
-SphereHarmonics read_ring(Reader& in) {
+sphere::SphereHarmonics read_ring(Reader& in) {
   int const centre = in.degree("degree", std::min(std::max(1, in.n / 4), in.n - 1));
   double const width = in.positive("width", 1);
   return in.random(in.n - 1, [&](int l) {
@@ -104,7 +104,7 @@ SphereHarmonics read_ring(Reader& in) {
   });
 }
 
-SphereHarmonics read_zonal_jet(Reader& in) {
+sphere::SphereHarmonics read_zonal_jet(Reader& in) {
   constexpr double pi = std::numbers::pi;
   ZonalJet jet{};
   jet.speed = in.number("speed", 1);
@@ -135,7 +135,7 @@ std::vector<std::vector<double>> read_places(Reader& in, char const* key, long s
   return rows;
 }
 
-SphereHarmonics read_blobs(Reader& in) {
+sphere::SphereHarmonics read_blobs(Reader& in) {
   if (!in.table.has("rows"))
     in.table.set("rows", Eigen::MatrixXd{{0.0, 0.4, 0.3, 1.0}, {0.9, 0.4, 0.3, 1.0}, {3.0, -0.3, 0.4, -1.0}});
   auto const rows = read_places(in, "rows", 4);
@@ -152,7 +152,7 @@ SphereHarmonics read_blobs(Reader& in) {
   return blobs(in.n, all);
 }
 
-SkewHermitian<> read_point_vortices(Reader& in) {
+sphere::SkewHermitian<> read_point_vortices(Reader& in) {
   if (!in.table.has("rows"))
     in.table.set("rows", Eigen::MatrixXd{{0.0, 0.4, 1.0}, {1.0, -0.2, 1.0}, {3.0, 0.3, -1.0}});
   std::vector<PointVortex> all;
@@ -163,7 +163,7 @@ SkewHermitian<> read_point_vortices(Reader& in) {
 /// A named state.
 struct State {
   char const* name;
-  SphereHarmonics (*read)(Reader& in);  ///< null: as a matrix
+  sphere::SphereHarmonics (*read)(Reader& in);  ///< null: as a matrix
 };
 constexpr State states[] = {{"rossby_haurwitz", read_rossby_haurwitz},
                             {"rossby_haurwitz_4", read_wave_4},
@@ -187,9 +187,9 @@ NamedFlow read_named_state(std::string const& name, StateRequest request) {
       std::find_if(std::begin(states), std::end(states), [&](State const& s) { return s.name == name; });
   NamedFlow flow;
   if (known->read) {
-    flow.relative = known->read(in), flow.matrix = matrix_of(flow.relative);
+    flow.relative = known->read(in), flow.matrix = sphere::matrix_of(flow.relative);
   } else {
-    flow.matrix = read_point_vortices(in), flow.relative = harmonics_of(flow.matrix);
+    flow.matrix = read_point_vortices(in), flow.relative = sphere::harmonics_of(flow.matrix);
   }
   return flow;
 }

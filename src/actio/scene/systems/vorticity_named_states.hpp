@@ -16,8 +16,8 @@ struct StateRequest {
 
 /// The vorticity relative to the sphere, twice.
 struct NamedFlow {
-  SphereHarmonics relative;  ///< its coefficients
-  SkewHermitian<> matrix;    ///< its matrix
+  sphere::SphereHarmonics relative;  ///< its coefficients
+  sphere::SkewHermitian<> matrix;    ///< its matrix
 };
 
 /// `rossby_haurwitz`, `random`, ...

@@ -114,7 +114,7 @@ constexpr double degree = std::numbers::pi / 180;
 /// Parallels and meridians, defined and to be filled.
 class Places {
  public:
-  Places(File const& file, SphereGrid const& grid)
+  Places(File const& file, sphere::SphereGrid const& grid)
       : file_(file),
         grid_(grid),
         lat_(file.dimension(file.root(), "lat", static_cast<std::size_t>(grid.latitudes()))),
@@ -139,7 +139,7 @@ class Places {
 
  private:
   File const& file_;
-  SphereGrid const& grid_;
+  sphere::SphereGrid const& grid_;
   int lat_, lon_, at_lat_, at_lon_;
 };
 
@@ -174,7 +174,7 @@ class Coefficients {
 
 }  // namespace
 
-void FieldsFile::create(std::string const& path, SphereGrid const& grid, int degrees) const {
+void FieldsFile::create(std::string const& path, sphere::SphereGrid const& grid, int degrees) const {
   File file(path);
   file.create();
   int const root = file.root(), time = file.dimension(root, "time", NC_UNLIMITED);
@@ -184,7 +184,7 @@ void FieldsFile::create(std::string const& path, SphereGrid const& grid, int deg
   file.tell(root, NC_GLOBAL, "source", "actio " ACTIO_VERSION ", vorticity_sphere");
   file.tell(root, NC_GLOBAL, "comment",
             "Ideal fluid on the unit sphere: lengths are in radii. The fields are the symbol of " +
-                std::string(symbol == Symbol::berezin ? "Berezin" : "Weyl") +
+                std::string(symbol == sphere::Symbol::berezin ? "Berezin" : "Weyl") +
                 " of matrices; the harmonics in the group spectral are those of the matrices.");
   file.define(root, "time", NC_DOUBLE, {time}, {}, attributes_of_time(time_unit));
   Places const places(file, grid);
@@ -204,8 +204,8 @@ void FieldsFile::create(std::string const& path, SphereGrid const& grid, int deg
   file.close();
 }
 
-void FieldsFile::add(std::string const& path, long number, double time, FlowFields const& fields,
-                     SphereHarmonics const& harmonics) const {
+void FieldsFile::add(std::string const& path, long number, double time, sphere::FlowFields const& fields,
+                     sphere::SphereHarmonics const& harmonics) const {
   File file(path);
   file.open();
   std::vector<std::size_t> const extent{static_cast<std::size_t>(fields.vorticity.rows()),

@@ -14,43 +14,43 @@ namespace {
 /// computed. X = -iW is stored as W = R + iJ: X Y has the parts J J' - R R' and J R' + R J'.
 class CommutingProducts {
  public:
-  CommutingProducts(Products products, Eigen::Index n)
+  CommutingProducts(sphere::Products products, Eigen::Index n)
       : products_(std::move(products)), first_(n, n), second_(n, n), both_(n, n) {}
 
-  SkewHermitian<> operator()(SkewHermitian<> const& x, SkewHermitian<> const& y) {
+  sphere::SkewHermitian<> operator()(sphere::SkewHermitian<> const& x, sphere::SkewHermitian<> const& y) {
     left_ = x.real + x.imaginary, right_ = y.real + y.imaginary;
     products_->multiply_lower(x.imaginary, y.imaginary, first_);
     products_->multiply_lower(x.real, y.real, second_);
     products_->multiply_lower(left_, right_, both_);
-    SkewHermitian<> out(x.size());
+    sphere::SkewHermitian<> out(x.size());
     out.imaginary.triangularView<Eigen::Lower>() = first_ - second_;
     out.real.triangularView<Eigen::StrictlyLower>() = both_ - first_ - second_;
-    mirror_lower(out);
+    sphere::mirror_lower(out);
     return out;
   }
 
  private:
-  Products products_;
+  sphere::Products products_;
   Eigen::MatrixXd first_, second_, both_, left_, right_;
 };
 
 }  // namespace
 
-Eigen::VectorXd vorticity_casimirs(Products const& products, SkewHermitian<> const& w) {
+Eigen::VectorXd vorticity_casimirs(sphere::Products const& products, sphere::SkewHermitian<> const& w) {
   CommutingProducts product(products, w.size());
-  SkewHermitian<> const square = product(w, w), cube = product(square, w), fourth = product(square, square);
+  sphere::SkewHermitian<> const square = product(w, w), cube = product(square, w), fourth = product(square, square);
   // Tr(X Y) = <X, Y>.
   Eigen::VectorXd casimirs(7);
-  casimirs << inner_product(w, w), inner_product(w, square), inner_product(square, square),
-      inner_product(square, cube), inner_product(cube, cube), inner_product(cube, fourth),
-      inner_product(fourth, fourth);
-  return QuantizedSphere(static_cast<int>(w.size())).area_element() * casimirs;
+  casimirs << sphere::inner_product(w, w), sphere::inner_product(w, square), sphere::inner_product(square, square),
+      sphere::inner_product(square, cube), sphere::inner_product(cube, cube), sphere::inner_product(cube, fourth),
+      sphere::inner_product(fourth, fourth);
+  return sphere::QuantizedSphere(static_cast<int>(w.size())).area_element() * casimirs;
 }
 
-Eigen::VectorXd vorticity_eigenvalues(SkewHermitian<> const& w) {
+Eigen::VectorXd vorticity_eigenvalues(sphere::SkewHermitian<> const& w) {
   Eigen::Index const n = w.size();
-  int const fold = symmetry_of(w);
-  if (fold == 1) return vorticity_values(w);
+  int const fold = sphere::symmetry_of(w);
+  if (fold == 1) return sphere::vorticity_values(w);
   Eigen::VectorXd all(n);
   if (fold == 0) {
     all = w.imaginary.diagonal();
@@ -63,7 +63,7 @@ Eigen::VectorXd vorticity_eigenvalues(SkewHermitian<> const& w) {
         return Eigen::Map<Eigen::MatrixXd const, 0, Stride>(part.data() + at, count, count,
                                                             Stride(fold * n, fold));
       };
-      all.segment(found, count) = vorticity_values(SkewHermitian<>(block(w.real), block(w.imaginary)));
+      all.segment(found, count) = sphere::vorticity_values(sphere::SkewHermitian<>(block(w.real), block(w.imaginary)));
       found += count;
     }
   }

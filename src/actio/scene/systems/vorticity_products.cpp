@@ -26,18 +26,18 @@ int threads_for(int n) {
 
 }  // namespace
 
-Products products_of_flow(SkewHermitian<> const& absolute, std::vector<std::string>& remarks) {
-  int const n = static_cast<int>(absolute.size()), fold = symmetry_of(absolute);
+sphere::Products products_of_flow(sphere::SkewHermitian<> const& absolute, std::vector<std::string>& remarks) {
+  int const n = static_cast<int>(absolute.size()), fold = sphere::symmetry_of(absolute);
   int const size = fold > 1 ? (n + fold - 1) / fold : n;
-  Products products = eigen_products();
+  sphere::Products products = sphere::eigen_products();
   if (size >= smallest_for_blas)
-    if (Products const by_blas = blas_products(threads_for(size), remarks)) products = by_blas;
+    if (sphere::Products const by_blas = blas_products(threads_for(size), remarks)) products = by_blas;
   if (fold <= 1) return products;
   remarks.push_back(
       fmt::format("the flow looks the same after 1/{} of a turn about the pole: matrices are "
                   "multiplied in {} blocks of the size {}",
                   fold, fold, size));
-  return std::make_shared<SymmetricProducts>(fold, products);
+  return std::make_shared<sphere::SymmetricProducts>(fold, products);
 }
 
 }  // namespace actio::scene

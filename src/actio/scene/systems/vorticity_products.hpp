@@ -16,6 +16,6 @@ namespace actio::scene {
 /// the environment variable ACTIO_THREADS says another one.
 /// @param absolute  the vorticity at the start, that of the sphere's rotation included
 /// @param remarks   what a user might want to know of it
-Products products_of_flow(SkewHermitian<> const& absolute, std::vector<std::string>& remarks);
+sphere::Products products_of_flow(sphere::SkewHermitian<> const& absolute, std::vector<std::string>& remarks);
 
 }  // namespace actio::scene

@@ -13,7 +13,7 @@
 namespace actio::scene {
 namespace {
 
-std::string table_of_harmonics(SphereHarmonics const& f) {
+std::string table_of_harmonics(sphere::SphereHarmonics const& f) {
   NumberTable table("l,m,re,im");
   for (int l = 1; l < f.degrees(); ++l)
     for (int m = 0; m <= l; ++m) {
@@ -23,8 +23,8 @@ std::string table_of_harmonics(SphereHarmonics const& f) {
   return table.text();
 }
 
-std::string table_of_fields(SphereGrid const& grid, std::vector<std::string> const& names,
-                            std::vector<GridField const*> const& fields) {
+std::string table_of_fields(sphere::SphereGrid const& grid, std::vector<std::string> const& names,
+                            std::vector<sphere::GridField const*> const& fields) {
   std::string heading = "longitude,latitude";
   for (auto const& name : names) heading += "," + name;
   NumberTable table(heading);
@@ -47,7 +47,7 @@ class VorticitySnapshots : public SnapshotWriter {
         n_(n),
         motion_(motion),
         file_(file),
-        grid_(SphereGrid::gauss(n, 2 * n)) {
+        grid_(sphere::SphereGrid::gauss(n, 2 * n)) {
     names_.insert(names_.end(), request.columns.begin(), request.columns.end());
   }
 
@@ -80,9 +80,9 @@ class VorticitySnapshots : public SnapshotWriter {
     file_.create(path, grid_, n_);
     for (std::size_t k = 0; k < taken.size(); ++k) {
       long const number = static_cast<long>(k);
-      SphereHarmonics const f =
+      sphere::SphereHarmonics const f =
           read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_);
-      file_.add(path, number, taken[k], all_fields(symbol_of(f, file_.symbol)), f);
+      file_.add(path, number, taken[k], all_fields(sphere::symbol_of(f, file_.symbol)), f);
     }
     behind_ = true;
     flush(folder, true);
@@ -118,11 +118,11 @@ class VorticitySnapshots : public SnapshotWriter {
   }
 
   void write(std::string const& folder, long number, double time, bool durable) override {
-    SphereHarmonics const f = harmonics_now();
+    sphere::SphereHarmonics const f = harmonics_now();
     write_whole_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), table_of_harmonics(f), durable);
-    FlowFields const fields = needed_fields(symbol_of(f, file_.symbol));
+    sphere::FlowFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
     if (csv_) {
-      std::vector<GridField const*> columns;
+      std::vector<sphere::GridField const*> columns;
       for (auto const& name : names_) columns.push_back(&field_of(fields, name));
       write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, names_, columns),
                        durable);
@@ -150,24 +150,24 @@ class VorticitySnapshots : public SnapshotWriter {
     copying_ = Clock::now() - began;
   }
 
-  SphereHarmonics harmonics_now() const {
-    SphereHarmonics f = harmonics_of(motion_.vorticity_at_output());
+  sphere::SphereHarmonics harmonics_now() const {
+    sphere::SphereHarmonics f = sphere::harmonics_of(motion_.vorticity_at_output());
     f(0, 0) = 0;  // rounding: the trace of the matrix is zero
     return f;
   }
-  static GridField const& field_of(FlowFields const& fields, std::string const& name) {
+  static sphere::GridField const& field_of(sphere::FlowFields const& fields, std::string const& name) {
     return name == "vorticity"        ? fields.vorticity
            : name == "streamfunction" ? fields.streamfunction
            : name == "u"              ? fields.east
                                       : fields.north;
   }
-  std::vector<SnapshotArray> arrays_of(SphereHarmonics const& f) const {
-    FlowFields const fields = needed_fields(symbol_of(f, file_.symbol));
+  std::vector<SnapshotArray> arrays_of(sphere::SphereHarmonics const& f) const {
+    sphere::FlowFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
     std::vector<SnapshotArray> out;
     for (auto const& name : names_) {
       SnapshotArray& one = out.emplace_back();
       one.name = name, one.meaning = meaning_of(name), one.axes = {"latitude", "longitude"};
-      GridField const& field = field_of(fields, name);
+      sphere::GridField const& field = field_of(fields, name);
       one.shape = {static_cast<std::size_t>(field.rows()), static_cast<std::size_t>(field.cols())};
       one.numbers.assign(field.data(), field.data() + field.size());
     }
@@ -190,20 +190,20 @@ class VorticitySnapshots : public SnapshotWriter {
 
   bool asks(char const* name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
   /// The velocity belongs to the Laplacian of the stream function, which for a layer is not the vorticity.
-  FlowFields all_fields(SphereHarmonics const& vorticity) const {
-    FlowFields out = flow_on(grid_, file_.hamiltonian.laplacian_of_psi(vorticity));
-    if (file_.hamiltonian.layer()) out.vorticity = values_on(grid_, vorticity);
+  sphere::FlowFields all_fields(sphere::SphereHarmonics const& vorticity) const {
+    sphere::FlowFields out = sphere::flow_on(grid_, file_.hamiltonian.laplacian_of_psi(vorticity));
+    if (file_.hamiltonian.layer()) out.vorticity = sphere::values_on(grid_, vorticity);
     return out;
   }
   /// Those that no file holds stay empty.
-  FlowFields needed_fields(SphereHarmonics const& f) const {
+  sphere::FlowFields needed_fields(sphere::SphereHarmonics const& f) const {
     if (netcdf_ || asks("u") || asks("v")) return all_fields(f);
-    FlowFields out;
+    sphere::FlowFields out;
     if (asks("streamfunction")) {
-      auto both = values_on(grid_, {f, stream_function(file_.hamiltonian.laplacian_of_psi(f))});
+      auto both = sphere::values_on(grid_, {f, sphere::stream_function(file_.hamiltonian.laplacian_of_psi(f))});
       out.vorticity = std::move(both[0]), out.streamfunction = std::move(both[1]);
     } else {
-      out.vorticity = values_on(grid_, f);
+      out.vorticity = sphere::values_on(grid_, f);
     }
     return out;
   }
@@ -213,7 +213,7 @@ class VorticitySnapshots : public SnapshotWriter {
   int n_;
   VorticityMotion const& motion_;
   FieldsFile file_;
-  SphereGrid grid_;
+  sphere::SphereGrid grid_;
   bool behind_ = false;           // whether what is seen has fewer snapshots
   Clock::duration copying_ = {};  // what the last copy took
   Clock::time_point due_ = {};    // when the next one is due
@@ -254,7 +254,7 @@ std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
   std::string const symbol = output.choice("symbol", "symbol", {"berezin", "weyl"});
   if (!request.snapshots) return nullptr;
   FieldsFile const file{request.file.section("scene").text("title"), read_units(request.file).time,
-                        symbol == "weyl" ? Symbol::weyl : Symbol::berezin, hamiltonian};
+                        symbol == "weyl" ? sphere::Symbol::weyl : sphere::Symbol::berezin, hamiltonian};
   return std::make_unique<VorticitySnapshots>(*request.snapshots, n, motion, file);
 }
 

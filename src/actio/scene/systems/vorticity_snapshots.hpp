@@ -29,18 +29,18 @@ std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
 struct FieldsFile {
   std::string title;              ///< of the scene
   std::string time_unit;          ///< "s", "h", ...; empty where it is not known
-  Symbol symbol;                  ///< of the fields
+  sphere::Symbol symbol;                  ///< of the fields
   SphereHamiltonian hamiltonian;  ///< by which a vorticity has a stream function
 
   /// Makes a file without a time.
   /// @throws FileError
-  void create(std::string const& path, SphereGrid const& grid, int degrees) const;
+  void create(std::string const& path, sphere::SphereGrid const& grid, int degrees) const;
   /// One time more.
   /// @param number     how many there are
   /// @param harmonics  of the matrix
   /// @throws FileError
-  void add(std::string const& path, long number, double time, FlowFields const& fields,
-           SphereHarmonics const& harmonics) const;
+  void add(std::string const& path, long number, double time, sphere::FlowFields const& fields,
+           sphere::SphereHarmonics const& harmonics) const;
 };
 
 }  // namespace actio::scene

@@ -54,9 +54,9 @@ bool to_rounding(SceneTable method, bool layer) {
 }
 
 SphereScheme scheme_of(MethodChoice const& choice, SceneTable const& method, bool layer) {
-  return {choice.name == "lie_poisson"      ? Conserved::lie_poisson
-          : choice.name == "energy_casimir" ? Conserved::energy_casimir
-                                            : Conserved::all_invariants,
+  return {choice.name == "lie_poisson"      ? sphere::Conserved::lie_poisson
+          : choice.name == "energy_casimir" ? sphere::Conserved::energy_casimir
+                                            : sphere::Conserved::all_invariants,
           to_rounding(method, layer), choice.number() == 4 ? suzuki<double>() : std::vector<double>{1}};
 }
 
@@ -78,7 +78,7 @@ void require_memory(SceneTable const& system, SphereScheme const& scheme,
 }
 
 /// Squares and cubes of the numbers, and what else was asked for, are numbers.
-void require_size(SceneTable const& initial, VorticityStart const& start, SkewHermitian<> const& absolute,
+void require_size(SceneTable const& initial, VorticityStart const& start, sphere::SkewHermitian<> const& absolute,
                   bool casimirs) {
   double const largest =
       std::max(absolute.real.cwiseAbs().maxCoeff(), absolute.imaginary.cwiseAbs().maxCoeff());
@@ -94,11 +94,11 @@ void require_size(SceneTable const& initial, VorticityStart const& start, SkewHe
 
 /// What can be trusted: interactions of waves are those of the sphere up to this. What turns as a whole, the
 /// degree 1, does so exactly.
-std::string resolution(SphereHarmonics relative, SphereHamiltonian const& hamiltonian) {
+std::string resolution(sphere::SphereHarmonics relative, SphereHamiltonian const& hamiltonian) {
   // With these coefficients Euler's fluid has the energy of the flow.
   for (int l = 1; l < relative.degrees(); ++l)
     relative.coefficient.row(l) *= std::sqrt(l * (l + 1.0) / hamiltonian.divisor(l));
-  Resolution const told = resolution_of(relative);
+  sphere::Resolution const told = sphere::resolution_of(relative);
   if (!(told.energy_degree > 0)) return "";
   return fmt::format(
       "resolution: the energy, a rigid rotation aside, is around the degree {:.0f}, where the "
@@ -123,7 +123,7 @@ double step_of(SceneTable const& method, Schedule const& schedule,
   if (fastest * step * scheme.longest() <= 0.3) return step;
   try {
     stepped_vorticity(flow, scheme, step)->advance(4);
-  } catch (NotContracting const& error) {
+  } catch (sphere::NotContracting const& error) {
     std::string const what = fmt::format("the iteration of a step of length {} does not contract", step);
     double const longest = longest_vorticity_step(
         flow, scheme, error.largest > 0 ? std::min(0.8 * step, error.largest) : 0.8 * step);
@@ -176,7 +176,7 @@ Simulation prepare(Request const& request) {
 
   Simulation simulation(with_conserved("vorticity_sphere", vorticity_quantities()));
   VorticityStart start = read_vorticity_start(request.file, simulation.remarks);
-  require_size(initial, start, start.matrix + planetary_vorticity(QuantizedSphere(start.n), start.rotation),
+  require_size(initial, start, start.matrix + sphere::planetary_vorticity(sphere::QuantizedSphere(start.n), start.rotation),
                asked("casimirs"));
   auto const flow = std::make_shared<SphereFlow const>(start.hamiltonian, start.rotation, start.matrix,
                                                        scheme.conserved, simulation.remarks);

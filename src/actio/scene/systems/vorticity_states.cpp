@@ -60,8 +60,8 @@ std::vector<double> blob_profile(int n, double width) {
 
 }  // namespace
 
-SphereHarmonics zonal_jet(int n, ZonalJet const& jet) {
-  SphereHarmonics f(n);
+sphere::SphereHarmonics zonal_jet(int n, ZonalJet const& jet) {
+  sphere::SphereHarmonics f(n);
   LegendreColumn legendre(n);
   // The rule of equal weights, which for functions that vanish at both ends with all their derivatives has no
   // order: its error falls faster than any power.
@@ -98,8 +98,8 @@ SphereHarmonics zonal_jet(int n, ZonalJet const& jet) {
   return f;
 }
 
-SphereHarmonics blobs(int n, std::vector<Blob> const& blobs) {
-  SphereHarmonics f(n);
+sphere::SphereHarmonics blobs(int n, std::vector<Blob> const& blobs) {
+  sphere::SphereHarmonics f(n);
   LegendreColumn legendre(n);
   for (auto const& blob : blobs) {
     auto const profile = blob_profile(n, blob.width);
@@ -113,8 +113,8 @@ SphereHarmonics blobs(int n, std::vector<Blob> const& blobs) {
   return f;
 }
 
-SkewHermitian<> point_vortices(int n, std::vector<PointVortex> const& vortices) {
-  SkewHermitian<> w(n);
+sphere::SkewHermitian<> point_vortices(int n, std::vector<PointVortex> const& vortices) {
+  sphere::SkewHermitian<> w(n);
   Eigen::VectorXd modulus(n);
   for (auto const& vortex : vortices) {
     double const half = 0.5 * (pi / 2 - vortex.latitude);
@@ -139,7 +139,7 @@ SkewHermitian<> point_vortices(int n, std::vector<PointVortex> const& vortices) 
   return w;
 }
 
-SphereHarmonics random_flow(int n, int last, long seed, std::function<double(int l)> const& weight) {
+sphere::SphereHarmonics random_flow(int n, int last, long seed, std::function<double(int l)> const& weight) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   auto const uniform = [&random] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
   // Two numbers at once (Box and Muller): the same ones with every library.
@@ -147,7 +147,7 @@ SphereHarmonics random_flow(int n, int last, long seed, std::function<double(int
     double const size = std::sqrt(-2 * std::log(uniform()));
     return std::polar(size, 2 * pi * uniform());
   };
-  SphereHarmonics f(n);
+  sphere::SphereHarmonics f(n);
   for (int l = 1; l <= last; ++l) {
     // (1/2) sum |f_lm|^2/(l (l + 1)) over 2l + 1 numbers.
     double const size = std::sqrt(2 * weight(l) * l * (l + 1.0) / (2.0 * l + 1));

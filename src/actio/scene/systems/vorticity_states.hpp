@@ -34,18 +34,18 @@ struct ZonalJet {
 };
 
 /// The coefficients of the jet up to degree N - 1.
-SphereHarmonics zonal_jet(int n, ZonalJet const& jet);
+sphere::SphereHarmonics zonal_jet(int n, ZonalJet const& jet);
 
 /// The coefficients of the sum of the blobs up to degree N - 1, without its mean.
-SphereHarmonics blobs(int n, std::vector<Blob> const& blobs);
+sphere::SphereHarmonics blobs(int n, std::vector<Blob> const& blobs);
 
 /// Vortices as narrow as matrices have them, \f$-iW = \sum\Gamma\frac N{4\pi}|n\rangle\langle n|\f$ with the
 /// coherent states of spin (N - 1)/2, without the mean.
-SkewHermitian<> point_vortices(int n, std::vector<PointVortex> const& vortices);
+sphere::SkewHermitian<> point_vortices(int n, std::vector<PointVortex> const& vortices);
 
 /// Normally distributed coefficients of the degrees 1 to `last`.
 /// @param weight  of each degree l: its energy is on average as large
-SphereHarmonics random_flow(int n, int last, long seed, std::function<double(int l)> const& weight);
+sphere::SphereHarmonics random_flow(int n, int last, long seed, std::function<double(int l)> const& weight);
 
 /// The coefficient of \f$Y_{54}\f$ in the vorticity \f$-30K\sin\varphi\cos^4\varphi\cos 4\lambda\f$
 /// (Williamson et al. 1992, case 6).

@@ -12,7 +12,7 @@ namespace actio::scene {
 
 /// A skew-Hermitian matrix in a checkpoint, of which half says the whole.
 template <class Real>
-void remember_matrix(CheckpointStream& stream, SkewHermitian<Real>& w, int n);
+void remember_matrix(CheckpointStream& stream, sphere::SkewHermitian<Real>& w, int n);
 
 /// A flow in steps, each of one substep or of several.
 /// @tparam Step    `VorticityStep<Stream>` or `FastVorticityStep<Stream>`
@@ -39,7 +39,7 @@ class SteppedVorticity : public VorticityMotion {
     ahead_.reset();
     if (time == 0) return;
     auto shorter = substeps(time);
-    SkewHermitian<> w = w_;
+    sphere::SkewHermitian<> w = w_;
     make_step(shorter, w, time);
     ahead_.emplace(std::move(w)), beyond_ = time;
   }
@@ -65,18 +65,18 @@ class SteppedVorticity : public VorticityMotion {
     }
   }
 
-  SkewHermitian<> vorticity_at_output() const override {
-    TurningFrame const& frame = flow_->frame;
+  sphere::SkewHermitian<> vorticity_at_output() const override {
+    sphere::TurningFrame const& frame = flow_->frame;
     double const t = time(), back = flow_->turning_back();
     if (flow_->apart.is_there()) {
       auto const& apart = flow_->apart;
-      SkewHermitian<> w = about_pole(frame.rate * t, state());
+      sphere::SkewHermitian<> w = about_pole(frame.rate * t, state());
       if (apart.upright.angle() != 0) w = tilt()(-apart.upright.angle(), w);
       w = about_pole(-back * t, w);
       add_function(w, Eigen::AngleAxisd(-back * t, Eigen::Vector3d::UnitZ()) * apart.relative);
       return w;
     }
-    SkewHermitian<> w;
+    sphere::SkewHermitian<> w;
     if (frame.axis[0] == 0 && frame.axis[1] == 0) {
       w = about_pole((frame.rate * frame.axis[2] - back) * t, state());
     } else {
@@ -86,21 +86,21 @@ class SteppedVorticity : public VorticityMotion {
     add_function(w, -2 * flow_->rotation * Eigen::Vector3d::UnitZ());
     return w;
   }
-  SkewHermitian<> vorticity_but_for_rotation() const override {
-    SkewHermitian<> w = state();
+  sphere::SkewHermitian<> vorticity_but_for_rotation() const override {
+    sphere::SkewHermitian<> w = state();
     if (flow_->apart.is_there())
       add_function(w, into_frame() * (flow_->apart.upright * flow_->apart.relative));
     else if (flow_->rotation != 0)
       add_function(w, into_frame() * (-2 * flow_->rotation * Eigen::Vector3d::UnitZ()));
     return w;
   }
-  SkewHermitian<> absolute_vorticity() const override {
-    SkewHermitian<> w = state();
+  sphere::SkewHermitian<> absolute_vorticity() const override {
+    sphere::SkewHermitian<> w = state();
     add_function(w, flow_->apart.background.vorticity * Eigen::Vector3d::UnitZ());
     return w;
   }
   Eigen::Vector3d angular_momentum() const override {
-    Eigen::Vector3d const of_state = into_frame().inverse() * sphere_momentum(state());
+    Eigen::Vector3d const of_state = into_frame().inverse() * sphere::sphere_momentum(state());
     if (!flow_->apart.is_there()) return of_state;
     // The integral of the square of a coordinate is 4 pi/3.
     return flow_->apart.upright.inverse() * of_state +
@@ -129,12 +129,12 @@ class SteppedVorticity : public VorticityMotion {
     std::span<double> factors(past.factors.data(), 4);
     if constexpr (requires { past.half_change; }) {
       remember_matrix(stream, past.increment, n);
-      if (scheme_.conserved != Conserved::lie_poisson) remember_matrix(stream, past.half_change, n);
+      if (scheme_.conserved != sphere::Conserved::lie_poisson) remember_matrix(stream, past.half_change, n);
       stream(factors);
     } else {
       for (auto* half : {&past.displacement, &past.increment})
         for (auto* part : {&half->real, &half->imaginary}) {
-          if (stream.reading()) part->resize(LowerHalf::count(n));
+          if (stream.reading()) part->resize(sphere::LowerHalf::count(n));
           std::span<double> numbers(part->data(), static_cast<std::size_t>(part->size()));
           stream(numbers);
         }
@@ -144,35 +144,35 @@ class SteppedVorticity : public VorticityMotion {
 
   /// The steps are counted, and times are multiplied.
   double time() const { return static_cast<double>(made_) * step_ + (ahead_ ? beyond_ : 0); }
-  SkewHermitian<> about_pole(double angle, SkewHermitian<> const& w) const {
-    return Turning(flow_->sphere, Eigen::Vector3d::UnitZ())(angle, w);
+  sphere::SkewHermitian<> about_pole(double angle, sphere::SkewHermitian<> const& w) const {
+    return sphere::Turning(flow_->sphere, Eigen::Vector3d::UnitZ())(angle, w);
   }
   /// Adds \f$r\cdot x\f$.
-  void add_function(SkewHermitian<>& w, Eigen::Vector3d const& r) const {
-    add_spin(flow_->sphere, flow_->sphere.hbar() * r, w);
+  void add_function(sphere::SkewHermitian<>& w, Eigen::Vector3d const& r) const {
+    sphere::add_spin(flow_->sphere, flow_->sphere.hbar() * r, w);
   }
   /// What is stepped.
-  SkewHermitian<> const& state() const { return ahead_ ? *ahead_ : w_; }
+  sphere::SkewHermitian<> const& state() const { return ahead_ ? *ahead_ : w_; }
   /// From axes that do not turn to those of the frame.
   Eigen::AngleAxisd into_frame() const { return {-flow_->frame.rate * time(), flow_->frame.axis}; }
   /// About the axis about which the axis of the frame was put upright.
-  Turning const& tilt() const {
+  sphere::Turning const& tilt() const {
     if (!about_axis_) about_axis_.emplace(flow_->sphere, flow_->apart.upright.axis());
     return *about_axis_;
   }
 
   /// Where a substep cannot be made, the vorticity is as it was.
-  void make_step(std::vector<Step>& steps, SkewHermitian<>& w, double length) const {
+  void make_step(std::vector<Step>& steps, sphere::SkewHermitian<>& w, double length) const {
     if (steps.size() == 1) {
       steps.front().advance(w);
       return;
     }
-    SkewHermitian<> const before = w;
+    sphere::SkewHermitian<> const before = w;
     try {
       for (auto& step : steps) step.advance(w);
-    } catch (NotContracting const& error) {
+    } catch (sphere::NotContracting const& error) {
       w = before;
-      throw NotContracting(length, std::copysign(error.largest / scheme_.longest(), length));
+      throw sphere::NotContracting(length, std::copysign(error.largest / scheme_.longest(), length));
     }
   }
 
@@ -180,11 +180,11 @@ class SteppedVorticity : public VorticityMotion {
   SphereScheme scheme_;
   double step_;
   std::vector<Step> steps_;
-  SkewHermitian<> w_;
+  sphere::SkewHermitian<> w_;
   long made_ = 0;
-  std::optional<SkewHermitian<>> ahead_;
+  std::optional<sphere::SkewHermitian<>> ahead_;
   double beyond_ = 0;
-  mutable std::optional<Turning> about_axis_;
+  mutable std::optional<sphere::Turning> about_axis_;
 };
 
 }  // namespace actio::scene

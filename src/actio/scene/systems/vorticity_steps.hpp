@@ -18,19 +18,19 @@ class SphereStream {
   /// For matrices of the size n.
   SphereStream(int n, SphereHamiltonian const& hamiltonian);
   /// P of W.
-  SkewHermitian<> solve(SkewHermitian<> const& w) const;
+  sphere::SkewHermitian<> solve(sphere::SkewHermitian<> const& w) const;
   /// The same one, of a kind that is known: `SphereLaplacian` or `HelmholtzStream`.
   template <class Stream>
   Stream const& as() const { return std::get<Stream>(stream_); }
 
  private:
-  using Kind = std::variant<SphereLaplacian, HelmholtzStream>;
+  using Kind = std::variant<sphere::SphereLaplacian, sphere::HelmholtzStream>;
   Kind stream_;
 };
 
 /// How a flow is stepped.
 struct SphereScheme {
-  Conserved conserved;            ///< beside the spectrum
+  sphere::Conserved conserved;            ///< beside the spectrum
   bool to_rounding;               ///< whether the equation of a step is solved in double precision throughout
   std::vector<double> fractions;  ///< of a step, those of the substeps
 
@@ -41,8 +41,8 @@ struct SphereScheme {
 /// A flow on a sphere that turns fast, apart from what turns as a whole (vorticity/zonal_background.hpp). It
 /// is stepped along axes of which the third is that of the frame.
 struct ApartFromPlanet {
-  ZonalBackground background;  ///< what turns as a whole, about the axis of the frame
-  SkewHermitian<> flow;        ///< the rest at the start, along the axes of the steps
+  sphere::ZonalBackground background;  ///< what turns as a whole, about the axis of the frame
+  sphere::SkewHermitian<> flow;        ///< the rest at the start, along the axes of the steps
   Eigen::Vector3d relative;  ///< r in the part r . x of the relative vorticity that the background holds, at
                              ///< the start, along the axes of the sphere; along fixed axes it stays
   Eigen::AngleAxisd upright{0, Eigen::Vector3d::UnitX()};  ///< turns the axis of the frame to the third one
@@ -53,14 +53,14 @@ struct ApartFromPlanet {
 
 /// A flow, the frame that it is stepped in, and the frame that it is told in.
 struct SphereFlow {
-  QuantizedSphere sphere;         ///< of the matrices
+  sphere::QuantizedSphere sphere;         ///< of the matrices
   SphereHamiltonian hamiltonian;  ///< of the flow
   SphereStream stream;            ///< that of the Hamiltonian
   double rotation;                ///< of the sphere, 1/time
-  SkewHermitian<> start;          ///< the absolute vorticity
-  TurningFrame frame;             ///< in which it is stepped
+  sphere::SkewHermitian<> start;          ///< the absolute vorticity
+  sphere::TurningFrame frame;             ///< in which it is stepped
   ApartFromPlanet apart;          ///< what is stepped in the place of it, where the sphere turns fast
-  Products products;              ///< of the matrices of a step
+  sphere::Products products;              ///< of the matrices of a step
 
   /// The frame turns about the angular momentum, at the rate at which the flow changes least. For the
   /// energy-Casimir form on a sphere that rotates it turns about the pole: that form keeps the energy of the
@@ -68,8 +68,8 @@ struct SphereFlow {
   /// to keep energy and enstrophy relative to the sphere.
   /// @param relative  the vorticity relative to the sphere
   /// @param remarks   what a user might want to know of it
-  SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, SkewHermitian<> const& relative,
-             Conserved conserved, std::vector<std::string>& remarks);
+  SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, sphere::SkewHermitian<> const& relative,
+             sphere::Conserved conserved, std::vector<std::string>& remarks);
 
   /// From so many times the vorticity of the rest on, what turns as a whole is kept apart. In their sum a
   /// step in single precision rounds the flow as many times as much; and it would not hold energy and
@@ -77,7 +77,7 @@ struct SphereFlow {
   /// than the others by about the square, and from some 300 times on they fall below its cut-off.
   static constexpr double fast = 16;
   /// With what the first step begins.
-  SkewHermitian<> const& first_state() const { return apart.is_there() ? apart.flow : start; }
+  sphere::SkewHermitian<> const& first_state() const { return apart.is_there() ? apart.flow : start; }
 
   /// The rate at which the free flow turns back about the pole, seen from the sphere; 1/time.
   double turning_back() const { return hamiltonian.frame_rate(rotation); }
@@ -86,7 +86,7 @@ struct SphereFlow {
   double fastest_turning() const;
 
  private:
-  void take_apart(SkewHermitian<> const& relative, Conserved conserved);
+  void take_apart(sphere::SkewHermitian<> const& relative, sphere::Conserved conserved);
   /// The part that the stream function has along the third axis in the frame in which the flow changes least.
   double calmest_stream(double b) const;
 };
