@@ -14,3 +14,5 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "actio/numbers/compiled_doubles.hpp"

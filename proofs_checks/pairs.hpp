@@ -226,8 +226,8 @@ Polynomial with_motion_along(Polynomial l, GroupElements<S> const& g, Draw& draw
   return l;
 }
 inline constexpr auto as_it_is = [](auto const& l) { return l; };
-inline constexpr auto lifted_right = [](auto const& l) { return lift_right(l); };
-inline constexpr auto lifted_left = [](auto const& l) { return lift_left(l); };
+inline constexpr auto by_lift_right = [](auto const& l) { return lift_right(l); };
+inline constexpr auto by_lift_left = [](auto const& l) { return lift_left(l); };
 
 /// An algebra polynomial whose cubic term is too small to make it degenerate at velocities of order 1.
 template <class S>
@@ -243,11 +243,11 @@ PairPolynomial<S> draw_with_motion(Draw& draw, GroupElements<S> const& g) {
 }
 template <class S>
 auto draw_right_invariant_with_motion(Draw& draw, GroupElements<S> const& g) {
-  return lift_right(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, lifted_right));
+  return lift_right(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, by_lift_right));
 }
 template <class S>
 auto draw_left_invariant_with_motion(Draw& draw, GroupElements<S> const& g) {
-  return lift_left(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, lifted_left));
+  return lift_left(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, by_lift_left));
 }
 
 /// A Lagrangian on pairs, less the square of a height that depends only on the image of one basis vector.

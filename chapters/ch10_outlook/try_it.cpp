@@ -13,7 +13,6 @@
 #include "actio/numbers/print.hpp"
 using namespace actio;
 using namespace actio::media;
-using namespace actio::sphere;
 
 TRY_IT(sheet) {
   // A sheet of rubber is stretched, set turning and let go: what has changed after a thousand steps.
@@ -84,6 +83,7 @@ TRY_IT(asynchronous) {
 
 #include "actio/vorticity/sphere_invariants.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
+using namespace actio::sphere;
 
 TRY_IT(a_step) {
   // One step of a flow of three harmonics: what has changed of energy, angular momentum and C_2 .. C_5.

@@ -285,3 +285,5 @@ struct std::numeric_limits<actio::Number> {
   static actio::Number quiet_NaN() { return actio::Number(std::numeric_limits<double>::quiet_NaN()); }
   static actio::Number min() { return actio::Number(std::numeric_limits<double>::min()); }
 };
+
+#include "witness/compiled_numbers.hpp"

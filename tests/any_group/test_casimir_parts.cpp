@@ -1,10 +1,10 @@
 // What Casimirs are found with: monomials, conditions with few terms, whole coefficients, and the defect.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/any_group/invariants.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using namespace actio::systems;
@@ -20,7 +20,8 @@ std::vector<double> whole(std::vector<double> const& coefficients) {
   Terms terms;
   for (double const c : coefficients) terms.push_back({0, -1, c});
   std::vector<double> out;
-  for (auto const& t : systems::detail::with_whole_coefficients(of(terms)).terms) out.push_back(t.coefficient);
+  for (auto const& t : systems::detail::with_whole_coefficients(of(terms)).terms)
+    out.push_back(t.coefficient);
   return out;
 }
 /// Rows with few entries, small and whole, and multiples of rows among them.
@@ -44,11 +45,12 @@ std::vector<SparseRow> some_rows(Draw& draw, int count, int columns) {
 }
 /// The rank over the rationals.
 int rank_of(std::vector<SparseRow> const& rows, int columns) {
-  std::vector<std::vector<rational>> m;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  std::vector<std::vector<Number>> m;
   for (auto const& row : rows) {
-    m.emplace_back(static_cast<std::size_t>(columns), rational(0));
+    m.emplace_back(static_cast<std::size_t>(columns), Number(0));
     for (auto const& [column, x] : row)
-      m.back()[static_cast<std::size_t>(column)] = rational(static_cast<int>(x));
+      m.back()[static_cast<std::size_t>(column)] = Number(static_cast<int>(x));
   }
   std::size_t rank = 0;
   for (std::size_t c = 0; c < static_cast<std::size_t>(columns) && rank < m.size(); ++c) {
@@ -57,7 +59,7 @@ int rank_of(std::vector<SparseRow> const& rows, int columns) {
     if (pivot == m.size()) continue;
     std::swap(m[pivot], m[rank]);
     for (std::size_t i = rank + 1; i < m.size(); ++i) {
-      rational const factor = m[i][c] / m[rank][c];
+      Number const factor = m[i][c] / m[rank][c];
       for (std::size_t k = c; k < m[i].size(); ++k) m[i][k] -= factor * m[rank][k];
     }
     ++rank;

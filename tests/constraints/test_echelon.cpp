@@ -3,13 +3,14 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/constraints/multiplier_theorem.hpp"
-#include "witness/draw.hpp"
+#include "fine_draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
 namespace {
 
-using Q = rational;
+using Q = Number;
 template <class S>
 using Table = Matrix<S, Dynamic, Dynamic>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -31,7 +32,7 @@ int rank_of(Table<Q> m) {
   return rank;
 }
 /// A product of two factors with small fractions, of a rank at most that of their common side.
-Table<Q> product(Draw& draw, int rows, int common, int columns) {
+Table<Q> product(testing::FineDraw& draw, int rows, int common, int columns) {
   Table<Q> m = Table<Q>::Zero(rows, columns);
   for (int n = 0; n < common; ++n) {
     Vector<Q> const left = draw.vector<Q, Vector<Q>>(rows), right = draw.vector<Q, Vector<Q>>(columns);
@@ -46,7 +47,8 @@ Table<Q> product(Draw& draw, int rows, int common, int columns) {
 BOOST_AUTO_TEST_SUITE(echelon_forms)
 
 BOOST_AUTO_TEST_CASE(rank_and_kernel_are_those_of_plain_elimination) {
-  Draw draw(29);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(29);
   for (auto const& [rows, common, columns] :
        {std::array{2, 2, 5}, {3, 2, 5}, {4, 3, 4}, {5, 2, 3}, {5, 5, 3}, {4, 4, 7}, {1, 1, 1}, {3, 0, 2}}) {
     Table<Q> const m = product(draw, rows, common, columns);
@@ -62,12 +64,12 @@ BOOST_AUTO_TEST_CASE(rank_and_kernel_are_those_of_plain_elimination) {
     std::sort(sorted.begin(), sorted.end());
     for (int c = 0; c < columns; ++c) BOOST_TEST(sorted[static_cast<std::size_t>(c)] == c);
     for (int i = 0; i < rank; ++i)
-      for (int c = 0; c < rank; ++c) BOOST_TEST(e.matrix(i, c) == Q(i == c));
+      for (int c = 0; c < rank; ++c) BOOST_TEST((e.matrix(i, c) == Q(i == c)));
     for (int i = 0; i < rows; ++i)
       for (int c = 0; c < columns - rank; ++c) {
         Q sum(0);
         for (int k = 0; k < columns; ++k) sum += m(i, k) * e.kernel()(k, c);
-        BOOST_TEST(sum == Q(0));
+        BOOST_TEST((sum == Q(0)));
       }
     // In double, with rows in units far apart.
     Table<double> scaled(rows, columns);
@@ -129,6 +131,7 @@ BOOST_AUTO_TEST_CASE(a_constraint_that_is_not_onto_is_refused_at_its_point_with_
 }
 
 BOOST_AUTO_TEST_CASE(a_multiplier_of_two_constraints_balances_the_function_in_any_inner_product) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   // On two planes in four dimensions the function |q|^2/2 - <c, q> is critical nearest to c. The inner
   // product of the fibres is not diagonal.
   using V4 = Matrix<Q, 4, 1>;
@@ -163,7 +166,7 @@ BOOST_AUTO_TEST_CASE(a_multiplier_of_two_constraints_balances_the_function_in_an
   for (int k = 0; k < 2; ++k) {
     Q sum(0);
     for (int i = 0; i < 4; ++i) sum += kernel(i, k) * (elsewhere[i] - c[i]);
-    BOOST_TEST(along[k] == sum);
+    BOOST_TEST((along[k] == sum));
   }
 }
 

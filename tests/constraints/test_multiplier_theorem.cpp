@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/constraints/multiplier_theorem.hpp"
 #include "refused.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -23,20 +23,23 @@ auto const height = []<class T>(Column<T, 3> const& q) { return T(q[0] * T(3) + 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_linear_function_on_the_sphere_has_its_multiplier_where_it_is_critical) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   auto const f = constrained<1>(height, sphere);
-  Column<rational, 3> const q(rational(3, 5), rational(4, 5), 0);
+  Column<Number, 3> const q(ratio<Number>(3, 5), ratio<Number>(4, 5), 0);
   BOOST_TEST((f.restricted_differential(q)).isZero());
   auto const lambda = f.multiplier(q);
-  BOOST_TEST(lambda[0] == rational(5, 2));
+  BOOST_TEST((lambda[0] == ratio<Number>(5, 2)));
   BOOST_TEST((f.augmented_differential(q, lambda)).isZero());
-  Column<rational, 3> const elsewhere(0, 0, 1);
+  Column<Number, 3> const elsewhere(0, 0, 1);
   BOOST_TEST(!f.restricted_differential(elsewhere).isZero());
 }
 
 BOOST_AUTO_TEST_CASE(an_inner_product_of_the_fibres_scales_the_multiplier) {
-  Matrix<rational, 1, 1> const two(rational(2));
-  auto const f = constrained<1>(height, sphere, ConstantMetric<rational, 1>{two});
-  BOOST_TEST(f.multiplier(Column<rational, 3>(rational(3, 5), rational(4, 5), 0))[0] == rational(5, 4));
+  WithArithmetic const exactly(Arithmetic::rationals());
+  Matrix<Number, 1, 1> const two(Number(2));
+  auto const f = constrained<1>(height, sphere, ConstantMetric<Number, 1>{two});
+  BOOST_TEST((f.multiplier(Column<Number, 3>(ratio<Number>(3, 5), ratio<Number>(4, 5), 0))[0] ==
+              ratio<Number>(5, 4)));
 }
 
 BOOST_AUTO_TEST_CASE(a_point_where_the_constraint_is_not_regular_is_refused_with_the_pivot) {
@@ -82,14 +85,15 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(the_kernel_is_sent_to_zero_and_has_the_right_dimension) {
-  Matrix<rational, 2, 4> A;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  Matrix<Number, 2, 4> A;
   A << 1, 2, 3, 4, 2, 4, 6, 9;
   auto const e = echelon(A);
   BOOST_TEST(e.rank == 2);
   BOOST_TEST(e.onto());
   BOOST_TEST(e.kernel().cols() == 2);
   BOOST_TEST(((A * e.kernel())).isZero());
-  A.row(1) = A.row(0) * rational(2);
+  A.row(1) = A.row(0) * Number(2);
   BOOST_TEST(echelon(A).rank == 1);
   BOOST_TEST(echelon(A).kernel().cols() == 3);
   BOOST_TEST(((A * echelon(A).kernel())).isZero());

@@ -2,10 +2,10 @@
 // and numbers that carry a divergence are dual numbers of dual numbers.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/continuum/elastic_equation.hpp"
+#include "fine_draw.hpp"
 #include "refused.hpp"
-#include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -13,7 +13,7 @@ namespace {
 
 /// A second jet near that of the body at rest, of no section.
 template <class S, int n>
-SecondJet<S, n, n> second_jet_near_rest(Draw& draw) {
+SecondJet<S, n, n> second_jet_near_rest(testing::FineDraw& draw) {
   SecondJet<S, n, n> j;
   j.x = draw.vector<S, Event<S, n>>(n + 1);
   j.y = draw.vector<S, Matrix<S, n, 1>>(n);
@@ -38,7 +38,7 @@ struct Fibres {
 
 template <class S, int n, class Energy>
 void agree(Energy const& energy, char const* name) {
-  Draw draw(20 + n);
+  testing::FineDraw draw(20 + n);
   Continuum const medium{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{ratio<S>(13, 10)}, energy};
   for (int sample = 0; sample < 5; ++sample) {
     auto const j = second_jet_near_rest<S, n>(draw);
@@ -98,19 +98,21 @@ BOOST_AUTO_TEST_CASE(equations_written_out_are_those_of_the_general_road) {
 }
 
 BOOST_AUTO_TEST_CASE(they_are_in_fifty_digits) {
-  agree<dec50, 3>(OfGreenTensor{MooneyRivlin{ratio<dec50>(4, 5), ratio<dec50>(7, 5),
-                                             LogarithmicVolume<dec50>{ratio<dec50>(7, 5)}}},
-                  "Mooney-Rivlin");
+  WithArithmetic const digits(Arithmetic::decimal(50));
+  agree<Number, 3>(OfGreenTensor{MooneyRivlin{ratio<Number>(4, 5), ratio<Number>(7, 5),
+                                              LogarithmicVolume<Number>{ratio<Number>(7, 5)}}},
+                   "Mooney-Rivlin");
 }
 
 BOOST_AUTO_TEST_CASE(they_are_exactly_over_the_rationals) {
-  agree<rational, 2>(OfGreenTensor{StVenantKirchhoff<rational>{ratio<rational>(7, 5), ratio<rational>(4, 5)}},
-                     "St Venant-Kirchhoff");
-  agree<rational, 2>(OfGreenTensor{Fibres{}}, "a law of one's own");
+  WithArithmetic const exactly(Arithmetic::rationals());
+  agree<Number, 2>(OfGreenTensor{StVenantKirchhoff<Number>{ratio<Number>(7, 5), ratio<Number>(4, 5)}},
+                   "St Venant-Kirchhoff");
+  agree<Number, 2>(OfGreenTensor{Fibres{}}, "a law of one's own");
 }
 
 BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused) {
-  Draw draw(3);
+  testing::FineDraw draw(3);
   auto j = second_jet_near_rest<double, 3>(draw);
   Continuum const solid{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{},
                         OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}}};

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
-#include "witness/draw.hpp"
+#include "fine_draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -19,7 +19,7 @@ using Square = Matrix<S, n, n>;
 
 /// A second jet near that of the body at rest, of no section.
 template <class S, int n>
-SecondJet<S, n, n> any_second_jet(Draw& draw) {
+SecondJet<S, n, n> any_second_jet(testing::FineDraw& draw) {
   SecondJet<S, n, n> j;
   S const size = ratio<S>(1, 5);
   j.x = draw.vector<S, Event<S, n>>(n + 1);
@@ -44,7 +44,7 @@ Jet<S, n, n> strained(Square<S, n> const& F) {
 /// The identity as a matrix that is the same everywhere, and as a function that the compiler knows nothing
 /// about.
 template <class S, int n>
-ConstantMetric<S, n> const constant_identity{Square<S, n>::Identity()};
+ConstantMetric<S, n> constant_identity() { return {Square<S, n>::Identity()}; }
 struct IdentitySomehow {
   template <class T, int n>
   Square<T, n> operator()(Matrix<T, n, 1> const&) const { return Square<T, n>::Identity(); }
@@ -64,34 +64,35 @@ struct Sphere {
 /// The largest difference between what two media make of the same motion: momenta, field equations, and all
 /// the forms of them.
 template <class A, class B, int n>
-rational gap(A const& a, B const& b, SecondJet<rational, n, n> const& j) {
-  Jet<rational, n, n> const& first = j;
-  std::vector<rational> const gaps{magnitude((momenta(a, first) - momenta(b, first)).eval()),
-                                   magnitude((euler_lagrange(a, j) - euler_lagrange(b, j)).eval()),
-                                   magnitude((medium_equation(a, j) - medium_equation(b, j)).eval()),
-                                   magnitude((stress_equation(a, j) - stress_equation(b, j)).eval()),
-                                   magnitude((solid_equation(a, j) - solid_equation(b, j)).eval()),
-                                   magnitude((cauchy_stress(a, first) - cauchy_stress(b, first)).eval())};
+Number gap(A const& a, B const& b, SecondJet<Number, n, n> const& j) {
+  Jet<Number, n, n> const& first = j;
+  std::vector<Number> const gaps{magnitude((momenta(a, first) - momenta(b, first)).eval()),
+                                 magnitude((euler_lagrange(a, j) - euler_lagrange(b, j)).eval()),
+                                 magnitude((medium_equation(a, j) - medium_equation(b, j)).eval()),
+                                 magnitude((stress_equation(a, j) - stress_equation(b, j)).eval()),
+                                 magnitude((solid_equation(a, j) - solid_equation(b, j)).eval()),
+                                 magnitude((cauchy_stress(a, first) - cauchy_stress(b, first)).eval())};
   return *std::max_element(gaps.begin(), gaps.end());
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_flat_space_as_a_type_as_a_matrix_and_as_a_function_are_one) {
-  Draw draw(1);
-  using S = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(1);
+  using S = Number;
   auto const j = any_second_jet<S, 2>(draw);
   LinearDensity<S, 2> const rho{S(3), {ratio<S>(1, 5), ratio<S>(-1, 7)}};
   OfGreenTensor<NeoHookean<S, PowerVolume<1>>> const W{{S(2), {}}};
   Continuum const type{Euclidean<2>{}, Euclidean<2>{}, rho, W};
-  Continuum const matrix{constant_identity<S, 2>, constant_identity<S, 2>, rho, W};
+  Continuum const matrix{constant_identity<S, 2>(), constant_identity<S, 2>(), rho, W};
   Continuum const function{IdentitySomehow{}, IdentitySomehow{}, rho, W};
-  BOOST_TEST(gap(type, matrix, j) == S(0));
-  BOOST_TEST(gap(type, function, j) == S(0));
+  BOOST_TEST((gap(type, matrix, j) == S(0)));
+  BOOST_TEST((gap(type, function, j) == S(0)));
   // And all forms of the equations agree: minus the field equations, where volumes and metrics are one.
-  BOOST_TEST(magnitude((euler_lagrange(type, j) + medium_equation(type, j)).eval()) == S(0));
-  BOOST_TEST(magnitude((euler_lagrange(type, j) + stress_equation(type, j)).eval()) == S(0));
-  BOOST_TEST(magnitude((euler_lagrange(type, j) + solid_equation(type, j)).eval()) == S(0));
+  BOOST_TEST((magnitude((euler_lagrange(type, j) + medium_equation(type, j)).eval()) == S(0)));
+  BOOST_TEST((magnitude((euler_lagrange(type, j) + stress_equation(type, j)).eval()) == S(0)));
+  BOOST_TEST((magnitude((euler_lagrange(type, j) + solid_equation(type, j)).eval()) == S(0)));
 }
 
 BOOST_AUTO_TEST_CASE(a_flat_metric_stores_nothing) {
@@ -156,7 +157,7 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
   BOOST_TEST(size(first_piola_kirchhoff_stress(body, strained<S, n>(one))) <= bound);
   BOOST_TEST(size(cauchy_stress(body, strained<S, n>(one))) <= bound);
 
-  Draw draw(3);
+  testing::FineDraw draw(3);
   for (int sample = 0; sample < 4; ++sample) {
     // The derivative of the stress at rest along H is Hooke's stress of the symmetric part of H.
     Square<S, n> H, A;
@@ -193,8 +194,9 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(solids_are_free_of_stress_at_rest_and_obey_hooke_nearby) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   // Exactly: moduli of size 1, mass 3.
-  using S = rational;
+  using S = Number;
   S const lambda = ratio<S>(7, 3), mu = ratio<S>(5, 4), c1 = ratio<S>(2, 3), c2 = ratio<S>(1, 5);
   is_a_solid<2>(StVenantKirchhoff<S>{lambda, mu}, lambda, mu, 0);
   is_a_solid<2>(NeoHookean<S, PowerVolume<2>>{mu, {}}, S(4 * mu), mu, 0);
@@ -219,20 +221,21 @@ BOOST_AUTO_TEST_CASE(fluids_have_the_pressures_that_their_names_say) {
   BOOST_TEST(std::abs(pressure(Tait<double>{K, 7.15}) - rho * K * (std::pow(J, -7.15) - 1)) < 16 * eps);
   BOOST_TEST(std::abs(pressure(WholeTait<double, 6>{K}) - pressure(Tait<double>{K, 7})) < 16 * eps);
   BOOST_TEST(std::abs(pressure([](auto const& at) { return 1.0 / at; }) - rho / (J * J)) < 16 * eps);
+  WithArithmetic const exactly(Arithmetic::rationals());
   // Tait's liquid at rest: no energy, no pressure, and the square of the speed of sound is gamma B.
-  WholeTait<rational, 6> const water{rational(5)};
-  Dual<Dual<rational>> one(Dual<rational>(rational(1)));
-  one.part[0] = Dual<rational>(rational(1)), one.value.part[0] = rational(1);
+  WholeTait<Number, 6> const water{Number(5)};
+  Dual<Dual<Number>> one(Dual<Number>(Number(1)));
+  one.part[0] = Dual<Number>(Number(1)), one.value.part[0] = Number(1);
   auto const w = water(one);
-  BOOST_TEST(w.value.value == rational(0));
-  BOOST_TEST(w.part[0].value == rational(0));
-  BOOST_TEST(w.part[0].part[0] == rational(35));
+  BOOST_TEST((w.value.value == Number(0)));
+  BOOST_TEST((w.part[0].value == Number(0)));
+  BOOST_TEST((w.part[0].part[0] == Number(35)));
 }
 
 namespace {
 /// A fluid that is the stiffer the farther a particle is along the first coordinate.
 struct StifferAlong {
-  WholeTait<rational, 2> w;
+  WholeTait<Number, 2> w;
   template <class BodyMetric, class SpaceMetric, class S, int n>
   S operator()(Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g,
                Matrix<S, n, n> const& F) const {
@@ -248,42 +251,45 @@ template <>
 inline constexpr bool actio::is_barotropic<StifferAlong> = true;
 
 BOOST_AUTO_TEST_CASE(a_fluid_whose_law_differs_from_particle_to_particle_has_a_pressure) {
-  Draw draw(8);
-  using S = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(8);
+  using S = Number;
   auto const j = any_second_jet<S, 2>(draw);
   Jet<S, 2, 2> const& first = j;
   Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<S>{S(2)}, StifferAlong{{S(3)}}};
   static_assert(FluidMedium<decltype(fluid)>);
   Square<S, 2> const push = Square<S, 2>::Identity() * material_pressure(fluid, first);
-  BOOST_TEST(magnitude((cauchy_stress(fluid, first) + push).eval()) == S(0));
-  BOOST_TEST(magnitude((euler_lagrange(fluid, j) + fluid_equation(fluid, j)).eval()) == S(0));
+  BOOST_TEST((magnitude((cauchy_stress(fluid, first) + push).eval()) == S(0)));
+  BOOST_TEST((magnitude((euler_lagrange(fluid, j) + fluid_equation(fluid, j)).eval()) == S(0)));
 }
 
 BOOST_AUTO_TEST_CASE(a_fluid_stays_at_rest_and_its_stress_is_its_pressure) {
-  Draw draw(5);
-  using S = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(5);
+  using S = Number;
   auto const j = any_second_jet<S, 2>(draw);
   Jet<S, 2, 2> const& first = j;
   Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<S>{S(2)},
                         Barotropic{WholeTait<S, 2>{S(3)}}};
   Square<S, 2> const push = Square<S, 2>::Identity() * material_pressure(fluid, first);
-  BOOST_TEST(magnitude((cauchy_stress(fluid, first) + push).eval()) == S(0));
-  BOOST_TEST(magnitude((euler_lagrange(fluid, j) + fluid_equation(fluid, j)).eval()) == S(0));
-  BOOST_TEST(magnitude(piola_identity(Euclidean<2>{}, Euclidean<2>{}, j)) == S(0));
+  BOOST_TEST((magnitude((cauchy_stress(fluid, first) + push).eval()) == S(0)));
+  BOOST_TEST((magnitude((euler_lagrange(fluid, j) + fluid_equation(fluid, j)).eval()) == S(0)));
+  BOOST_TEST((magnitude(piola_identity(Euclidean<2>{}, Euclidean<2>{}, j)) == S(0)));
   // Whatever its pressure is, one that is the same everywhere moves nothing.
   SecondJet<S, 2, 2> still{strained<S, 2>(Square<S, 2>::Identity() * ratio<S>(3, 2)), {}};
   for (auto& w : still.w) w.setZero();
-  BOOST_TEST(magnitude(fluid_equation(fluid, still)) == S(0));
+  BOOST_TEST((magnitude(fluid_equation(fluid, still)) == S(0)));
 }
 
 BOOST_AUTO_TEST_CASE(mass_grows_linearly_and_pulls_the_pressure_with_it) {
-  using S = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  using S = Number;
   LinearDensity<S, 2> const rho{S(2), {ratio<S>(1, 2), S(0)}};
   Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, rho, Barotropic{WholePolytropic<S, 1>{S(3)}}};
   SecondJet<S, 2, 2> still{strained<S, 2>(Square<S, 2>::Identity()), {}};
   for (auto& w : still.w) w.setZero();
   // P = 3 rho at J = 1, so its slope is 3.
   Matrix<S, 2, 1> const force = fluid_equation(fluid, still);
-  BOOST_TEST(force[0] == S(3));
-  BOOST_TEST(force[1] == S(0));
+  BOOST_TEST((force[0] == S(3)));
+  BOOST_TEST((force[1] == S(0)));
 }

@@ -5,6 +5,7 @@
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "refused.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -154,7 +155,8 @@ BOOST_AUTO_TEST_CASE(an_energy_without_derivative_at_rest_is_refused_with_the_po
 }
 
 BOOST_AUTO_TEST_CASE(an_irrational_volume_is_refused_over_the_rationals) {
-  using S = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  using S = Number;
   auto const judge = [](std::string const& where) {
     return [where](NotASquare const& e) { return says(e, where) && e.measured == 2 && e.bound == 0; };
   };

@@ -5,12 +5,12 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/compensated_half_turn.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
+#include "fine_draw.hpp"
 #include "refused.hpp"
-#include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using namespace actio::bodies;
@@ -27,24 +27,23 @@ Three<S> cross_product(Three<S> const& a, Three<S> const& b) {
 // A relative motion (q0, q) and a body for which |p| and |Iq| are rational, p = q0 Iq + q x Iq: q = A y + B n
 // with y, n rational and orthonormal, A = K.
 struct RationalMotion {
-  Three<rational> I, before, after;
-  rational amount, kappa;
+  Three<Number> I, before, after;
+  Number amount, kappa;
 
-  explicit RationalMotion(Draw& draw) {
-    auto const turn = draw.element<rational>(SO<3>{}, rational(1)).value;
-    rational const s = draw.number<rational>(), w = draw.number<rational>(), whole = 1 + s * s,
-                   K = 2 * s / whole;
+  explicit RationalMotion(testing::FineDraw& draw) {
+    auto const turn = draw.element<Number>(SO<3>{}, Number(1)).value;
+    Number const s = draw.number<Number>(), w = draw.number<Number>(), whole = 1 + s * s, K = 2 * s / whole;
     amount = (1 - s * s) / whole;
-    rational const q0 = amount * (1 - w * w) / (1 + w * w), B = amount * 2 * w / (1 + w * w);
-    Three<rational> y, q;
+    Number const q0 = amount * (1 - w * w) / (1 + w * w), B = amount * 2 * w / (1 + w * w);
+    Three<Number> y, q;
     for (int i = 0; i < 3; ++i) y[i] = turn(i, 0), q[i] = K * y[i] + B * turn(i, 1), I[i] = y[i] / q[i];
-    Three<rational> const side = cross_product(q, y);
+    Three<Number> const side = cross_product(q, y);
     for (int i = 0; i < 3; ++i)
       before[i] = (q0 * y[i] + side[i]) / amount, after[i] = (q0 * y[i] - side[i]) / amount;
     kappa = K / amount;
   }
-  Three<rational> j() const { return {amount / I[0], amount / I[1], amount / I[2]}; }
-  static rational mean(Three<rational> const& j, Three<rational> const& u) {
+  Three<Number> j() const { return {amount / I[0], amount / I[1], amount / I[2]}; }
+  static Number mean(Three<Number> const& j, Three<Number> const& u) {
     return j[0] * u[0] * u[0] + j[1] * u[1] * u[1] + j[2] * u[2] * u[2];
   }
 };
@@ -84,52 +83,54 @@ Beside beside_the_general_solver(Inertia<3> const& inertia, Vector3d const& pi, 
 BOOST_AUTO_TEST_SUITE(half_turn)
 
 BOOST_AUTO_TEST_CASE(the_twist_of_a_relative_motion_solves_its_equation_exactly) {
-  Draw draw(testing::seed);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(testing::seed);
   for (int repeat = 0; repeat < 40; ++repeat) {
     RationalMotion const motion(draw);
-    Three<rational> const &u = motion.before, j = motion.j();
+    Three<Number> const &u = motion.before, j = motion.j();
     BOOST_TEST((dot(u, u) == 1));
     BOOST_TEST((RationalMotion::mean(j, u) == RationalMotion::mean(j, motion.after)));
-    TwistEquation<rational> const equation(j, RationalMotion::mean(j, u));
+    TwistEquation<Number> const equation(j, RationalMotion::mean(j, u));
     BOOST_TEST((equation.residual(motion.kappa) == 0));
     // Of another body, or with the twist the other way, it is not solved.
     BOOST_TEST((equation.residual(-motion.kappa) != 0));
-    Three<rational> const other = {j[1], j[0], j[2]};
-    BOOST_TEST((TwistEquation<rational>(other, RationalMotion::mean(other, u)).residual(motion.kappa) != 0));
+    Three<Number> const other = {j[1], j[0], j[2]};
+    BOOST_TEST((TwistEquation<Number>(other, RationalMotion::mean(other, u)).residual(motion.kappa) != 0));
     // The slope is that of the residual: a polynomial of degree four, by five points.
-    rational const d(1, 7), k = motion.kappa;
-    rational const slope = (8 * (equation.residual(k + d) - equation.residual(k - d)) -
-                            (equation.residual(k + 2 * d) - equation.residual(k - 2 * d))) /
-                           (12 * d);
+    Number const d = ratio<Number>(1, 7), k = motion.kappa;
+    Number const slope = (8 * (equation.residual(k + d) - equation.residual(k - d)) -
+                          (equation.residual(k + 2 * d) - equation.residual(k - 2 * d))) /
+                         (12 * d);
     BOOST_TEST((slope == equation.slope(k)));
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_half_turn_takes_the_momentum_before_to_that_after_exactly) {
-  Draw draw(testing::seed + 1);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(testing::seed + 1);
   for (int repeat = 0; repeat < 40; ++repeat) {
     RationalMotion const motion(draw);
-    Three<rational> const j = motion.j();
-    rational const k = motion.kappa, sum = 1 + k * k;
-    Three<rational> const delta = {sum * j[0] - k, sum * j[1] - k, sum * j[2] - k};
+    Three<Number> const j = motion.j();
+    Number const k = motion.kappa, sum = 1 + k * k;
+    Three<Number> const delta = {sum * j[0] - k, sum * j[1] - k, sum * j[2] - k};
     // cos T = |p|/|y| is rational here.
-    StepParameters<rational> parameters{delta,
-                                        {delta[2] - delta[1], delta[0] - delta[2], delta[1] - delta[0]},
-                                        motion.amount,
-                                        k * motion.amount,
-                                        stretch_of(delta)};
-    Three<rational> u = motion.before;
-    HalfTurn<rational>(parameters).step(u);
+    StepParameters<Number> parameters{delta,
+                                      {delta[2] - delta[1], delta[0] - delta[2], delta[1] - delta[0]},
+                                      motion.amount,
+                                      k * motion.amount,
+                                      stretch_of(delta)};
+    Three<Number> u = motion.before;
+    HalfTurn<Number>(parameters).step(u);
     BOOST_TEST((u == motion.after));
     // The axis is the null vector of diag(delta) + [u]x, and the moments are recovered from the parameters.
-    Three<rational> const v = HalfTurn<rational>(parameters).axis(motion.before),
-                          side = cross_product(motion.before, v);
+    Three<Number> const v = HalfTurn<Number>(parameters).axis(motion.before),
+                        side = cross_product(motion.before, v);
     for (int i = 0; i < 3; ++i) BOOST_TEST((delta[i] * v[i] + side[i] == 0));
     BOOST_TEST((inertia_of(parameters) == j));
     // With the gaps the wrong way round it is another map.
     for (auto& g : parameters.gap) g = -g;
     u = motion.before;
-    HalfTurn<rational>(parameters).step(u);
+    HalfTurn<Number>(parameters).step(u);
     BOOST_TEST((u != motion.after));
   }
 }

@@ -3,10 +3,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/exact_flow.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
-#include "witness/draw.hpp"
+#include "actio/numbers/multiprecision.hpp"
+#include "fine_draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using namespace actio::bodies;
@@ -32,8 +33,8 @@ struct PrintedTerms {
   }
 };
 
-Three<rational> rational_direction(Draw& draw) {
-  rational const a = draw.number<rational>(), b = draw.number<rational>(), whole = 1 + a * a + b * b;
+Three<Number> rational_direction(testing::FineDraw& draw) {
+  Number const a = draw.number<Number>(), b = draw.number<Number>(), whole = 1 + a * a + b * b;
   return {2 * a / whole, 2 * b / whole, (1 - a * a - b * b) / whole};
 }
 
@@ -55,20 +56,21 @@ struct Model {
 BOOST_AUTO_TEST_SUITE(modified_inertia_of_a_step)
 
 BOOST_AUTO_TEST_CASE(the_first_terms_are_those_of_hairer_and_vilmart_exactly) {
-  Draw draw(testing::seed);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(testing::seed);
   for (int repeat = 0; repeat < 20; ++repeat) {
-    Three<rational> I;
-    for (auto& x : I) x = 2 + draw.number<rational>();
+    Three<Number> I;
+    for (auto& x : I) x = 2 + draw.number<Number>();
     // The middle moment in the middle, from either end.
     std::sort(I.begin(), I.end());
     if (repeat % 2) std::swap(I[0], I[2]);
-    InverseMoments<rational> const body(I);
-    Three<rational> const u = rational_direction(draw);
-    ModifiedInertiaSeries<rational> const series(body, Orbit<rational>(body, u), 3);
+    InverseMoments<Number> const body(I);
+    Three<Number> const u = rational_direction(draw);
+    ModifiedInertiaSeries<Number> const series(body, Orbit<Number>(body, u), 3);
     // |M| = 1, so that t = h/2.
-    rational const H = (body.J[0] * u[0] * u[0] + body.J[1] * u[1] * u[1] + body.J[2] * u[2] * u[2]) / 2;
-    PrintedTerms<rational> const printed(I, rational(1, 2), H),
-        other(I, rational(1, 2), H + rational(1, 1000));
+    Number const H = (body.J[0] * u[0] * u[0] + body.J[1] * u[1] * u[1] + body.J[2] * u[2] * u[2]) / 2;
+    PrintedTerms<Number> const printed(I, ratio<Number>(1, 2), H),
+        other(I, ratio<Number>(1, 2), H + ratio<Number>(1, 1000));
     BOOST_TEST((series.s.coefficient(0) == 1));
     BOOST_TEST((series.d.coefficient(0) == 0));
     BOOST_TEST((series.s.coefficient(1) / 4 == printed.s3));

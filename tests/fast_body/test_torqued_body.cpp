@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 
 #include "../rigid_body/random_bodies.hpp"
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/torqued_batch.hpp"
 #include "actio/reduction/composition.hpp"
 #include "refused.hpp"
+#include "witness/number.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
@@ -72,14 +72,14 @@ std::vector<Splitting> methods() {
 BOOST_AUTO_TEST_SUITE(torqued_body)
 
 BOOST_AUTO_TEST_CASE(the_series_leave_out_nothing_beyond_rounding) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   auto const compare = [](auto const& series, double X, double y, double w) {
     // Y is at most X^2/4 and W at most X, from what they are made of.
     double const Y = y * X * X / 4, W = w * X;
-    auto const truth = ShortSeries<dec50>::by_recursion<30>(dec50(X), dec50(Y), dec50(W));
+    auto const truth = ShortSeries<Number>::by_recursion<30>(Number(X), Number(Y), Number(W));
     auto const found = series(X, Y, W);
-    double const off[] = {to_double(dec50(found.lever - truth.lever)),
-                          to_double(dec50(found.square - truth.square)),
-                          to_double(dec50(found.mean - truth.mean))};
+    double const off[] = {to_double(found.lever - truth.lever), to_double(found.square - truth.square),
+                          to_double(found.mean - truth.mean)};
     for (double const x : off) BOOST_TEST(std::abs(x) <= 2 * eps);
   };
   for (double const y : {0.0, 0.5, 1.0})

@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/explicit_moser_veselov.hpp"
 #include "actio/fast_body/space/short_flow.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using namespace actio::bodies;
@@ -37,28 +37,29 @@ Three<double> random_direction(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   return {uniform(random), uniform(random), uniform(random)};
 }
-double off(dec50 const& a, dec50 const& b) { return to_double(magnitude(dec50(a - b))); }
+double off(Number const& a, Number const& b) { return to_double(magnitude(a - b)); }
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(twist)
 
 BOOST_AUTO_TEST_CASE(both_forms_of_the_equation_are_one_function_with_one_slope) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   std::mt19937 random(1971);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int trial = 0; trial < 40; ++trial) {
     Three<double> e{1.3, 0.9, 0.4};
     if (trial % 2) std::swap(e[0], e[2]);
-    Step<dec50> const step(e, uniform(random), random_direction(random));
-    TwistEquation<dec50> const quartic(step.half.j, step.r);
-    TwistFromMiddle<dec50> const middle(step.half, step.u);
-    dec50 const kappa = 2 * uniform(random), d("1e-9");
+    Step<Number> const step(e, uniform(random), random_direction(random));
+    TwistEquation<Number> const quartic(step.half.j, step.r);
+    TwistFromMiddle<Number> const middle(step.half, step.u);
+    Number const kappa = 2 * uniform(random), d = ratio<Number>(1, 1000000000);
     BOOST_TEST(off(middle.residual(kappa), quartic.residual(kappa)) <= 1e-47);
     BOOST_TEST(off(middle.slope(kappa), quartic.slope(kappa)) <= 1e-47);
     // By differences, to the fourth order in 1e-9.
-    dec50 const slope = (8 * (middle.residual(kappa + d) - middle.residual(kappa - d)) -
-                         (middle.residual(kappa + 2 * d) - middle.residual(kappa - 2 * d))) /
-                        (12 * d);
+    Number const slope = (8 * (middle.residual(kappa + d) - middle.residual(kappa - d)) -
+                          (middle.residual(kappa + 2 * d) - middle.residual(kappa - 2 * d))) /
+                         (12 * d);
     BOOST_TEST(off(middle.slope(kappa), slope) <= 1e-33);
   }
 }
@@ -97,6 +98,7 @@ BOOST_AUTO_TEST_CASE(the_root_is_the_smallest_and_a_few_evaluations_find_it) {
 }
 
 BOOST_AUTO_TEST_CASE(the_parameters_have_all_their_digits_for_long_bodies_and_for_nearly_round_ones) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   std::mt19937 random(1973);
   for (Three<double> const& e : {Three<double>{1.5, 1, 0.25},
                                  {0.25, 1, 1.5},
@@ -108,7 +110,7 @@ BOOST_AUTO_TEST_CASE(the_parameters_have_all_their_digits_for_long_bodies_and_fo
       for (int trial = 0; trial < 5; ++trial) {
         double const length = part / std::max(e[0], e[2]);
         auto direction = random_direction(random);
-        Step<dec50> const exact(e, length, direction);
+        Step<Number> const exact(e, length, direction);
         // The same real numbers: differences and components are rounded once.
         HalfStep<double> half;
         Three<double> u;
@@ -116,28 +118,29 @@ BOOST_AUTO_TEST_CASE(the_parameters_have_all_their_digits_for_long_bodies_and_fo
         half.d12 = to_double(exact.half.d12), half.d23 = to_double(exact.half.d23);
         bool found = false, found_exactly = false;
         auto const p = moser_veselov_parameters<double>(half, u, found);
-        auto const q = moser_veselov_parameters<dec50>(exact.half, exact.u, found_exactly);
+        auto const q = moser_veselov_parameters<Number>(exact.half, exact.u, found_exactly);
         BOOST_TEST((found && found_exactly));
-        dec50 const kappa = q.sin_twist / q.cos_twist, whole = 1 + kappa * kappa;
+        Number const kappa = q.sin_twist / q.cos_twist, whole = 1 + kappa * kappa;
         BOOST_TEST(off(q.cos_twist * q.cos_twist * whole, 1) <= 1e-46);
         // delta_i = (1 + kappa^2) j_i - kappa solves the equation of the fourth degree.
-        TwistEquation<dec50> const equation(exact.half.j, part < 0 ? -exact.r : exact.r);
+        TwistEquation<Number> const equation(exact.half.j, part < 0 ? -exact.r : exact.r);
         if (part > 0) BOOST_TEST(off(equation.residual(kappa), 0) <= 1e-44);
-        dec50 const least = magnitude(exact.half.d12) < magnitude(exact.half.d23) ? magnitude(exact.half.d12)
-                                                                                  : magnitude(exact.half.d23);
+        Number const least = magnitude(exact.half.d12) < magnitude(exact.half.d23)
+                                 ? magnitude(exact.half.d12)
+                                 : magnitude(exact.half.d23);
         for (int i = 0; i < 3; ++i) {
           BOOST_TEST(off(q.delta[i], whole * exact.half.j[i] - kappa) <= 1e-45);
           int const j = (i + 1) % 3, k = (i + 2) % 3;
           BOOST_TEST(off(q.gap[i], q.delta[k] - q.delta[j]) <= 1e-45);
           BOOST_TEST(off(q.stretch[i], 1 + q.delta[j] * q.delta[k]) <= 1e-45);
           // Differences of the moments bound all three; roundings of what they are multiplied with.
-          dec50 const scale = magnitude(q.delta[i]) + least;
-          BOOST_TEST(off(dec50(p.delta[i]), q.delta[i]) <= 64 * eps * to_double(scale));
-          BOOST_TEST(off(dec50(p.gap[i]), q.gap[i]) <= 32 * eps * to_double(magnitude(q.gap[i])));
-          BOOST_TEST(off(dec50(p.stretch[i]), q.stretch[i]) <= 32 * eps);
+          Number const scale = magnitude(q.delta[i]) + least;
+          BOOST_TEST(off(Number(p.delta[i]), q.delta[i]) <= 64 * eps * to_double(scale));
+          BOOST_TEST(off(Number(p.gap[i]), q.gap[i]) <= 32 * eps * to_double(magnitude(q.gap[i])));
+          BOOST_TEST(off(Number(p.stretch[i]), q.stretch[i]) <= 32 * eps);
         }
-        BOOST_TEST(off(dec50(p.cos_twist), q.cos_twist) <= 16 * eps);
-        BOOST_TEST(off(dec50(p.sin_twist), q.sin_twist) <= 16 * eps * to_double(magnitude(q.sin_twist)));
+        BOOST_TEST(off(Number(p.cos_twist), q.cos_twist) <= 16 * eps);
+        BOOST_TEST(off(Number(p.sin_twist), q.sin_twist) <= 16 * eps * to_double(magnitude(q.sin_twist)));
       }
 }
 

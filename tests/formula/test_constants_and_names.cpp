@@ -7,6 +7,7 @@
 
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
+#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 

@@ -6,11 +6,11 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/numbers/derivative.hpp"
 #include "refused.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -69,13 +69,14 @@ struct Transcendental {
 BOOST_AUTO_TEST_SUITE(formula_derivatives)
 
 BOOST_AUTO_TEST_CASE(a_rational_function_has_exact_derivatives) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Tape const f = parse_formula(Quotient::text, names, {{"c", 3.25}});
-  Triple<rational> const x(rational(2) / 3, rational(-5) / 7, rational(11) / 13);
+  Triple<Number> const x(Number(2) / 3, Number(-5) / 7, Number(11) / 13);
   auto const expected = by_dual_numbers(Quotient{}, x);
   auto const hessian = values(with_hessian(f, {0, 1, 2}), x),
              gradient = values(with_gradient(f, {0, 1, 2}), x);
   BOOST_TEST((hessian == expected));
-  BOOST_TEST((gradient == std::vector<rational>(expected.begin(), expected.begin() + 4)));
+  BOOST_TEST((gradient == std::vector<Number>(expected.begin(), expected.begin() + 4)));
   // The tape on dual numbers has the same derivatives.
   auto const on_tape = [&](auto const& at) { return values(f, at).at(0); };
   BOOST_TEST((by_dual_numbers(on_tape, x) == expected));
@@ -154,12 +155,13 @@ BOOST_AUTO_TEST_CASE(functions_have_their_derivatives_in_closed_form) {
 }
 
 BOOST_AUTO_TEST_CASE(the_second_derivatives_of_a_quadratic_form_are_constants) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   Tape const f = parse_formula("(a*x^2 + 0.3*(y - z)^2)/2 + 7*x*(2*y + z)/3 - (x + y)*(x - y) + 5*x - 1",
                                names, {{"a", 6}});
   Tape const hessian = with_hessian(f, {0, 1, 2});
-  std::vector<rational> const expected{
-      4, rational(14) / 3, rational(7) / 3, rational(23) / 10, rational(-3) / 10, rational(3) / 10};
-  auto const at_zero = values(hessian, Triple<rational>(0, 0, 0));
+  std::vector<Number> const expected{
+      4, Number(14) / 3, Number(7) / 3, Number(23) / 10, Number(-3) / 10, Number(3) / 10};
+  auto const at_zero = values(hessian, Triple<Number>(0, 0, 0));
   for (int k = 0; k < 6; ++k) {
     BOOST_TEST(hessian.is_constant(4 + k));
     BOOST_TEST((at_zero[static_cast<std::size_t>(4 + k)] == expected[static_cast<std::size_t>(k)]));

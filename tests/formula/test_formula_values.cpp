@@ -6,11 +6,12 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/term.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "functions_of_cpp.hpp"
 #include "refused.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -38,6 +39,7 @@ S value(std::string const& text, std::vector<S> const& x = {},
 BOOST_AUTO_TEST_SUITE(formula_values)
 
 BOOST_AUTO_TEST_CASE(functions_are_those_of_cpp) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   std::mt19937_64 random(1971);
   for (auto const& [name, function, least, most] : actio::testing::functions_of_cpp()) {
     Tape const f = parse_formula(name + "(x)", {"x"});
@@ -47,7 +49,7 @@ BOOST_AUTO_TEST_CASE(functions_are_those_of_cpp) {
       // The same function of the same library, so the same number.
       BOOST_REQUIRE_EQUAL(value(f, std::vector{x}), function(x));
       // In 50 digits it is made of other functions: here it may lose what its definition loses.
-      BOOST_TEST(to_double(value(f, std::vector{dec50(x)})) == function(x),
+      BOOST_TEST(to_double(value(f, std::vector{Number(x)})) == function(x),
                  boost::test_tools::tolerance(8 * eps * (1 + 1 / std::abs(x))));
     }
   }
@@ -56,6 +58,7 @@ BOOST_AUTO_TEST_CASE(functions_are_those_of_cpp) {
 }
 
 BOOST_AUTO_TEST_CASE(functions_undo_each_other_in_50_digits) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   for (auto const& [there, back] : std::vector<std::pair<std::string, std::string>>{{"sin", "asin"},
                                                                                     {"cos", "acos"},
                                                                                     {"tan", "atan"},
@@ -67,20 +70,21 @@ BOOST_AUTO_TEST_CASE(functions_undo_each_other_in_50_digits) {
                                                                                     {"10^", "log10"},
                                                                                     {"x*x*", "cbrt"},
                                                                                     {"x*", "sqrt"}}) {
-    dec50 const x = dec50(7) / 10;
-    dec50 const back_again = value<dec50>(back + "(" + there + "(x))", {x});
+    Number const x = Number(7) / 10;
+    Number const back_again = value<Number>(back + "(" + there + "(x))", {x});
     BOOST_TEST_CONTEXT(back) BOOST_TEST(to_double(abs(back_again - x)) < 1e-48);
   }
-  dec50 const minus = dec50(-7) / 10;
+  Number const minus = Number(-7) / 10;
   for (auto const* f :
        {"cbrt(x^3)", "asinh(sinh(x))", "atanh(tanh(x))", "atan2(sin(x), cos(x))", "-hypot(0.6*x, 0.8*x)"})
-    BOOST_TEST_CONTEXT(f) BOOST_TEST(to_double(abs(value<dec50>(f, {minus}) - minus)) < 1e-48);
-  BOOST_TEST(to_double(abs(sin(value<dec50>("pi")))) < 1e-48);
+    BOOST_TEST_CONTEXT(f) BOOST_TEST(to_double(abs(value<Number>(f, {minus}) - minus)) < 1e-48);
+  BOOST_TEST(to_double(abs(sin(value<Number>("pi")))) < 1e-48);
 }
 
 BOOST_AUTO_TEST_CASE(odd_functions_vanish_at_zero_in_50_digits) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   for (auto const* f : {"sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "cbrt"})
-    BOOST_TEST_CONTEXT(f) BOOST_TEST((value<dec50>(std::string(f) + "(x)", {dec50(0)}) == 0));
+    BOOST_TEST_CONTEXT(f) BOOST_TEST((value<Number>(std::string(f) + "(x)", {Number(0)}) == 0));
 }
 
 BOOST_AUTO_TEST_CASE(a_power_binds_before_a_sign_and_to_the_right) {
@@ -111,14 +115,16 @@ BOOST_AUTO_TEST_CASE(powers_are_products_roots_or_exponentials) {
 }
 
 BOOST_AUTO_TEST_CASE(outside_of_its_domain_a_function_is_no_number) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   for (auto const* f : {"sqrt(x)", "log(x)", "x^1.5", "x^y", "acosh(x)", "asin(x)", "atanh(x)"}) {
     BOOST_TEST_CONTEXT(f) BOOST_TEST(std::isnan(value(f, {-2, 0.5})));
-    BOOST_TEST_CONTEXT(f) BOOST_TEST(!is_finite(value<dec50>(f, {-2, 0.5})));
+    BOOST_TEST_CONTEXT(f) BOOST_TEST(!is_finite(value<Number>(f, {-2, 0.5})));
   }
   BOOST_TEST(std::isinf(value("1/x", {0})));
 }
 
 BOOST_AUTO_TEST_CASE(decimal_numbers_are_exact) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   BOOST_TEST((value<rational>("0.1 + 0.20") == rational(3) / 10));
   BOOST_TEST((value<rational>("2.5e-3") == rational(1) / 400));
   BOOST_TEST((value<rational>("1.5E+2") == 150));
@@ -132,7 +138,7 @@ BOOST_AUTO_TEST_CASE(decimal_numbers_are_exact) {
   // A constant is the shortest decimal number that reads as it.
   BOOST_TEST((value<rational>("c", {}, {{"c", 0.1}}) == rational(1) / 10));
   BOOST_TEST((value<rational>("c", {}, {{"c", -1.25e-7}}) == rational(-1) / 8000000));
-  BOOST_TEST(to_double(abs(value<dec50>("0.1*10 - 1"))) == 0);
+  BOOST_TEST(to_double(abs(value<Number>("0.1*10 - 1"))) == 0);
   // Over double each is the nearest one.
   for (double c : {0.1, 1. / 3, 6.02214076e23, 1.380649e-23, -2.2250738585072014e-308, 5e-324,
                    1.7976931348623157e308, std::numbers::pi})

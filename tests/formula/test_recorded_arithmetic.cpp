@@ -4,18 +4,18 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/formula/term.hpp"
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/taylor.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
 namespace {
 
-using Q = rational;
+using Q = Number;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int inputs = 3;
 
@@ -96,6 +96,7 @@ Left left_of(std::string const& text) {
 BOOST_AUTO_TEST_SUITE(recorded_arithmetic)
 
 BOOST_AUTO_TEST_CASE(a_tape_has_the_values_and_derivatives_of_the_program_that_it_was_recorded_from) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   std::mt19937_64 random(5);
   for (int k = 0; k < 150; ++k) {
     Program const program(random);
@@ -208,7 +209,8 @@ BOOST_AUTO_TEST_CASE(instructions_of_one_operation_stand_in_a_row) {
   double const x = 3, made = x * std::log(2.) * std::atan2(1, -2) + std::pow(std::hypot(1, 2), M_PI) -
                              std::cbrt(5) / std::sin(1);
   BOOST_TEST(std::abs(values(c, &x)[0] - made) <= 32 * eps);
-  dec50 const many = 3;
+  WithArithmetic const digits(Arithmetic::decimal(50));
+  Number const many = 3;
   BOOST_TEST(std::abs(to_double(values(c, &many)[0]) - made) <= 32 * eps);
 }
 

@@ -2,13 +2,13 @@
 // against its first terms, the integrators it makes, refusals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/natural_chart.hpp"
+#include "fine_draw.hpp"
 #include "refused.hpp"
-#include "witness/draw.hpp"
+#include "witness/number.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
@@ -99,22 +99,23 @@ BOOST_AUTO_TEST_CASE(for_a_sphere_the_discrete_lagrangian_of_the_natural_chart_i
 }
 
 BOOST_AUTO_TEST_CASE(odd_terms_vanish_and_the_first_even_one_is_the_square_of_the_acceleration) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   // Over the rationals, on the affine group of the line, with a linear term.
-  Draw draw(3);
+  testing::FineDraw draw(3);
   Aff1 const group;
-  using Matrix2 = Matrix<rational, 2, 2>;
-  using Vector2 = Matrix<rational, 2, 1>;
+  using Matrix2 = Matrix<Number, 2, 2>;
+  using Vector2 = Matrix<Number, 2, 1>;
   Matrix2 m;
-  for (int i = 0; i < 4; ++i) m(i) = draw.number<rational>() / 4;
-  QuadraticLagrangian<Aff1, rational> const l(group, Matrix2(Matrix2::Identity() + m * m.transpose()),
-                                              draw.momentum<rational>(group).components);
+  for (int i = 0; i < 4; ++i) m(i) = draw.number<Number>() / 4;
+  QuadraticLagrangian<Aff1, Number> const l(group, Matrix2(Matrix2::Identity() + m * m.transpose()),
+                                            draw.momentum<Number>(group).components);
   auto const series = generating_series(l, 3);
   BOOST_TEST(series.sigma[1].terms.empty());
   BOOST_TEST(series.sigma[3].terms.empty());
-  auto const w = draw.velocity<rational>(group);
+  auto const w = draw.velocity<Number>(group);
   Vector2 const force = ad_star(w, l.momentum_of(w)).components;
   BOOST_TEST((series.sigma[0].at(w.coordinates) == l(w)));
-  BOOST_TEST((series.sigma[2].at(w.coordinates) == rational(-force.dot(l.inverse_a * force) / 24)));
+  BOOST_TEST((series.sigma[2].at(w.coordinates) == Number(-force.dot(l.inverse_a * force) / 24)));
 }
 
 BOOST_AUTO_TEST_CASE(a_truncation_after_order_k_makes_an_integrator_of_order_k_plus_two) {
@@ -185,13 +186,13 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(the_coefficients_of_chi_are_bernoulli_numbers_over_factorials) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   // chi(-x) = x/(1 - e^-x) = sum B_k x^k/k! with B_1 = 1/2.
-  std::vector<rational> const known{
-      1, ratio<rational>(1, 2),    ratio<rational>(1, 12), 0, ratio<rational>(-1, 720),
-      0, ratio<rational>(1, 30240)};
+  std::vector<Number> const known{1, ratio<Number>(1, 2),    ratio<Number>(1, 12), 0, ratio<Number>(-1, 720),
+                                  0, ratio<Number>(1, 30240)};
   for (int order = 0; order <= 6; ++order)
-    BOOST_TEST((detail::chi_coefficients<rational>(order) ==
-                std::vector<rational>(known.begin(), known.begin() + order + 1)),
+    BOOST_TEST((detail::chi_coefficients<Number>(order) ==
+                std::vector<Number>(known.begin(), known.begin() + order + 1)),
                "up to " << order);
 }
 

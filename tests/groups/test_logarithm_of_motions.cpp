@@ -2,23 +2,24 @@
 // against 50 digits.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
 #include "angles_next_to_pi.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using namespace actio::testing;
 
 // The bound: that of a rotation (test_logarithm_of_rotations.cpp), and as much again for the translation.
 BOOST_AUTO_TEST_CASE(log_of_motions_is_good_to_rounding_up_to_pi) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   Draw draw(2);
   double worst = 0;
   for (int k = 0; k <= 8; ++k)
     for (int repeat = 0; repeat < 50; ++repeat) {
-      dec50 const angle = angle_before_pi(k);
-      Coordinates<SE<2>, dec50> plane;
+      Number const angle = angle_before_pi(k);
+      Coordinates<SE<2>, Number> plane;
       plane << angle, direction<2>(draw);
-      Coordinates<SE<3>, dec50> space;
+      Coordinates<SE<3>, Number> space;
       space << direction<3>(draw) * angle, direction<3>(draw);
       worst = std::max({worst, error_of_log(SE<2>{}, plane), error_of_log(SE<3>{}, space)});
     }

@@ -34,14 +34,14 @@ Column<T> in_frame(V const& at, T const& a, T const& b, T const& c) {
   return {a, b, T(c + x * b)};
 }
 
+}  // namespace
+
 /// What is calculated over the rationals: a place, and a time with it.
 struct OverTheRationals {
   WithArithmetic const exactly{Arithmetic::rationals()};
   Column<Q> const y{Q(3) / 2, Q(-2) / 3, Q(5) / 7};
   Matrix<Q, 4, 1> const at{Q(1) / 3, y[0], y[1], y[2]};
 };
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(nil_geometry, OverTheRationals)
 
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_fluid_in_it_has_the_acceleration_of_its_frame) {
   // Through the wall x + y z: its slope is (1, z, y).
   auto const wall = []<class T>(Column<T> const& p) { return T(p[0] + p[1] * p[2]); };
   BOOST_TEST((pressure_slope_at_wall(Nil{}, u, wall, at) ==
-             -Column<Q>(Q(1), at[3], at[2]).dot(eulerian_acceleration(Nil{}, u, at))));
+              -Column<Q>(Q(1), at[3], at[2]).dot(eulerian_acceleration(Nil{}, u, at))));
 }
 
 BOOST_AUTO_TEST_CASE(its_divergences_and_laplacians_are_derivatives_along_the_frame) {

@@ -1,7 +1,6 @@
 // The instruments against maps whose defects are known in closed form, and over the rationals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/momentum_defect.hpp"
@@ -9,8 +8,9 @@
 #include "actio/instruments/reversibility_defect.hpp"
 #include "actio/instruments/symplectic_defect.hpp"
 #include "actio/variational/momentum_map.hpp"
+#include "fine_draw.hpp"
 #include "small_maps.hpp"
-#include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using namespace actio::testing;
@@ -169,25 +169,26 @@ BOOST_AUTO_TEST_CASE(a_frame_turned_in_the_body_sees_the_same_defects) {
 }
 
 BOOST_AUTO_TEST_CASE(a_coadjoint_action_is_exact_over_the_rationals) {
-  Draw draw(11);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  FineDraw draw(11);
   SE<3> const space;
-  auto const g = draw.element<rational>(space);
-  auto const mu = draw.momentum<rational>(space);
+  auto const g = draw.element<Number>(space);
+  auto const mu = draw.momentum<Number>(space);
   auto const action = [&](auto const& at) { return Ad_star(like(at, g), at); };
-  BOOST_TEST(magnitude(poisson_residual(LiePoissonPlus{}, action, mu)) == 0);
+  BOOST_TEST((magnitude(poisson_residual(LiePoissonPlus{}, action, mu)) == 0));
   // Lifted to the cotangent bundle; and with an element that depends on the momentum, which preserves orbits
   // and not the bracket.
-  Costate<SE<3>, rational> const x{draw.element<rational>(space), mu};
+  Costate<SE<3>, Number> const x{draw.element<Number>(space), mu};
   auto const lifted = [&](auto const& p) {
     return std::decay_t<decltype(p)>{like(p.configuration, g) * p.configuration,
                                      Ad_star(inverse(like(p.momentum, g)), p.momentum)};
   };
-  BOOST_TEST(magnitude(symplectic_residual(CotangentBundle{}, lifted, x)) == 0);
-  BOOST_TEST(magnitude(poisson_residual(CotangentBundle{}, lifted, x)) == 0);
+  BOOST_TEST((magnitude(symplectic_residual(CotangentBundle{}, lifted, x)) == 0));
+  BOOST_TEST((magnitude(poisson_residual(CotangentBundle{}, lifted, x)) == 0));
   auto const bent = [&](auto const& at) {
     return Ad_star(retract(decltype(basis_velocity<typename std::decay_t<decltype(at)>::Scalar>(space, 0)){
                        space, at.components}),
                    at);
   };
-  BOOST_TEST(magnitude(poisson_residual(LiePoissonPlus{}, bent, mu)) > 0);
+  BOOST_TEST((magnitude(poisson_residual(LiePoissonPlus{}, bent, mu)) > 0));
 }

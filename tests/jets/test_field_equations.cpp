@@ -2,10 +2,10 @@
 // is the one that (6.12) writes term by term.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "polynomial_models.hpp"
 #include "witness/draw.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -61,33 +61,36 @@ void one_pass_is_the_plain_line(L const& density) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(one_evaluation_gives_the_field_equations_term_by_term_exactly) {
-  one_pass_is_the_plain_line<rational, 1, 1>(Wave{});
-  one_pass_is_the_plain_line<rational, 1, 2>(testing::Density{});
-  one_pass_is_the_plain_line<rational, 2, 2>(testing::Density{});
-  one_pass_is_the_plain_line<rational, 3, 4>(testing::Density{});
-  one_pass_is_the_plain_line<rational, 1, 5>(Quotient{});
-  one_pass_is_the_plain_line<rational, 3, 3>(Quotient{});
+  WithArithmetic const exactly(Arithmetic::rationals());
+  one_pass_is_the_plain_line<Number, 1, 1>(Wave{});
+  one_pass_is_the_plain_line<Number, 1, 2>(testing::Density{});
+  one_pass_is_the_plain_line<Number, 2, 2>(testing::Density{});
+  one_pass_is_the_plain_line<Number, 3, 4>(testing::Density{});
+  one_pass_is_the_plain_line<Number, 1, 5>(Quotient{});
+  one_pass_is_the_plain_line<Number, 3, 3>(Quotient{});
 }
 
 BOOST_AUTO_TEST_CASE(the_plain_line_gives_the_wave_equation) {
-  auto const j = any_second_jet<rational, 1, 1>();
-  rational const y = j.y[0], expected = -j.x[1] * y * y * y - j.w[0](0, 0) + 3 * j.w[1](0, 1);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  auto const j = any_second_jet<Number, 1, 1>();
+  Number const y = j.y[0], expected = -j.x[1] * y * y * y - j.w[0](0, 0) + 3 * j.w[1](0, 1);
   BOOST_TEST((euler_lagrange_by_terms(Wave{}, j)[0] == expected));
   BOOST_TEST((euler_lagrange(Wave{}, j)[0] == expected));
   BOOST_TEST((momentum_divergence(Wave{}, j)[0] == j.w[0](0, 0) - 3 * j.w[1](0, 1)));
 }
 
 BOOST_AUTO_TEST_CASE(partial_and_total_derivatives_are_those_of_closed_forms) {
-  auto const j = any_second_jet<rational, 1, 1>();
-  Jet<rational, 1, 1> const& first = j;
-  rational const y = j.y[0];
+  WithArithmetic const exactly(Arithmetic::rationals());
+  auto const j = any_second_jet<Number, 1, 1>();
+  Jet<Number, 1, 1> const& first = j;
+  Number const y = j.y[0];
   BOOST_TEST((partial_y(Wave{}, first)[0] == -j.x[1] * y * y * y));
-  BOOST_TEST((partial_v(Wave{}, first) == Matrix<rational, 1, 2>(j.v(0, 0), rational(-3) * j.v(0, 1))));
+  BOOST_TEST((partial_v(Wave{}, first) == Matrix<Number, 1, 2>(j.v(0, 0), Number(-3) * j.v(0, 1))));
   BOOST_TEST((partial_v(Wave{}, first, 1) == partial_v(Wave{}, first).col(1)));
   // The partial derivative by the place of the body leaves y and v alone, the total one takes them along.
-  rational const quarter = y * y * y * y / 4;
-  BOOST_TEST((partial_x(Wave{}, first) == Event<rational, 1>(rational(0), -quarter)));
-  rational const along_body =
+  Number const quarter = y * y * y * y / 4;
+  BOOST_TEST((partial_x(Wave{}, first) == Event<Number, 1>(Number(0), -quarter)));
+  Number const along_body =
       -quarter - j.x[1] * y * y * y * j.v(0, 1) + j.v(0, 0) * j.w[0](0, 1) - 3 * j.v(0, 1) * j.w[1](0, 1);
   BOOST_TEST((total_derivative(1, Wave{}, j) == along_body));
   // Of a matrix, entry by entry.

@@ -37,14 +37,15 @@ auto bent_cube() {
 }
 
 /// A field with components in (-1, 1) at every node of the first two levels.
-template <class S, int N, int n>
-media::DiscreteSection<S, n, N> drawn_start(media::SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
+/// @param draw  a Draw or a FineDraw
+template <class S, int N, int n, class Source>
+media::DiscreteSection<S, n, N> drawn_start(media::SpaceTimeMesh<S, n> const& mesh, Source& draw) {
   media::DiscreteSection<S, n, N> V;
   V.levels.resize(2);
   for (auto& level : V.levels)
     for (Index i = 0; i < mesh.node_count(); ++i) {
       level.push_back(mesh.fixed(i) ? Matrix<S, N, 1>(Matrix<S, N, 1>::Zero())
-                                    : draw.vector<S, Matrix<S, N, 1>>(N));
+                                    : draw.template vector<S, Matrix<S, N, 1>>(N));
       for (int a = 0; a < N; ++a)
         if (mesh.held_across(i) >> a & 1) level.back()[a] = S(0);
     }
@@ -53,14 +54,14 @@ media::DiscreteSection<S, n, N> drawn_start(media::SpaceTimeMesh<S, n> const& me
 
 /// The identity on the first two levels, disturbed at every node: a part of the mesh width away, with
 /// velocities of about one that differ by an eighth.
-template <class S, int n>
-media::DiscreteSection<S, n, n> disturbed_identity(media::SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
+template <class S, int n, class Source>
+media::DiscreteSection<S, n, n> disturbed_identity(media::SpaceTimeMesh<S, n> const& mesh, Source& draw) {
   auto section = media::restricted(
       mesh, []<class T>(Matrix<T, n + 1, 1> const& x) { return Matrix<T, n, 1>(x.template tail<n>()); }, 2);
   auto const away = drawn_start<S, n>(mesh, draw);
   S const width = ratio<S>(1, 16 * *std::max_element(mesh.cells().begin(), mesh.cells().end()));
   S const h = mesh.time(1) - mesh.time(0);
-  auto const common = draw.vector<S, Matrix<S, n, 1>>(n);
+  auto const common = draw.template vector<S, Matrix<S, n, 1>>(n);
   for (Index i = 0; i < mesh.node_count(); ++i) {
     if (mesh.fixed(i)) continue;
     section(0, i) += away(0, i) * width;
@@ -74,15 +75,16 @@ media::DiscreteSection<S, n, n> disturbed_identity(media::SpaceTimeMesh<S, n> co
 
 /// A solution continued to the last level of the mesh.
 template <class L, class S, int n, int N>
-void run(L const& density, media::SpaceTimeMesh<Base<S>, n> const& mesh, media::DiscreteSection<S, n, N>& section) {
+void run(L const& density, media::SpaceTimeMesh<Base<S>, n> const& mesh,
+         media::DiscreteSection<S, n, N>& section) {
   while (section.last() + 1 < mesh.levels()) media::step(density, mesh, section);
 }
 
 /// A first variation of a solution: the derivative of the run along a change of its first two levels.
 template <class L, class S, int n, int N>
 media::DiscreteSection<S, n, N> first_variation(L const& density, media::SpaceTimeMesh<S, n> const& mesh,
-                                         media::DiscreteSection<S, n, N> const& solution,
-                                         media::DiscreteSection<S, n, N> const& start) {
+                                                media::DiscreteSection<S, n, N> const& solution,
+                                                media::DiscreteSection<S, n, N> const& start) {
   auto two_levels = solution;
   two_levels.levels.resize(2);
   auto moved = varied(two_levels, start);

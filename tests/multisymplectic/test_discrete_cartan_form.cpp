@@ -3,6 +3,7 @@
 
 #include "actio/jets/action.hpp"
 #include "actio/noether/equivariance.hpp"
+#include "fine_draw.hpp"
 #include "media.hpp"
 #include "witness/number.hpp"
 
@@ -33,7 +34,7 @@ SpaceTimeMesh<Q, n> bent_mesh(Side side) {
 
 /// Draws a section over three levels.
 template <int n, int N>
-DiscreteSection<Q, n, N> drawn_section(SpaceTimeMesh<Q, n> const& mesh, Draw& draw) {
+DiscreteSection<Q, n, N> drawn_section(SpaceTimeMesh<Q, n> const& mesh, FineDraw& draw) {
   DiscreteSection<Q, n, N> section;
   for (int k = 0; k < mesh.levels(); ++k) {
     section.levels.emplace_back();
@@ -46,7 +47,7 @@ DiscreteSection<Q, n, N> drawn_section(SpaceTimeMesh<Q, n> const& mesh, Draw& dr
 template <int n, int N>
 void forms_of_a_cell() {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(1);
+  FineDraw draw(1);
   auto const mesh = bent_mesh<n>(Side::periodic);
   GridIndex<n> cell;
   cell.fill(1);
@@ -59,18 +60,18 @@ void forms_of_a_cell() {
   Q sum(0);
   for (int l = 0; l < here.nodes; ++l) sum += discrete_cartan_form(L, here, l).dot(V.col(l));
   auto const along = discrete_lagrangian(L, here.with(moved_along(here.y, V)));
-  BOOST_TEST(rate_of(along) == sum);
-  BOOST_TEST(sum != 0);
+  BOOST_TEST((rate_of(along) == sum));
+  BOOST_TEST((sum != 0));
 
   // The two-forms of a cell sum up to zero, none of them does.
   Q forms(0);
   for (int l = 0; l < here.nodes; ++l) {
     Q const Omega = discrete_multisymplectic_form(L, here, l, V, W);
-    BOOST_TEST(Omega != 0);
-    BOOST_TEST(discrete_multisymplectic_form(L, here, l, W, V) == -Omega);
+    BOOST_TEST((Omega != 0));
+    BOOST_TEST((discrete_multisymplectic_form(L, here, l, W, V) == -Omega));
     forms += Omega;
   }
-  BOOST_TEST(forms == 0);
+  BOOST_TEST((forms == 0));
 }
 
 /// A cell's Cartan form by the chain rule, with the momenta of the density at each corner.
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(cartan_forms_sum_up_to_the_differential_and_their_two_forms
 
 BOOST_AUTO_TEST_CASE(cartan_forms_are_the_momenta_of_the_density_on_the_edges_of_a_cell) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(2);
+  FineDraw draw(2);
   auto const mesh = bent_mesh<2>(Side::free);
   auto const here = cell_of(mesh, drawn_section<2, 3>(mesh, draw), 0, {{1, 0}});
   for (int l = 0; l < here.nodes; ++l)
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(cartan_forms_are_the_momenta_of_the_density_on_the_edges_of
 BOOST_AUTO_TEST_CASE(
     the_discrete_lagrangian_of_a_medium_is_lumped_kinetic_energy_less_stored_energy_at_both_ends) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(3);
+  FineDraw draw(3);
   auto const mesh = bent_mesh<2>(Side::free);
   auto const here = cell_of(mesh, drawn_section<2, 2>(mesh, draw), 0, {{1, 1}});
   auto const medium = solid<Q, 2>();
@@ -138,12 +139,12 @@ BOOST_AUTO_TEST_CASE(
       stored += here.duration() / 2 * mass * medium.W.w(C);
     }
   }
-  BOOST_TEST(discrete_lagrangian(medium, here) == Q(kinetic - stored));
+  BOOST_TEST((discrete_lagrangian(medium, here) == Q(kinetic - stored)));
 }
 
 BOOST_AUTO_TEST_CASE(field_equations_are_the_variation_of_the_discrete_action) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(4);
+  FineDraw draw(4);
   for (auto const side : {Side::free, Side::periodic}) {
     auto const mesh = bent_mesh<2>(side);
     auto const section = drawn_section<2, 2>(mesh, draw), V = drawn_section<2, 2>(mesh, draw);
@@ -158,25 +159,25 @@ BOOST_AUTO_TEST_CASE(field_equations_are_the_variation_of_the_discrete_action) {
     Q sum(0);
     for (Index i = 0; i < mesh.node_count(); ++i)
       sum += discrete_euler_lagrange(Everything{}, mesh, section, 1, i).sum.dot(V(1, i));
-    BOOST_TEST(sum == rate);
-    BOOST_TEST(sum != 0);
+    BOOST_TEST((sum == rate));
+    BOOST_TEST((sum != 0));
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetry_of_the_density_is_one_of_every_cell_and_a_growth_is_none) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(5);
+  FineDraw draw(5);
   auto const mesh = bent_mesh<3>(Side::free);
   auto const here = cell_of(mesh, drawn_section<3, 3>(mesh, draw), 0, {{1, 0, 1}});
   auto const medium = solid<Q, 3>();
-  BOOST_TEST(equivariance_of_cell(medium, shifting<Q, 3>(2), here).sum == 0);
-  BOOST_TEST(equivariance_of_cell(medium, turning<Q, 3>(), here).sum == 0);
-  BOOST_TEST(equivariance_of_cell(medium, growing<Q, 3>(), here).sum != 0);
+  BOOST_TEST((equivariance_of_cell(medium, shifting<Q, 3>(2), here).sum == 0));
+  BOOST_TEST((equivariance_of_cell(medium, turning<Q, 3>(), here).sum == 0));
+  BOOST_TEST((equivariance_of_cell(medium, growing<Q, 3>(), here).sum != 0));
   // The rate is that of the density itself at the corners, with the volumes that they stand for.
   Q rate(0);
   for (int l = 0; l < here.nodes; ++l)
     rate += equivariance_rate(medium, growing<Q, 3>(), discrete_jet(here, l)) * here.volume(l);
-  BOOST_TEST(equivariance_of_cell(medium, growing<Q, 3>(), here).sum == rate);
+  BOOST_TEST((equivariance_of_cell(medium, growing<Q, 3>(), here).sum == rate));
   // A generator that moves events has no discrete momentum.
   auto const drifting = []<class V>(V const& point) {
     V xi = V::Zero();

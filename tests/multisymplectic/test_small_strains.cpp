@@ -62,7 +62,9 @@ Rubber<d, U, Slope> rubber(double mu, U u, Slope slope) { return {mu, u, slope};
 
 /// Green's strain and the stress of it, in 50 digits.
 template <int d>
-Square<double, d> rounded(Square<Number, d> const& A) { return A.unaryExpr([](Number const& x) { return to_double(x); }); }
+Square<double, d> rounded(Square<Number, d> const& A) {
+  return A.unaryExpr([](Number const& x) { return to_double(x); });
+}
 template <int d>
 double largest(Square<double, d> const& A) {
   double most = 0;
@@ -162,8 +164,7 @@ BOOST_AUTO_TEST_CASE(functions_that_vanish_with_their_arguments_lose_nothing) {
   for (double size = 1e-12; size < 0.9; size *= 3.7)
     for (double const x : {size, -size}) {
       Number const many = x;
-      double const first = to_double(many - log(1 + many)),
-                   second = to_double(exp(many) - 1 - many);
+      double const first = to_double(many - log(1 + many)), second = to_double(exp(many) - 1 - many);
       BOOST_TEST(std::abs(without_logarithm(x) - first) <= 4e-15 * first, x);
       BOOST_TEST(std::abs(exponential_beyond_line(x) - second) <= 4e-15 * second, x);
     }

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "fine_draw.hpp"
 #include "media.hpp"
 #include "refused.hpp"
 #include "witness/number.hpp"
@@ -51,7 +52,7 @@ SpaceTimeMesh<S, 1> line(int cells, Side side, S const& h, int steps) {
 
 /// Any values on two levels, over the rationals.
 DiscreteSection<Q, 1, 1> any_start(SpaceTimeMesh<Q, 1> const& mesh) {
-  Draw draw(7);
+  FineDraw draw(7);
   return drawn_start<Q, 1>(mesh, draw);
 }
 
@@ -78,14 +79,14 @@ BOOST_AUTO_TEST_CASE(steps_of_the_linear_wave_are_those_of_the_five_point_stenci
         Q const acceleration =
             side == Side::fixed && (left_end || right_end) ? Q(0) : Q(r * (left + right) / mass);
         BOOST_TEST((at(k + 1, i) - 2 * at(k, i) + at(k - 1, i) ==
-                   (mesh.fixed(i) ? Q(-at(k, i) + at(k - 1, i)) : acceleration)));
+                    (mesh.fixed(i) ? Q(-at(k, i) + at(k - 1, i)) : acceleration)));
       }
   }
 }
 
 BOOST_AUTO_TEST_CASE(steps_of_the_general_road_satisfy_the_field_equations_exactly_over_the_rationals) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(9);
+  FineDraw draw(9);
   SpaceTimeMesh<Q, 2> const mesh({Q(0), ratio<Q>(1, 20), ratio<Q>(1, 8), ratio<Q>(1, 6)}, {2, 2},
                                  all_sides<2>(Side::free), bent_cube<Q, 2>());
   auto section = disturbed_identity(mesh, draw);
@@ -164,7 +165,7 @@ BOOST_AUTO_TEST_CASE(steps_of_unequal_length_begin_where_the_last_velocities_lea
 
 BOOST_AUTO_TEST_CASE(a_first_step_starts_with_the_momentum_of_the_density) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(11);
+  FineDraw draw(11);
   SpaceTimeMesh<Q, 2> const mesh({Q(0), ratio<Q>(1, 20)}, {2, 2}, all_sides<2>(Side::free),
                                  bent_cube<Q, 2>());
   auto section = disturbed_identity(mesh, draw);

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/multisymplectic/discrete_stress.hpp"
-#include "witness/draw.hpp"
+#include "fine_draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(every_medium_has_the_energy_of_its_formula_and_the_stresses
 // By the sum over permutations.
 BOOST_AUTO_TEST_CASE(determinants_and_cofactors_are_those_of_the_definition) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(5);
+  testing::FineDraw draw(5);
   using Q = Number;
   Matrix<Q, 3, 3> F;
   for (int i = 0; i < 9; ++i) F.data()[i] = draw.number<Q>();
@@ -120,16 +120,16 @@ BOOST_AUTO_TEST_CASE(determinants_and_cofactors_are_those_of_the_definition) {
       sum += A(i, 0) * A(j, 1) * A(k, 2) - A(j, 0) * A(i, 1) * A(k, 2);
     return sum;
   };
-  BOOST_TEST(small_determinant(F) == by_permutations(F));
+  BOOST_TEST((small_determinant(F) == by_permutations(F)));
   auto const c = cofactors(F);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       auto unit = F;
       for (int k = 0; k < 3; ++k) unit(k, j) = Q(k == i);
-      BOOST_TEST(c(i, j) == by_permutations(unit));
+      BOOST_TEST((c(i, j) == by_permutations(unit)));
     }
   Matrix<Q, 2, 2> const G = {{Q(2), Q(3)}, {Q(5), Q(11)}}, of_G = {{Q(11), Q(-5)}, {Q(-3), Q(2)}};
-  BOOST_TEST(small_determinant(G) == 7);
+  BOOST_TEST((small_determinant(G) == 7));
   BOOST_TEST((cofactors(G) == of_G));
 }
 

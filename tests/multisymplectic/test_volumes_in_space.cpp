@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(corners_of_a_hexahedron_have_its_volume_and_its_mean_gradie
     BOOST_TEST(cell.correction.any);
     Q volume(0);
     for (Q const& v : cell.volume) volume += v;
-    BOOST_TEST(volume == exact.volume);
+    BOOST_TEST((volume == exact.volume));
     // The slopes of the hat function of corner c: of the values 1 there and 0 elsewhere.
     for (int c = 0; c < 8; ++c) {
       Matrix<Q, 1, 8> hat = Matrix<Q, 1, 8>::Zero();
@@ -183,13 +183,13 @@ BOOST_AUTO_TEST_CASE(corners_of_a_hexahedron_have_its_volume_and_its_mean_gradie
       for (int b = 0; b < 8; ++b)
         sum += (edges_at_corner<3>(hat, b) * cell.inverse_edges[std::size_t(b)] + common) *
                cell.volume[std::size_t(b)];
-      for (int i = 0; i < 3; ++i) BOOST_TEST(sum(0, i) == exact.slopes(i, c));
+      for (int i = 0; i < 3; ++i) BOOST_TEST((sum(0, i) == exact.slopes(i, c)));
     }
     // Of an affine section K is zero.
     auto const none =
         cell.correction.common<Q, 2>([&](int b, int a) { return Q(a + 1) * X(0, b) - X(a, b) / 3 + 5; });
     for (int a = 0; a < 2; ++a)
-      for (int i = 0; i < 3; ++i) BOOST_TEST(none(a, i) == 0);
+      for (int i = 0; i < 3; ++i) BOOST_TEST((none(a, i) == 0));
   }
 }
 

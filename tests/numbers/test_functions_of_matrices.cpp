@@ -3,7 +3,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/eigenvalues.hpp"
 #include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/numbers/matrix_logarithm.hpp"
@@ -11,6 +10,7 @@
 #include "actio/numbers/schur_form.hpp"
 #include "caught.hpp"
 #include "refused.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using testing::caught;
@@ -96,7 +96,8 @@ BOOST_AUTO_TEST_CASE(an_eigenvalue_on_the_negative_axis_is_refused_with_what_was
 }
 
 BOOST_AUTO_TEST_CASE(a_nilpotent_matrix_has_a_polynomial_and_others_none) {
-  using Q = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  using Q = Number;
   Matrix<Q> const w{{0, 2, -1}, {0, 0, 3}, {0, 0, 0}};
   auto const geometric = [](int n) { return Q(n + 1); };
   Matrix<Q> const expected = Matrix<Q>{{1, 4, -2 + 18}, {0, 1, 6}, {0, 0, 1}};
@@ -114,13 +115,14 @@ BOOST_AUTO_TEST_CASE(a_nilpotent_matrix_has_a_polynomial_and_others_none) {
 }
 
 BOOST_AUTO_TEST_CASE(gausss_rules_are_exact_below_twice_their_number_of_nodes) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
   for (int s : {1, 2, 3, 4, 7}) {
     auto const rule = gauss_quadrature<double>(s);
-    auto const many = gauss_quadrature<dec50>(s);
+    auto const many = gauss_quadrature<Number>(s);
     BOOST_TEST((int(rule.nodes.size()) == s && int(rule.weights.size()) == s));
     for (int degree = 0; degree <= 2 * s; ++degree) {
       double sum = 0;
-      dec50 exact = 0;
+      Number exact = 0;
       for (int i = 0; i < s; ++i) {
         sum += rule.weights[i] * std::pow(rule.nodes[i], degree);
         exact += many.weights[i] * pow(many.nodes[i], degree);
@@ -134,7 +136,7 @@ BOOST_AUTO_TEST_CASE(gausss_rules_are_exact_below_twice_their_number_of_nodes) {
         for (int k = 1; k <= s; ++k) missed *= std::pow(double(k) / (s + k), 2);
       }
       BOOST_TEST(std::abs(1. / (degree + 1) - sum - missed) <= 32 * eps);
-      BOOST_TEST(std::abs(to_double(dec50(1) / (degree + 1) - exact) - missed) <=
+      BOOST_TEST(std::abs(to_double(Number(1) / (degree + 1) - exact) - missed) <=
                  (missed > 0 ? 1e-16 : 1e-48));
     }
   }

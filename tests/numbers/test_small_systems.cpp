@@ -8,17 +8,19 @@
 
 #include "actio/numbers/determinant.hpp"
 #include "actio/numbers/extrapolation.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/rank.hpp"
 #include "actio/numbers/square_root.hpp"
 #include "caught.hpp"
 #include "refused.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 using testing::caught;
 
 namespace {
 
-using Q = rational;
+using Q = Number;
 std::mt19937_64 source(5);
 /// Whole numbers from -4 to 4, or zero two times in three.
 Matrix<Q> drawn(int rows, int columns, bool sparse = false) {
@@ -49,6 +51,7 @@ double const eps = epsilon<double>();
 BOOST_AUTO_TEST_SUITE(small_systems)
 
 BOOST_AUTO_TEST_CASE(a_solution_over_the_rationals_solves_its_system) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   int solved = 0;
   for (int n = 1; n <= 5; ++n)
     for (int k = 0; k < 8; ++k) {
@@ -70,6 +73,7 @@ BOOST_AUTO_TEST_CASE(a_solution_over_the_rationals_solves_its_system) {
 }
 
 BOOST_AUTO_TEST_CASE(a_determinant_of_complex_numbers_is_the_sum_over_permutations) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   for (int n = 1; n <= 4; ++n)
     for (int k = 0; k < 6; ++k) {
       auto const re = drawn(n, n, k % 2 == 1), im = drawn(n, n, k % 3 == 1);
@@ -126,6 +130,7 @@ BOOST_AUTO_TEST_CASE(a_pivot_that_is_rounding_is_told_with_its_size_and_the_boun
 }
 
 BOOST_AUTO_TEST_CASE(a_derivative_goes_through_a_solution_and_a_determinant) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   // d(A^-1 b) = -A^-1 dA A^-1 b + A^-1 db; d det A = det A tr(A^-1 dA).
   using D = Dual<Q, 1>;
   auto const a = Matrix<Q>{{0, 2, 1}, {3, 1, -1}, {1, 4, 2}}, da = drawn(3, 3), b = drawn(3, 2),
@@ -142,6 +147,7 @@ BOOST_AUTO_TEST_CASE(a_derivative_goes_through_a_solution_and_a_determinant) {
 }
 
 BOOST_AUTO_TEST_CASE(the_rank_is_that_of_the_factors) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   for (auto const& [rows, columns] : {std::pair(4, 6), {6, 4}, {5, 5}, {1, 3}, {3, 1}})
     for (int rank = 0; rank <= std::min(rows, columns); ++rank) {
       Matrix<Q> left = Matrix<Q>::Zero(rows, rank), right = Matrix<Q>::Zero(rank, columns);
@@ -168,6 +174,7 @@ BOOST_AUTO_TEST_CASE(the_rank_is_that_of_the_factors) {
 }
 
 BOOST_AUTO_TEST_CASE(a_root_of_a_rational_is_rational_or_refused) {
+  using Q = rational;
   BOOST_TEST((square_root(Q(49) / 36) == Q(7) / 6 && square_root(Q(0)) == 0));
   for (Q const& x : {Q(-4) / 9, Q(2) / 9, Q(4) / 7, Q(8)}) {
     auto const e = caught<NotASquare>([&] { square_root(x); });
@@ -180,6 +187,7 @@ BOOST_AUTO_TEST_CASE(a_root_of_a_rational_is_rational_or_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_sequence_is_continued_by_the_polynomial_of_falling_differences) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   using Pair = Matrix<Q, 2, 1>;
   for (int degree = 0; degree <= 12; ++degree) {
     Extrapolation<Pair> sequence;

@@ -5,6 +5,7 @@
 
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/square_root.hpp"
+#include "witness/number.hpp"
 
 using namespace actio;
 
@@ -61,7 +62,8 @@ S apart(SecondOrder<S, m> const& x, Full<S, m> const& y) {
 BOOST_AUTO_TEST_SUITE(truncated_polynomials)
 
 BOOST_AUTO_TEST_CASE(a_product_of_truncated_polynomials_is_the_rule_of_leibniz) {
-  using Q = rational;
+  WithArithmetic const exactly(Arithmetic::rationals());
+  using Q = Number;
   for (int k = 0; k < 3; ++k) {
     auto const x = drawn_polynomial<Q, 3>(), y = drawn_polynomial<Q, 3>();
     auto const p = full(x), q = full(y);

@@ -2,7 +2,6 @@
 // what is conserved, and refusals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/spanned_group.hpp"
@@ -10,9 +9,10 @@
 #include "actio/reduction/advected.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/stabiliser_momentum.hpp"
+#include "fine_draw.hpp"
 #include "group_from_basis.hpp"
 #include "refused.hpp"
-#include "witness/draw.hpp"
+#include "witness/number.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
@@ -31,10 +31,10 @@ std::vector<SpannedGroup> groups() {
 
 /// A polynomial of third degree in the entries of f and a, with no symmetry and no parity.
 struct CubicLagrangian {
-  Matrix<rational, Dynamic, Dynamic> u, v;
-  Column<rational> w;
-  CubicLagrangian(Draw& draw, int n) : u(n, n), v(n, n), w(draw.vector<rational>(n)) {
-    for (int i = 0; i < n; ++i) u.col(i) = draw.vector<rational>(n), v.col(i) = draw.vector<rational>(n);
+  Matrix<Number, Dynamic, Dynamic> u, v;
+  Column<Number> w;
+  CubicLagrangian(testing::FineDraw& draw, int n) : u(n, n), v(n, n), w(draw.vector<Number>(n)) {
+    for (int i = 0; i < n; ++i) u.col(i) = draw.vector<Number>(n), v.col(i) = draw.vector<Number>(n);
   }
   template <class E, class T>
   T operator()(E const& f, Column<T> const& a) const {
@@ -88,11 +88,11 @@ BodyInField random_body(Draw& draw, SpannedGroup const& group, double h) {
 }
 
 /// A generator that fixes the vector c, written out for each group.
-Velocity<SpannedGroup, rational> stabiliser(SpannedGroup const& group, Column<rational> const& c) {
-  auto zeta = velocity(group, Column<rational>(Column<rational>::Zero(group.dimension())));
+Velocity<SpannedGroup, Number> stabiliser(SpannedGroup const& group, Column<Number> const& c) {
+  auto zeta = velocity(group, Column<Number>(Column<Number>::Zero(group.dimension())));
   if (group.name() == "SO(3)") zeta.coordinates = c;
   if (group.name() == "SE(3)")  // about c as a point: turning about an axis w through c / c_4
-    zeta.coordinates.head(3) = Column<rational>{{c[1], c[2], c[3]}},
+    zeta.coordinates.head(3) = Column<Number>{{c[1], c[2], c[3]}},
     zeta.coordinates.tail(3) = -cross(zeta.coordinates.head(3).eval(), (c.head(3) / c[3]).eval());
   if (group.name() == "Aff(1)") zeta.coordinates << c[1], -c[0];
   return zeta;
@@ -103,18 +103,19 @@ Velocity<SpannedGroup, rational> stabiliser(SpannedGroup const& group, Column<ra
 BOOST_AUTO_TEST_SUITE(advected)
 
 BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
-  Draw draw(11);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(11);
   for (auto const& group : groups()) {
     CubicLagrangian const l(draw, group.matrix_size());
-    auto const g0 = draw.element<rational>(group), g1 = draw.element<rational>(group),
-               g2 = draw.element<rational>(group);
-    Column<rational> const c = draw.vector<rational>(group.matrix_size());
+    auto const g0 = draw.element<Number>(group), g1 = draw.element<Number>(group),
+               g2 = draw.element<Number>(group);
+    Column<Number> const c = draw.vector<Number>(group.matrix_size());
     auto const compare = [&](auto const& act, char const* name) {
       BOOST_TEST_CONTEXT(group.name() << ", " << name) {
         {
           auto const L = lift_advected_left(l, c, act);
           auto const f10 = relative_motion_left(g0, g1), f21 = relative_motion_left(g1, g2);
-          Column<rational> const a0 = act(inverse(g0), c), a1 = advect_left(f10, a0, act);
+          Column<Number> const a0 = act(inverse(g0), c), a1 = advect_left(f10, a0, act);
           BOOST_TEST((a1 - act(inverse(g1), c)).isZero(0));
           auto const reduced = advected_euler_poincare_left(l, f10, a0, f21, act).components;
           BOOST_TEST((reduced - Ad_star(g1, discrete_euler_lagrange(L, g0, g1, g2)).components).isZero(0));
@@ -134,7 +135,7 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
         {
           auto const L = lift_advected_right(l, c, act);
           auto const f01 = relative_motion_right(g0, g1), f12 = relative_motion_right(g1, g2);
-          Column<rational> const a0 = act(g0, c), a1 = advect_right(f01, a0, act);
+          Column<Number> const a0 = act(g0, c), a1 = advect_right(f01, a0, act);
           BOOST_TEST((a1 - act(g1, c)).isZero(0));
           auto const reduced = advected_euler_poincare_right(l, f01, a0, f12, act);
           BOOST_TEST((reduced - discrete_euler_lagrange(L, g0, g1, g2)).components.isZero(0));
@@ -155,32 +156,34 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
 }
 
 BOOST_AUTO_TEST_CASE(what_fixes_the_vector_has_the_same_momentum_at_both_ends_of_a_step_exactly) {
-  Draw draw(12);
+  WithArithmetic const exactly(Arithmetic::rationals());
+  testing::FineDraw draw(12);
   for (auto const& group : groups()) BOOST_TEST_CONTEXT(group.name()) {
       CubicLagrangian const l(draw, group.matrix_size());
-      auto const f = draw.element<rational>(group);
-      Column<rational> const a0 = draw.vector<rational>(group.matrix_size()), a1 = advect_left(f, a0),
-                             b1 = advect_right(f, a0);
+      auto const f = draw.element<Number>(group);
+      Column<Number> const a0 = draw.vector<Number>(group.matrix_size()), a1 = advect_left(f, a0),
+                           b1 = advect_right(f, a0);
       auto const zeta = stabiliser(group, a0);
       BOOST_TEST(moved_by(zeta, a0).isZero(0));
       BOOST_TEST(!zeta.coordinates.isZero(0));
       auto const left = stabiliser_momentum(advected_momentum_before_left(l, f, a0), zeta, a0);
-      BOOST_TEST(left == stabiliser_momentum(advected_momentum_after_left(l, f, a0), Ad(f, zeta), a1));
+      BOOST_TEST((left == stabiliser_momentum(advected_momentum_after_left(l, f, a0), Ad(f, zeta), a1)));
       auto const right = stabiliser_momentum(advected_momentum_before_right(l, f, a0), zeta, a0);
-      BOOST_TEST(right ==
-                 stabiliser_momentum(advected_momentum_after_right(l, f, a0), Ad(inverse(f), zeta), b1));
+      BOOST_TEST(
+          (right == stabiliser_momentum(advected_momentum_after_right(l, f, a0), Ad(inverse(f), zeta), b1)));
       // Controls: transported by the inverse, and a generator that moves the vector.
-      BOOST_TEST(left != pair(advected_momentum_after_left(l, f, a0), Ad(inverse(f), zeta)));
-      auto const other = draw.velocity<rational>(group);
-      BOOST_TEST(pair(advected_momentum_before_left(l, f, a0), other) !=
-                 pair(advected_momentum_after_left(l, f, a0), Ad(f, other)));
+      BOOST_TEST((left != pair(advected_momentum_after_left(l, f, a0), Ad(inverse(f), zeta))));
+      auto const other = draw.velocity<Number>(group);
+      BOOST_TEST((pair(advected_momentum_before_left(l, f, a0), other) !=
+                  pair(advected_momentum_after_left(l, f, a0), Ad(f, other))));
       CHECK_REFUSED(stabiliser_momentum(advected_momentum_before_left(l, f, a0), other, a0), OutsideDomain);
     }
 }
 
 BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exactly) {
+  WithArithmetic const exactly(Arithmetic::rationals());
   // G with shifts by covectors, as matrices ((g^-T, v), (0, 1)): a step is the action of k = f (1, dl/da).
-  Draw draw(16);
+  testing::FineDraw draw(16);
   for (auto const& group : groups()) BOOST_TEST_CONTEXT(group.name()) {
       int const n = group.matrix_size(), d = group.dimension();
       std::vector<SpannedGroup::WholeMatrix> basis(d + n, SpannedGroup::WholeMatrix::Zero(n + 1, n + 1));
@@ -191,24 +194,24 @@ BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exac
       SpannedGroup const product("semidirect product", basis);
 
       CubicLagrangian const l(draw, n);
-      auto const f = draw.element<rational>(group);
-      Column<rational> const a0 = draw.vector<rational>(n);
-      auto k = identity<rational>(product);
+      auto const f = draw.element<Number>(group);
+      Column<Number> const a0 = draw.vector<Number>(n);
+      auto k = identity<Number>(product);
       k.value.topLeftCorner(n, n) = inverse(f).value.transpose();
-      Column<rational> slope(n);
+      Column<Number> slope(n);
       for (int i = 0; i < n; ++i) {
-        Column<Moved<rational>> moved = a0.cast<Moved<rational>>();
+        Column<Moved<Number>> moved = a0.cast<Moved<Number>>();
         moved[i].part[0] = 1;
-        slope[i] = l(over<Moved<rational>>(f), moved).part[0];
+        slope[i] = l(over<Moved<Number>>(f), moved).part[0];
       }
       k.value.topRightCorner(n, 1) = k.value.topLeftCorner(n, n) * slope;
 
-      Column<rational> before(d + n), after(d + n);
+      Column<Number> before(d + n), after(d + n);
       before << advected_momentum_before_left(l, f, a0).components, a0;
       after << advected_momentum_after_left(l, f, a0).components, advect_left(f, a0);
       BOOST_TEST((Ad_star(inverse(k), momentum(product, before)).components - after).isZero(0));
       // Control: shifted the other way.
-      k.value.topRightCorner(n, 1) *= rational(-1);
+      k.value.topRightCorner(n, 1) *= Number(-1);
       BOOST_TEST(!(Ad_star(inverse(k), momentum(product, before)).components - after).isZero(0));
     }
 }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
@@ -13,6 +12,7 @@
 #include "actio/variational/lie_poisson.hpp"
 #include "group_from_basis.hpp"
 #include "witness/draw.hpp"
+#include "witness/number.hpp"
 #include "witness/taylor_reference.hpp"
 
 namespace actio::testing {
@@ -160,13 +160,14 @@ inline Order order_of(std::vector<int> const& counts, std::vector<double> const&
 }
 /// The order of a step over a time, by runs of 50 digits in `counts` equal steps.
 template <int side, class Step>
-Order measured_order(Step const& step, UnevenLagrangian<dec50> const& l,
-                     Velocity<SpannedGroup, dec50> const& xi, dec50 const& time,
-                     std::vector<int> const& counts, std::pair<Matrix<dec50>, Vector<dec50>> const& truth) {
+Order measured_order(Step const& step, UnevenLagrangian<Number> const& l,
+                     Velocity<SpannedGroup, Number> const& xi, Number const& time,
+                     std::vector<int> const& counts, std::pair<Matrix<Number>, Vector<Number>> const& truth) {
   auto const start = momentum_state(l, xi);
   std::vector<double> errors;
   for (int const count : counts)
-    errors.push_back(error_of_run<side>(step, start, std::vector<dec50>(count, dec50(time / count)), truth));
+    errors.push_back(
+        error_of_run<side>(step, start, std::vector<Number>(count, Number(time / count)), truth));
   return order_of(counts, errors);
 }
 

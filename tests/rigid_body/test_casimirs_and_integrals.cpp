@@ -7,9 +7,9 @@
 #include "actio/rigid_body/isospectral.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/multiplier.hpp"
+#include "fine_draw.hpp"
 #include "random_bodies.hpp"
 #include "refused.hpp"
-#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_SUITE(casimirs_and_integrals)
 
 BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  Draw draw(1);
+  testing::FineDraw draw(1);
   for (int n = 2; n <= 7; ++n) {
     SO<Dynamic> group;
     group.n = n;
@@ -54,11 +54,10 @@ BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
     auto const c = casimirs(mu);
     BOOST_TEST(c.size() == n / 2);
     Matrix<Number, Dynamic, Dynamic> const m = group.hat(mu.components),
-                                             one = Matrix<Number, Dynamic, Dynamic>::Identity(n, n);
+                                           one = Matrix<Number, Dynamic, Dynamic>::Identity(n, n);
     if (n % 2 == 0) {
       // The square of the Pfaffian is the determinant, exactly.
-      Number const square = c[n / 2 - 1] * c[n / 2 - 1],
-                     determinant = characteristic_coefficients(m)[n - 1];
+      Number const square = c[n / 2 - 1] * c[n / 2 - 1], determinant = characteristic_coefficients(m)[n - 1];
       BOOST_TEST((square == determinant));
     }
     // Casimirs, and half the dimension of a generic orbit.

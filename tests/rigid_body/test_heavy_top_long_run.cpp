@@ -99,9 +99,10 @@ BOOST_AUTO_TEST_CASE(the_benchmark_of_bruls_and_cardona_comes_out_to_nine_places
   testing::EulerPoisson<Number> const equations{exact_top.inertia.moments, exact_top.lever()};
   auto const start = testing::together(release(exact_top, identity<Number>(SO<3>{}), exact_spin));
   Matrix<Number, 6, 1> const end = taylor_reference<Number>(equations, start, Number(1));
-  Vector3d const truth = end.head<3>().cwiseQuotient(exact_top.inertia.moments).unaryExpr([](Number const& x) {
-    return to_double(x);
-  });
+  Vector3d const truth =
+      end.head<3>().cwiseQuotient(exact_top.inertia.moments).unaryExpr([](Number const& x) {
+        return to_double(x);
+      });
 
   auto const [top, spin] = bruls_cardona_top<double>();
   BOOST_TEST(top.inertia.lambda[1] == 15);

@@ -49,8 +49,8 @@ void increment_is_the_printed_line(double angle) {
   auto const printed = MoserVeselov<n, S>::transport(f, pi),
              by_increment = MoserVeselov<n, S>::transport_by_increment(f, pi);
   // Two products of n by n matrices each, of entries at most 1 but for M: 2n roundings in either.
-  BOOST_TEST((magnitude((printed - by_increment).components) <=
-             4 * n * epsilon<S>() * magnitude(pi.components)));
+  BOOST_TEST(
+      (magnitude((printed - by_increment).components) <= 4 * n * epsilon<S>() * magnitude(pi.components)));
   // Neither is the identity: a turn of this size moves the momentum.
   BOOST_TEST((magnitude((printed - pi).components) > 1e-3 * angle * magnitude(pi.components)));
 }

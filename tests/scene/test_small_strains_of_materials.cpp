@@ -16,8 +16,9 @@ using Many = Matrix<Number, d, d>;
 template <int d>
 std::pair<Number, Many<d>> mooney_rivlin(Many<d> const& F, double c1, double c2, double lambda) {
   Many<d> const C = F.transpose() * F;
-  Number const J = media::small_determinant(F), first = C.trace(), second = (first * first - (C * C).trace()) / 2,
-              slope = 2 * (Number(c1) + (d - 1) * Number(c2));
+  Number const J = media::small_determinant(F), first = C.trace(),
+               second = (first * first - (C * C).trace()) / 2,
+               slope = 2 * (Number(c1) + (d - 1) * Number(c2));
   Many<d> S = C * Number(-2 * c2);
   for (int i = 0; i < d; ++i) S(i, i) += 2 * c1 + 2 * c2 * first;
   return {c1 * (first - d) + c2 * (second - d * (d - 1) / 2) - slope * log(J) + lambda * log(J) * log(J) / 2,

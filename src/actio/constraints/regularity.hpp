@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,13 +19,11 @@ struct NotRegular : OutsideDomain {
   std::vector<double> point;  ///< where
   /// @param at  the point, @param pivot  the smallest one over its terms, @param bound  what it has to exceed
   NotRegular(std::string const& where, std::vector<double> at, double pivot, double bound)
-      : OutsideDomain(
-            where + " at " + shown(at),
-            "the derivative of the constraint is onto; smallest pivot over the terms it is made from", pivot,
-            bound),
-        point(std::move(at)) {}
+      : OutsideDomain(where + " at " + shown(at), required, pivot, bound), point(std::move(at)) {}
 
  private:
+  static constexpr std::string_view required =
+      "the derivative of the constraint is onto; smallest pivot over the terms it is made from";
   static std::string shown(std::vector<double> const& at) {
     std::string text = "(";
     for (double const x : at) text += (text.size() > 1 ? ", " : "") + show(x);

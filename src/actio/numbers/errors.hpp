@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdio>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,23 +25,30 @@ inline std::string show(double x) {
   return {digits, digits + std::snprintf(digits, sizeof digits, "%.9g", x)};
 }
 
+namespace detail {
+/// Pieces of a message, one after the other.
+inline std::string joined(std::initializer_list<std::string_view> pieces) {
+  std::string text;
+  for (auto const piece : pieces) text += piece;
+  return text;
+}
+}  // namespace detail
+
 /// An argument outside the set a function is defined on. Carries the measured quantity and the bound it
 /// breaks.
 struct OutsideDomain : Error {
   double measured;
   double bound;
-  OutsideDomain(std::string const& where, std::string const& required, double measured_value,
-                double bound_value)
-      : Error(where + ": " + required + ", measured " + show(measured_value) + ", bound " +
-              show(bound_value)),
-        measured(measured_value),
-        bound(bound_value) {}
+  OutsideDomain(std::string_view where, std::string_view required, double was, double limit)
+      : Error(detail::joined({where, ": ", required, ", measured ", show(was), ", bound ", show(limit)})),
+        measured(was),
+        bound(limit) {}
 };
 
 /// A NaN or an infinity where a number is needed.
 struct NotFinite : Error {
-  explicit NotFinite(std::string const& where)
-      : Error(where + ": a NaN or an infinity where a finite number is needed") {}
+  explicit NotFinite(std::string_view where)
+      : Error(detail::joined({where, ": a NaN or an infinity where a finite number is needed"})) {}
 };
 
 /// Refuses a matrix or vector with a plain value that is a NaN or an infinity.
@@ -83,25 +92,27 @@ struct UnphysicalInertia : OutsideDomain {
 /// A step longer than the scheme has a solution for; says the longest that would do.
 struct StepTooLong : OutsideDomain {
   double largest_step;
-  StepTooLong(std::string const& where, double step, double largest)
-      : OutsideDomain(
-            where,
-            "the step exceeds the solvability limit of the scheme; the largest step that would do is " +
-                show(largest),
-            step, largest),
-        largest_step(largest) {}
+  StepTooLong(std::string_view where, double step, double largest)
+      : OutsideDomain(where, detail::joined({wanted, show(largest)}), step, largest), largest_step(largest) {}
+
+ private:
+  static constexpr std::string_view wanted =
+      "the step exceeds the solvability limit of the scheme; the largest step that would do is ";
 };
 
 /// An iteration that did not reach the rounding level of its residual.
 struct NotConverged : Error {
   std::vector<double> residuals;  ///< norm of the residual at each iterate
   double tolerance;               ///< what it had to come under
-  NotConverged(std::string const& where, std::vector<double> history, double bound)
-      : Error(where + ": no convergence in " + std::to_string(history.size()) + " iterations, residual " +
-              (history.empty() ? std::string("none") : show(history.back())) + ", tolerance " + show(bound) +
-              "; the step may be too long for the Lagrangian to be regular"),
-        residuals(std::move(history)),
-        tolerance(bound) {}
+  NotConverged(std::string_view where, std::vector<double> history, double bound)
+      : Error(message(where, history, bound)), residuals(std::move(history)), tolerance(bound) {}
+
+ private:
+  static std::string message(std::string_view where, std::vector<double> const& residuals, double bound) {
+    auto const last = residuals.empty() ? std::string("none") : show(residuals.back());
+    return detail::joined({where, ": no convergence in ", std::to_string(residuals.size()), " iterations, residual ",
+                           last, ", tolerance ", show(bound), "; the step may be too long for the Lagrangian to be regular"});
+  }
 };
 
 }  // namespace actio

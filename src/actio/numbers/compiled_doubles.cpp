@@ -1,0 +1,9 @@
+// In a unit of its own
+#include "actio/numbers/compiled_doubles.hpp"
+
+namespace actio::detail {
+
+#define ACTIO_TEMPLATE template
+ACTIO_COMPILED_DOUBLES
+
+}  // namespace actio::detail
