@@ -11,7 +11,7 @@
 #include "actio/groups/special_linear.hpp"
 #include "actio/reduction/euler_poincare_steps.hpp"
 #include "actio/reduction/natural_chart.hpp"
-#include "actio/scene/run.hpp"
+#include "program/run/run.hpp"
 #include "benchmark.hpp"
 #include "timing.hpp"
 

@@ -18,7 +18,7 @@
 #include <fstream>
 
 #include "actio/fast_body/space/free_steps.hpp"
-#include "actio/scene/run.hpp"
+#include "program/run/run.hpp"
 #include "benchmark.hpp"
 #include "callgrind.hpp"
 #include "timing.hpp"

@@ -5,7 +5,7 @@ set(actio_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/actio)
 
 install(TARGETS actio actio_core ${ACTIO_MODULES} EXPORT actio_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY src/actio DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-        PATTERN "scene" EXCLUDE PATTERN "bodies" EXCLUDE)
+        PATTERN "bodies" EXCLUDE)
 install(EXPORT actio_targets NAMESPACE actio:: DESTINATION ${actio_config_dir})
 
 write_basic_package_version_file(actioConfigVersion.cmake COMPATIBILITY SameMinorVersion)

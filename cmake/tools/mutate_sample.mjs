@@ -1,6 +1,6 @@
 // mutate_sample.mjs ROOT BUILD JOBS --sample N --seed S: what share of small errors do the checks notice?
 //
-// Draws N places in the library's sources (src/actio without scene, bodies and instruments) by a rule and a
+// Draws N places in the library's sources (src/actio without bodies and instruments) by a rule and a
 // seed, not by hand, and a plausible error for each: a sign, the order of factors or of arguments, a factor,
 // an inverse, a star or a transpose that is dropped, another side, an index that is one off, a comparison,
 // `and` for `or`. All of them are planted into one copy of the sources, each asleep behind a switch that is
@@ -246,7 +246,7 @@ function sources() {
   const all = [];
   const walk = folder => {
     for (const entry of fs.readdirSync(path.join(root, folder), { withFileTypes: true }).sort((a, b) => (a.name < b.name ? -1 : 1)))
-      if (entry.isDirectory()) { if (!['scene', 'bodies', 'instruments'].includes(entry.name)) walk(`${folder}/${entry.name}`); }
+      if (entry.isDirectory()) { if (!['bodies', 'instruments'].includes(entry.name)) walk(`${folder}/${entry.name}`); }
       else if (/\.(hpp|cpp)$/.test(entry.name)) all.push(`${folder}/${entry.name}`);
   };
   walk('src/actio');

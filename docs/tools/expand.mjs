@@ -320,8 +320,8 @@ for (const p of pages) {
       if (!fs.existsSync(file)) return errors.add(p.file, line, `there is no data/scenes/${name}.py`);
       block(pythonCard(`data/scenes/${name}.py`, fs.readFileSync(file, 'utf8'), fs.existsSync(said) ? fs.readFileSync(said, 'utf8') : null));
     },
-    houseplan() { block(housePlan(readHouse(opt.root, errors))); },
-    house() { block(houseTable(readHouse(opt.root, errors))); },
+    houseplan(which) { block(housePlan(readHouse(opt.root, errors, which || 'library'))); },
+    house(which) { block(houseTable(readHouse(opt.root, errors, which || 'library'))); },
     scenes() {
       block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`);
       if (book.scenes) emit(`Each has a page with its motion and its text: ${[...book.scenes.keys()].map(name => `\\subpage scenefile_${name} "${name}"`).join(', ')}.\n`);

@@ -1,31 +1,35 @@
-// The page "The house": the modules of the library, the arrows between them and their sizes, read from where
-// they are declared.
+// The page "The house": the modules of the library and the rooms of the program, the arrows between them and
+// their sizes, read from where they are declared.
 //
-// Modules and arrows are the lines `actio_module(NAME USES ...)` of CMakeLists.txt, which the test `layering`
-// holds every #include to; what a module holds is the \brief of its folder in docs/rooms.dox; sizes are
-// counted in the sources.
+// Modules and arrows are the lines `actio_module(NAME USES ...)` of CMakeLists.txt, rooms the lines
+// `actio_room(NAME USES ...)` of src/program/CMakeLists.txt; the test `layering` holds every #include to them.
+// What each holds is the \brief of its folder in docs/rooms.dox; sizes are counted in the sources.
 import fs from 'node:fs';
 import path from 'node:path';
 import { boxed, escapeHtml, walk } from './lib.mjs';
 
-/** The modules in the order of their declaration: { name, uses, about, files, lines, floor }.
- *  A floor is one above the highest that is used. */
-export function readHouse(root, errors) {
+/** The modules of the library, or with `program` the rooms of the program, in the order of their declaration:
+ *  { name, uses, about, files, lines, floor }. A floor is one above the highest that is used. */
+export function readHouse(root, errors, which = 'library') {
   const read = file => fs.readFileSync(path.join(root, file), 'utf8');
-  const rooms = read('docs/rooms.dox').matchAll(/\\dir src\/actio\/(\w+)\s+\\brief ([^]*?)\s*\*\//g);
+  const { folder, declared, line } = which === 'program' ?
+    { folder: 'src/program', declared: 'src/program/CMakeLists.txt', line: /^actio_room\(([\w/]+)(.*)\)$/gm } :
+    { folder: 'src/actio', declared: 'CMakeLists.txt', line: /^actio_module\((\w+)(.*)\)$/gm };
+  const rooms = read('docs/rooms.dox').matchAll(new RegExp(`\\\\dir ${folder}/([\\w/]+)\\s+\\\\brief ([^]*?)\\s*\\*/`, 'g'));
   const about = new Map([...rooms].map(m => [m[1], m[2]]));
   const dox = path.join(root, 'docs/rooms.dox');
   const house = new Map();
-  for (const [, name, rest] of read('CMakeLists.txt').matchAll(/^actio_module\((\w+)(.*)\)$/gm)) {
-    const uses = (/USES ([\w ]+?)(?: LINKS|$)/.exec(rest.trim())?.[1] ?? '').split(' ').filter(Boolean);
-    const files = walk(path.join(root, 'src/actio', name)).filter(f => /\.[hc]pp$/.test(f));
+  for (const [, name, rest] of read(declared).matchAll(line)) {
+    const uses = (/USES ([\w/ ]+?)(?: LINKS|$)/.exec(rest.trim())?.[1] ?? '').split(' ').filter(Boolean);
+    const here = path.join(root, folder, name);
+    const files = walk(here).filter(f => /\.[hc]pp$/.test(f) && (which === 'library' || path.dirname(f) === here));
     const lines = files.reduce((sum, f) => sum + fs.readFileSync(f, 'utf8').split('\n').length - 1, 0);
     const floor = uses.reduce((highest, u) => Math.max(highest, house.get(u).floor + 1), 0);
-    if (!about.has(name)) errors.add(dox, 1, `nothing is said of src/actio/${name}`);
+    if (!about.has(name)) errors.add(dox, 1, `nothing is said of ${folder}/${name}`);
     house.set(name, { name, uses, about: about.get(name) ?? '', files: files.length, lines, floor });
   }
   for (const name of about.keys())
-    if (!house.has(name)) errors.add(dox, 1, `CMakeLists.txt declares no module ${name}`);
+    if (!house.has(name)) errors.add(dox, 1, `${declared} does not declare ${name}`);
   return house;
 }
 
@@ -48,19 +52,19 @@ export function housePlan(house) {
     const box = `<rect x="${x - wide / 2}" y="${y - high / 2}" width="${wide}" height="${high}" rx="5"/>`;
     return `${box}<text x="${x}" y="${y + 5}">${name}</text>`;
   });
-  const view = `viewBox="0 0 ${width} ${step * floors.length}" role="img" aria-label="The modules and what they use"`;
+  const view = `viewBox="0 0 ${width} ${step * floors.length}" role="img" aria-label="The folders and what they use"`;
   return `<figure class="house-plan"><svg ${view}>
 <defs><marker id="house-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" orient="auto">
 <path d="M0 0L8 4L0 8z" class="tip"/></marker></defs>
 <g class="arrows">${arrows.join('')}</g><g class="rooms">${boxes.join('')}</g></svg>
-<figcaption>An arrow leads from a module to what it uses; what that uses comes along.
+<figcaption>An arrow leads to what is used; what that uses comes along.
 All arrows lead down.</figcaption></figure>`;
 }
 
-/** What each room holds, which modules it uses, and how large it is. */
+/** What each holds, what it uses, and how large it is. */
 export function houseTable(house) {
   const row = (cell, cells) => `<tr>${cells.map(c => `<${cell}>${c}</${cell}>`).join('')}</tr>`;
-  const head = row('th', ['module', 'what it holds', 'uses', 'files', 'lines']);
+  const head = row('th', ['folder', 'what it holds', 'uses', 'files', 'lines']);
   const rows = [...house.values()].map(r =>
     row('td', [`<code>${r.name}</code>`, escapeHtml(r.about), r.uses.join(', ') || '–', r.files, r.lines]));
   return boxed(`<table class="programs house"><thead>${head}</thead><tbody>${rows.join('')}</tbody></table>`);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "actio/scene/bodies.hpp"
-#include "actio/scene/groups.hpp"
-#include "actio/scene/keys.hpp"
-#include "actio/scene/materials.hpp"
-#include "actio/scene/scenes.hpp"
-#include "actio/scene/statements.hpp"
+#include "program/catalogue/bodies.hpp"
+#include "program/catalogue/groups.hpp"
+#include "program/registry/keys.hpp"
+#include "program/catalogue/materials.hpp"
+#include "program/document/scenes.hpp"
+#include "program/catalogue/statements.hpp"
 
 namespace actio::app {
 

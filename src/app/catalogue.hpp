@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/system.hpp"
+#include "program/registry/system.hpp"
 
 namespace actio::app {
 

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "actio/scene/printable.hpp"
-#include "actio/scene/scene_error.hpp"
-#include "actio/scene/statements.hpp"
+#include "program/base/printable.hpp"
+#include "program/base/error.hpp"
+#include "program/catalogue/statements.hpp"
 #include "app/child.hpp"
 #include "app/commands.hpp"
 #include "app/ledger.hpp"

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "actio/scene/scene_error.hpp"
+#include "program/base/error.hpp"
 
 namespace actio::app {
 namespace {

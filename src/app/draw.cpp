@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "actio/scene/pictures.hpp"
-#include "actio/scene/scene_error.hpp"
+#include "program/pictures/pictures.hpp"
+#include "program/base/error.hpp"
 
 namespace actio::app {
 namespace {

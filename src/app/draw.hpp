@@ -1,7 +1,7 @@
 // The pictures of a run: drawn by one process at a time, and looked for.
 #pragma once
 
-#include "actio/scene/scene.hpp"
+#include "program/registry/scene.hpp"
 
 namespace actio::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/scene.hpp"
+#include "program/registry/scene.hpp"
 
 namespace actio::app {
 

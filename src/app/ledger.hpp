@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "actio/scene/statements.hpp"
+#include "program/catalogue/statements.hpp"
 
 namespace actio::app {
 

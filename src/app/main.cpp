@@ -8,8 +8,8 @@
 #include <new>
 #include <system_error>
 
-#include "actio/scene/progress.hpp"
-#include "actio/scene/scene_error.hpp"
+#include "program/base/progress.hpp"
+#include "program/base/error.hpp"
 #include "app/sweep_arguments.hpp"
 #include "app/usage.hpp"
 

@@ -8,10 +8,10 @@
 #include <cstring>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "actio/scene/bodies.hpp"
-#include "actio/scene/printable.hpp"
-#include "actio/scene/scene_template.hpp"
-#include "actio/scene/scenes.hpp"
+#include "program/catalogue/bodies.hpp"
+#include "program/base/printable.hpp"
+#include "program/registry/scene_template.hpp"
+#include "program/document/scenes.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 

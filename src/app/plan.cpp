@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "actio/scene/printable.hpp"
-#include "actio/scene/progress.hpp"
-#include "actio/scene/scene.hpp"
+#include "program/base/printable.hpp"
+#include "program/base/progress.hpp"
+#include "program/registry/scene.hpp"
 #include "app/commands.hpp"
 #include "app/estimate.hpp"
 #include "app/text.hpp"

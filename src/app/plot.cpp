@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "actio/scene/progress.hpp"
-#include "actio/scene/run.hpp"
-#include "actio/scene/run_folder.hpp"
+#include "program/base/progress.hpp"
+#include "program/run/run.hpp"
+#include "program/run/run_folder.hpp"
 #include "app/commands.hpp"
 #include "app/draw.hpp"
 #include "app/text.hpp"

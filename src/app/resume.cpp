@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "actio/scene/checkpoint.hpp"
-#include "actio/scene/progress.hpp"
-#include "actio/scene/run_files.hpp"
+#include "program/run/checkpoint.hpp"
+#include "program/base/progress.hpp"
+#include "program/run/run_files.hpp"
 #include "app/commands.hpp"
 #include "app/draw.hpp"
 #include "app/run_to_end.hpp"

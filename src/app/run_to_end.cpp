@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "actio/scene/progress.hpp"
+#include "program/base/progress.hpp"
 #include "app/draw.hpp"
 #include "app/text.hpp"
 

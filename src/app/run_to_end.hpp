@@ -1,8 +1,8 @@
 // A scene, run to its end, and what is said of it.
 #pragma once
 
-#include "actio/scene/run.hpp"
-#include "actio/scene/run_folder.hpp"
+#include "program/run/run.hpp"
+#include "program/run/run_folder.hpp"
 
 namespace actio::app {
 

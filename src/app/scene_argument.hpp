@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/scene_file.hpp"
+#include "program/document/file.hpp"
 
 namespace actio::app {
 

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "actio/scene/embedded.hpp"
-#include "actio/scene/statements.hpp"
+#include "program/base/embedded.hpp"
+#include "program/catalogue/statements.hpp"
 #include "app/text.hpp"
 
 namespace actio::app {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <thread>
 
-#include "actio/scene/interrupt.hpp"
-#include "actio/scene/sweep_folder.hpp"
-#include "actio/scene/sweep_run.hpp"
+#include "program/base/interrupt.hpp"
+#include "program/sweep/folder.hpp"
+#include "program/sweep/run.hpp"
 #include "app/sweep_arguments.hpp"
 
 namespace actio::app {

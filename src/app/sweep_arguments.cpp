@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "actio/scene/progress.hpp"
-#include "actio/scene/sweep.hpp"
+#include "program/base/progress.hpp"
+#include "program/sweep/sweep.hpp"
 
 namespace actio::app {
 namespace {

@@ -12,9 +12,9 @@
 #include <chrono>
 #include <thread>
 
-#include "actio/scene/interrupt.hpp"
-#include "actio/scene/progress.hpp"
-#include "actio/scene/sweep_run.hpp"
+#include "program/base/interrupt.hpp"
+#include "program/base/progress.hpp"
+#include "program/sweep/run.hpp"
 #include "app/sweep_arguments.hpp"
 
 using namespace actio;

@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "actio/scene/printable.hpp"
+#include "program/base/printable.hpp"
 #include "app/text.hpp"
 
 namespace actio::app {

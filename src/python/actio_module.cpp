@@ -8,7 +8,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "actio/scene/registry_json.hpp"
+#include "program/registry/registry_json.hpp"
 #include "python/algebras.hpp"
 #include "python/memory_run.hpp"
 #include "python/registry.hpp"

@@ -6,13 +6,13 @@
 #include <fstream>
 #include <iterator>
 
-#include "actio/scene/checkpoint.hpp"
-#include "actio/scene/pictures.hpp"
-#include "actio/scene/run_files.hpp"
-#include "actio/scene/run_folder.hpp"
-#include "actio/scene/series.hpp"
-#include "actio/scene/series_reader.hpp"
-#include "actio/scene/units.hpp"
+#include "program/run/checkpoint.hpp"
+#include "program/pictures/pictures.hpp"
+#include "program/run/run_files.hpp"
+#include "program/run/run_folder.hpp"
+#include "program/output/series.hpp"
+#include "program/output/series_reader.hpp"
+#include "program/registry/units.hpp"
 #include "python/available_memory.hpp"
 
 namespace actio::python {

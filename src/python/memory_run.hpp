@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/run.hpp"
+#include "program/run/run.hpp"
 
 namespace actio::python {
 

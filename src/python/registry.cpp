@@ -2,8 +2,8 @@
 
 #include "python/registry.hpp"
 
-#include "actio/scene/bodies.hpp"
-#include "actio/scene/groups.hpp"
+#include "program/catalogue/bodies.hpp"
+#include "program/catalogue/groups.hpp"
 
 namespace actio::python {
 

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "actio/scene/expression.hpp"
-#include "actio/scene/printable.hpp"
-#include "actio/scene/scene.hpp"
+#include "program/document/expression.hpp"
+#include "program/base/printable.hpp"
+#include "program/registry/scene.hpp"
 
 namespace {
 

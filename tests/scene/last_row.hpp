@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/run.hpp"
+#include "program/run/run.hpp"
 
 namespace actio::scene {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "actio/scene/scene.hpp"
+#include "program/registry/scene.hpp"
 
 namespace actio::scene {
 

@@ -7,7 +7,7 @@
 
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
-#include "actio/scene/change_in_time.hpp"
+#include "program/registry/change_in_time.hpp"
 
 using namespace actio::scene;
 

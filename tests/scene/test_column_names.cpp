@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "actio/scene/quantity.hpp"
+#include "program/registry/quantity.hpp"
 
 using namespace actio::scene;
 using Kind = Quantity::Kind;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "actio/scene/run.hpp"
-#include "actio/scene/systems/conservation.hpp"
+#include "program/run/run.hpp"
+#include "program/registry/conservation.hpp"
 
 using namespace actio::scene;
 

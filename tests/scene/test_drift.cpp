@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "actio/scene/drift.hpp"
+#include "program/run/drift.hpp"
 #include "refused.hpp"
 
 using actio::Error;

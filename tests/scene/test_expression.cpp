@@ -7,7 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../formula/functions_of_cpp.hpp"
-#include "actio/scene/expression.hpp"
+#include "program/document/expression.hpp"
 
 using namespace actio::scene;
 

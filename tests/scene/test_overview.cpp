@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "actio/scene/envelope.hpp"
-#include "actio/scene/key_frames.hpp"
+#include "program/pictures/envelope.hpp"
+#include "program/pictures/key_frames.hpp"
 
 using actio::scene::Envelope, actio::scene::KeyFrames;
 

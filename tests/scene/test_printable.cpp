@@ -1,6 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/scene_error.hpp"
+#include "program/base/error.hpp"
 
 using namespace actio::scene;
 

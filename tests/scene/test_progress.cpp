@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <functional>
 
-#include "actio/scene/interrupt.hpp"
-#include "actio/scene/progress.hpp"
+#include "program/base/interrupt.hpp"
+#include "program/base/progress.hpp"
 
 using actio::scene::Progress;
 

@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/quantity.hpp"
+#include "program/registry/quantity.hpp"
 
 using namespace actio::scene;
 

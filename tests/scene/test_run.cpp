@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "actio/scene/run.hpp"
+#include "program/run/run.hpp"
 #include "readable_folder.hpp"
 #include "refused.hpp"
 

@@ -1,7 +1,7 @@
 // The reader of scenes: what it takes, and where its complaints point.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/scene_file.hpp"
+#include "program/document/file.hpp"
 
 using namespace actio::scene;
 

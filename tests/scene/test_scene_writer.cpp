@@ -9,7 +9,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/scene_file.hpp"
+#include "program/document/file.hpp"
 
 using namespace actio::scene;
 

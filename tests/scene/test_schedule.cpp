@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/schedule.hpp"
+#include "program/document/schedule.hpp"
 
 using namespace actio::scene;
 

@@ -13,7 +13,7 @@
 #include <random>
 #include <thread>
 
-#include "actio/scene/series.hpp"
+#include "program/output/series.hpp"
 #include "hdf5_table.hpp"
 #include "refused.hpp"
 

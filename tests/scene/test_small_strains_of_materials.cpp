@@ -1,7 +1,7 @@
 // The energies and stresses that materials of scenes have at small strains, against 50 digits.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/systems/medium_material.hpp"
+#include "program/systems/media/material.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <map>
 
-#include "actio/scene/checkpoint.hpp"
-#include "actio/scene/own_files.hpp"
-#include "actio/scene/run.hpp"
+#include "program/run/checkpoint.hpp"
+#include "program/base/own_files.hpp"
+#include "program/run/run.hpp"
 #include "readable_folder.hpp"
 #include "refusal.hpp"
 #include "refused.hpp"

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <set>
 
-#include "actio/scene/sweep_crew.hpp"
-#include "actio/scene/sweep_table.hpp"
+#include "program/sweep/crew.hpp"
+#include "program/sweep/table.hpp"
 #include "refused.hpp"
 
 using namespace actio::scene;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "actio/scene/systems/formula_potential.hpp"
+#include "program/systems/bodies/formula_potential.hpp"
 #include "last_row.hpp"
 #include "witness/reference_solution.hpp"
 

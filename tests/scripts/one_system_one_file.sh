@@ -1,31 +1,31 @@
 #!/usr/bin/env bash
-# one_system_one_file.sh ROOT: a system of scenes is one file and one line, as src/actio/scene/system.hpp
+# one_system_one_file.sh ROOT: a system of scenes is one file and one line, as src/program/registry/system.hpp
 # says.
 #
-# Outside systems/ nothing in the module scene, in the command, in the module for Python and in the page of a
+# Outside systems/ nothing in the program, in the command, in the module for Python and in the page of a
 # run asks which system it is: none of them compares with the name of a system, or looks one up by a name that
 # is written down. At the end such a comparison is planted in a copy, and must be found.
 set -euo pipefail
 root=$1
 
 names() { # the names of the systems, from their one line each, joined by |
-  sed -nE 's/^  with\(([a-z_]+)\).*$/\1/p' "$1/src/actio/scene/system.cpp" | paste -sd'|'
+  sed -nE 's/^  with\(([a-z_]+)\).*$/\1/p' "$1/src/program/systems/systems.cpp" | paste -sd'|'
 }
 violations() {
   local all
   all=$(names "$1")
-  [[ -n $all ]] || { echo "no system was found in src/actio/scene/system.cpp"; return; }
+  [[ -n $all ]] || { echo "no system was found in src/program/systems/systems.cpp"; return; }
   for name in ${all//|/ }; do
-    [[ -f $1/src/actio/scene/systems/$name.cpp ]] || echo "there is no src/actio/scene/systems/$name.cpp"
+    compgen -G "$1/src/program/systems/*/$name.cpp" >/dev/null || echo "there is no src/program/systems/FAMILY/$name.cpp"
   done
   grep -rnE "(==|!=|find_system\(|case) *\"($all)\"|\"($all)\" *(==|!=)" \
-    "$1/src/actio/scene" "$1/src/app" "$1/src/python" "$1/data/viewer" | grep -v "/src/actio/scene/systems/" || true
-  grep -rnwE "(${all//|/_system|}_system)" "$1/src" | grep -v "/src/actio/scene/systems/" || true
+    "$1/src/program" "$1/src/app" "$1/src/python" "$1/data/viewer" | grep -v "/src/program/systems/" || true
+  grep -rnwE "(${all//|/_system|}_system)" "$1/src" | grep -v "/src/program/systems/" || true
 }
 
 found=$(violations "$root")
 if [[ -n $found ]]; then
-  printf '%s\n' "Asks by name which system it is, outside src/actio/scene/systems:" "$found"
+  printf '%s\n' "Asks by name which system it is, outside src/program/systems:" "$found"
   exit 1
 fi
 
@@ -39,9 +39,9 @@ plant() { # FILE LINE
   violations "$copy" | grep -qF -- "$1" || { echo "planted, and not found: $2"; exit 1; }
   rm "$copy/$1"
 }
-plant src/actio/scene/planted.cpp 'if (scene.system->name == "heavy_top") return 1;'
+plant src/program/run/planted.cpp 'if (scene.system->name == "heavy_top") return 1;'
 plant src/app/planted.cpp 'auto const* const system = find_system("rigid_body");'
 plant data/viewer/planted.js 'if (run.scene.kind === "rigid_body_n") return 1;'
-plant src/actio/scene/planted.hpp 'System heavy_top_system();'
+plant src/program/run/planted.hpp 'System heavy_top_system();'
 
 echo "$(names "$root" | tr '|' '\n' | wc -l) systems: one file and one line each; four planted violations were found."

@@ -1,0 +1,175 @@
+#include "program/document/schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace actio::scene {
+namespace {
+
+constexpr double most = 9007199254740992;  // 2^53: whole numbers beyond it are not all doubles
+// of the contract: how far t/h may be from a whole number, relative to it where it is large
+constexpr double near = 1e-9;
+
+bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= near * std::max(1.0, ratio); }
+
+}  // namespace
+
+Schedule::Schedule(SceneTable run) {
+  if (run.has("between_steps")) between_steps_ = run.boolean("between_steps");
+  if (run.has("at")) {
+    if (run.has("every"))
+      run.fail("at",
+               "at and every exclude each other: rows at the times listed, or at the multiples of every");
+    bool const bounded = run.has("until");
+    if (bounded) until_ = run.positive("until");
+    read_times(run, "at", bounded);
+    if (!(until_ > 0))
+      run.fail("at", "at: where 0 is the only time, [run] needs 'until', for example until = 1");
+    if (!bounded) run.set("until", until_);
+    return;
+  }
+  until_ = run.positive("until");
+  if (run.has("every"))
+    read_interval(run, "every");
+  else
+    at_ = {0, until_}, rows_ = 2;
+}
+
+Schedule::Schedule(SceneTable const& output, Schedule const& rows)
+    : until_(rows.until_), between_steps_(rows.between_steps_) {
+  bool const listed = output.has("snapshot_at"), regular = output.has("snapshot_every");
+  if (listed && regular)
+    output.fail("snapshot_at",
+                "snapshot_at and snapshot_every exclude each other: snapshots at the times listed, or at "
+                "the multiples of snapshot_every");
+  if (listed)
+    read_times(output, "snapshot_at", true);
+  else if (regular)
+    read_interval(output, "snapshot_every");
+  else
+    at_ = {0, until_}, rows_ = 2;
+}
+
+void Schedule::read_times(SceneTable const& table, std::string const& key, bool bounded) {
+  at_ = table.numbers(key);
+  if (at_.empty()) table.fail(key, key + ": at least one time is expected");
+  if (!bounded) until_ = at_.back();
+  for (std::size_t i = 0; i < at_.size(); ++i) {
+    if (at_[i] < 0 || (bounded && at_[i] > until_))
+      throw SceneError(table.place(key, i),
+                       fmt::format("{}: times from 0 {} are expected, found {}", key,
+                                   bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
+    if (i > 0 && !(at_[i] > at_[i - 1]))
+      throw SceneError(table.place(key, i),
+                       fmt::format("{}: each time is later than the one before; found {} after {}", key,
+                                   at_[i], at_[i - 1]));
+  }
+  rows_ = static_cast<long>(at_.size());
+}
+
+void Schedule::read_interval(SceneTable const& table, std::string const& key) {
+  every_ = table.positive(key);
+  double const ratio = until_ / every_;
+  if (!(ratio < most))
+    table.fail(key, fmt::format("{}: at most 2^53 rows are possible; until/{} is {}", key, key, ratio));
+  // A quarter: the last multiple of a short interval is not mistaken for another one.
+  last_beside_ = std::round(ratio) < 1 ||
+                 !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));
+  rows_ = static_cast<long>(last_beside_ ? std::floor(ratio) + 2 : std::round(ratio) + 1);
+}
+
+double Schedule::time(long row) const {
+  if (every_ == 0) return at_[static_cast<std::size_t>(row)];
+  return last_beside_ && row == rows_ - 1 ? until_ : static_cast<double>(row) * every_;
+}
+
+std::vector<double> Schedule::landmarks() const {
+  std::vector<double> out = at_;
+  if (every_ != 0 && (every_ < until_ || !last_beside_)) out.push_back(every_);
+  if (every_ != 0 && last_beside_) out.push_back(until_);
+  out.insert(out.end(), besides_.begin(), besides_.end());
+  return out;
+}
+
+void Schedule::meet(Schedule const& other) { besides_ = other.landmarks(); }
+
+double Schedule::common_divisor() const {
+  double divisor = 0;
+  for (double const t : landmarks()) {
+    // Euclid, with remainders below rounding taken for zero.
+    double a = std::max(divisor, t), b = std::min(divisor, t);
+    double const nothing = near * a;
+    while (b > nothing && b > 0) {
+      double rest = a - b * std::floor(a / b);
+      if (rest > b - nothing) rest = 0;
+      a = b, b = rest;
+    }
+    divisor = a;
+  }
+  auto const all = landmarks();
+  double const longest = *std::max_element(all.begin(), all.end());
+  if (!(divisor * most > longest && divisor > 1e-7 * longest)) return 0;
+  return longest / std::round(longest / divisor);  // the rounding of the remainders is gone
+}
+
+bool Schedule::met_by(double step) const {
+  for (double const t : landmarks())
+    if (!is_multiple(t / step) || (t > 0 && std::round(t / step) < 1)) return false;
+  return true;
+}
+
+double Schedule::step_up_to(double longest) const {
+  double const divisor = common_divisor(), step = divisor / std::ceil(divisor / longest);
+  return divisor > 0 && met_by(step) ? step : 0;
+}
+
+double Schedule::step_from(double shortest) const {
+  double const divisor = common_divisor(), parts = std::floor(divisor / shortest);
+  return parts >= 1 && met_by(divisor / parts) ? divisor / parts : 0;
+}
+
+namespace {
+
+/// `; the nearest step that would do is 0.25`, and where that is longer than asked also a shorter one, for
+/// the method may not take it.
+std::string step_that_would_do(Schedule const& schedule, double step) {
+  double const below = schedule.step_up_to(step), above = schedule.step_from(step);
+  if (below == 0 && above == 0) return "; the times of the rows have no divisor in common";
+  if (above == 0 || (below > 0 && step - below <= above - step))
+    return fmt::format("; the nearest step that would do is {}", below);
+  return fmt::format("; the nearest step that would do is {}", above) +
+         (below > 0 ? fmt::format(", the nearest shorter one {}", below) : "");
+}
+
+}  // namespace
+
+StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const& method)
+    : schedule_(schedule), step_(step) {
+  for (double const t : schedule.landmarks()) {
+    double const ratio = t / step;
+    if (!(ratio < most))
+      method.fail("step",
+                  fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
+    if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
+    method.fail("step",
+                fmt::format("step: {} are at multiples of the step, and t = {} is {:.12g} steps of {} "
+                            "(which run.between_steps = true reaches by a shorter step){}",
+                            schedule.has_others() ? "rows and snapshots" : "rows", t, ratio, step,
+                            step_that_would_do(schedule, step)));
+  }
+}
+
+long StepsToRows::operator()(long row) const {
+  double const ratio = schedule_.time(row) / step_;
+  return !schedule_.between_steps() || is_multiple(ratio) ? std::lround(ratio)
+                                                          : static_cast<long>(std::floor(ratio));
+}
+double StepsToRows::beyond(long row) const {
+  double const t = schedule_.time(row);
+  if (!schedule_.between_steps() || is_multiple(t / step_)) return 0;
+  return t - static_cast<double>((*this)(row)) * step_;
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,109 @@
+#include "program/registry/conservation.hpp"
+
+#include <algorithm>
+
+namespace actio::scene {
+
+char const* in_words(Feature feature) {
+  switch (feature) {
+    case Feature::torque:
+      return "a torque acts";
+    case Feature::torque_depends_on_time:
+      return "the torque depends on time";
+    case Feature::torque_of_time:
+      return "the potential is a formula in the time";
+    case Feature::torque_without_axis:
+      return "turns about the axis change the potential";
+    case Feature::gravity:
+      return "gravity acts";
+    case Feature::left_invariance:
+      return "the Lagrangian is left-invariant";
+    case Feature::right_invariance:
+      return "the Lagrangian is right-invariant";
+    case Feature::carried_vector:
+      return "a carried vector is in the Lagrangian";
+    case Feature::periodic_box:
+      return "the box is periodic";
+    case Feature::held_side:
+      return "a side is fixed, sliding or moved";
+    case Feature::moved_side:
+      return "a side is moved";
+    case Feature::driven_side:
+      return "a side that is fixed has a velocity at the start, or one that is sliding has one across it";
+    case Feature::potential:
+      return "gravity or an obstacle acts";
+    case Feature::potential_around_a_loop:
+      return "a potential grows once around the box, where a loop goes";
+    case Feature::traction:
+      return "a traction acts";
+    case Feature::pressure_on_a_side:
+      return "a pressure acts on one side alone";
+    case Feature::viscosity:
+      return "the method has viscosity";
+    case Feature::loop_at_a_side:
+      return "a loop runs through nodes of a side that is moved, pulled or pressed, or partly of one that is "
+             "fixed";
+    case Feature::pressure_of_the_jacobian:
+      return "the density varies and the pressure depends on the Jacobian alone";
+  }
+  return "";
+}
+
+std::vector<ConservationLaw> const& conservation_laws() {
+  using enum Feature;
+  static std::vector<ConservationLaw> const all = [] {
+    std::vector<ConservationLaw> laws{
+        {"rigid_body", "energy", {torque_depends_on_time}},
+        {"rigid_body", "casimir", {torque}},
+        {"rigid_body", "spatial_momentum", {torque}},
+        {"rigid_body", "axial_momentum", {torque_without_axis}},
+        {"rigid_body", "jacobi_integral", {torque_of_time}},
+        {"rigid_body_n", "energy", {}},
+        {"rigid_body_n", "spectrum", {}},
+        {"rigid_body_n", "casimir", {}},
+        {"heavy_top", "energy", {}},
+        {"heavy_top", "casimir", {}},
+        {"heavy_top", "vertical_momentum", {}},
+        {"heavy_top", "spatial_momentum", {gravity}},
+        {"euler_poincare", "energy", {}},
+        {"euler_poincare", "casimir", {}},
+        {"euler_poincare", "spatial_momentum", {right_invariance, carried_vector}},
+        {"euler_poincare", "body_momentum", {left_invariance, carried_vector}},
+        {"vorticity_sphere", "energy", {}},
+        {"vorticity_sphere", "enstrophy", {}},
+        {"vorticity_sphere", "angular_momentum", {}},
+        {"vorticity_sphere", "casimirs", {}},
+        {"vorticity_sphere", "extrema", {}},
+        {"barotropic_fluid",
+         "circulation",
+         {loop_at_a_side, potential_around_a_loop, viscosity, pressure_of_the_jacobian}},
+    };
+    for (char const* medium : {"barotropic_fluid", "elastic_body"}) {
+      laws.push_back({medium, "energy", {moved_side, driven_side, pressure_on_a_side, viscosity}});
+      laws.push_back({medium, "momentum", {held_side, potential, traction, pressure_on_a_side}});
+      laws.push_back(
+          {medium, "angular_momentum", {periodic_box, held_side, potential, traction, pressure_on_a_side}});
+    }
+    return laws;
+  }();
+  return all;
+}
+
+ConservationLaw const* find_law(std::string const& system, std::string const& quantity) {
+  for (auto const& law : conservation_laws())
+    if (law.system == system && law.quantity == quantity) return &law;
+  return nullptr;
+}
+
+bool is_conserved(std::string const& system, std::string const& quantity, std::set<Feature> const& here) {
+  ConservationLaw const* const law = find_law(system, quantity);
+  return law && std::ranges::none_of(law->unless, [&here](Feature one) { return here.contains(one); });
+}
+
+std::vector<Quantity> with_conserved(std::string const& system, std::vector<Quantity> all,
+                                     std::set<Feature> const& here) {
+  for (auto& quantity : all) quantity.conserved = is_conserved(system, quantity.name, here);
+  return all;
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,156 @@
+#include "program/registry/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "actio/numbers/nearest_name.hpp"
+#include "program/registry/keys.hpp"
+#include "program/registry/units.hpp"
+
+namespace actio::scene {
+namespace {
+
+System const& system_of(SceneFile const& file) {
+  std::vector<std::string> kinds;
+  for (auto const& system : systems()) kinds.push_back(system.name);
+  SceneTable const table = file.section("system");
+  if (!table.has("kind"))
+    for (auto const& key : table.keys())
+      if (std::string const meant = did_you_mean(key, {"kind"}); !meant.empty())
+        table.fail(key, "unknown key of [system] '" + shown(key) + "'" + meant);
+  return *find_system(file.section("system").choice("kind", "system", kinds, "actio list systems"));
+}
+
+/// Whether the format is one of snapshots alone.
+bool is_of_snapshots(std::string const& format, System const& system) {
+  if (!system.snapshots) return false;
+  auto const& formats = system.snapshots->formats;
+  return std::any_of(formats.begin(), formats.end(), [&](auto const& known) { return known.name == format; });
+}
+
+std::vector<std::string> names(std::vector<Quantity> const& quantities) {
+  std::vector<std::string> out;
+  for (auto const& q : quantities) out.push_back(q.name);
+  return out;
+}
+
+std::string why_between_steps(Schedule const& schedule, double step) {
+  double const meets = schedule.step_up_to(step);
+  return fmt::format(
+      "run.between_steps: {}, so that a shorter step of the same scheme goes to each "
+      "row between two steps of {:.6g}",
+      meets > 0 ? fmt::format("a step that all times of {} are multiples of is {:.6g}",
+                              schedule.has_others() ? "rows and snapshots" : "rows", meets)
+                : "the times of the rows have no divisor in common",
+      step);
+}
+
+/// What the system makes of the scene. What it does not place itself is wrong with the whole of it.
+Simulation prepared(System const& system, Request const& request, Schedule& schedule) {
+  try {
+    bool const step_given = request.file.section("method").has("step");
+    Simulation simulation = system.prepare(request);
+    bool const beside = !simulation.exact && !step_given && !schedule.met_by(simulation.step);
+    bool const refused = request.file.section("run").has("between_steps") && !schedule.between_steps();
+    if (beside && refused && schedule.common_divisor() > 0) {
+      request.file.section("method").set("step", schedule.step_up_to(simulation.step));
+      simulation = system.prepare(request);
+    } else if (beside && !schedule.between_steps()) {
+      schedule.allow_between_steps();
+      request.file.section("run").set("between_steps", true);
+      simulation.remarks.push_back(why_between_steps(schedule, simulation.step));
+    }
+    // refuses a step that does not meet the rows
+    if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));
+    return simulation;
+  } catch (SceneError const&) {
+    throw;
+  } catch (NumericsError const&) {
+    throw;
+  } catch (FileError const&) {
+    throw;
+  } catch (Error const& error) {
+    throw SceneError(request.file.section("system").place(), error.what());
+  }
+}
+
+/// What [output] asks of snapshots, and when; nothing where it does not.
+std::optional<SnapshotRequest> snapshots_of(SceneTable const& output, System const& system,
+                                            std::vector<std::string> const& formats) {
+  if (!system.snapshots) return {};
+  if (!output.has("snapshots")) {
+    std::string const needs = "[output] snapshots, the list of what they hold, is needed with it; [] for " +
+                              system.snapshots->always + " alone";
+    for (char const* key : {"snapshot_at", "snapshot_every"})
+      if (output.has(key)) output.fail(key, std::string(key) + ": " + needs);
+    for (std::size_t i = 0; i < formats.size(); ++i)
+      if (is_of_snapshots(formats[i], system))
+        throw SceneError(output.place("formats", i),
+                         "formats: " + formats[i] + " is for snapshots: " + needs);
+    return {};
+  }
+  std::vector<std::string> known;
+  for (auto const& column : system.snapshots->columns) known.push_back(column.name);
+  auto columns = output.texts("snapshots");
+  if (!columns.empty()) columns = output.choices("snapshots", "column", known);
+  return SnapshotRequest{columns, formats};
+}
+
+/// When there are snapshots.
+Schedule snapshot_times(SceneTable const& output, Schedule const& rows) {
+  Schedule const schedule(output, rows);
+  if (schedule.rows() > most_snapshots) {
+    std::string const key = output.has("snapshot_every") ? "snapshot_every" : "snapshot_at";
+    output.fail(key, fmt::format("{}: at most {} snapshots are possible, and these are {}", key,
+                                 most_snapshots, schedule.rows()));
+  }
+  return schedule;
+}
+
+}  // namespace
+
+Scene Scene::read(SceneFile file) {
+  file.allow({"scene", "system", "initial", "method", "run", "output"});
+  System const& system = system_of(file);
+  allow_keys(file, system);
+  refuse_words_of_other_systems(file, system);
+  read_units(file);
+  SceneTable head = file.section("scene"), output = file.section("output");
+  if (!head.has("title")) head.set("title", printable(std::filesystem::path(file.name()).stem().string()));
+  if (!head.has("seed")) head.set("seed", 1L);
+  std::string const title = head.text("title");
+  long const seed = head.integer("seed", 0, std::numeric_limits<long>::max());
+
+  Schedule schedule(file.section("run"));
+
+  if (!output.has("formats")) output.set("formats", std::vector<std::string>{"csv"});
+  if (!output.has("plots")) output.set("plots", false);
+  auto known = names(system.quantities);
+  if (system.own_quantities)
+    for (auto const& own : names(system.own_quantities(file))) known.push_back(own);
+  auto const quantities = output.choices("quantities", "quantity", known, "actio list quantities");
+  std::vector<std::string> known_formats{"csv", "hdf5"};
+  if (system.snapshots)
+    for (auto const& format : system.snapshots->formats) known_formats.push_back(format.name);
+  auto const formats = output.choices("formats", "format", known_formats);
+  if (std::all_of(formats.begin(), formats.end(), [&](auto const& f) { return is_of_snapshots(f, system); }))
+    output.fail("formats", fmt::format("formats: {} holds snapshots; the rows need csv or hdf5 beside it",
+                                       listed(formats)));
+  auto const snapshots = snapshots_of(output, system, formats);
+  std::optional<Schedule> times;
+  if (snapshots) schedule.meet(times.emplace(snapshot_times(output, schedule)));
+  bool const plots = output.boolean("plots");
+
+  bool const wanted = output.has("error_estimate"), estimate = wanted && output.boolean("error_estimate");
+  Simulation simulation = prepared(
+      system, {file, schedule, quantities, wanted ? std::optional(estimate) : std::nullopt, snapshots},
+      schedule);
+  if (times && schedule.between_steps()) times->allow_between_steps();
+  if (!wanted) output.set("error_estimate", simulation.companion.motion != nullptr);
+  return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation), times};
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,191 @@
+#include "program/systems/bodies/torque_input.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "actio/fast_body/space/principal_axes.hpp"
+
+namespace actio::scene {
+namespace {
+
+/// A vector that says a direction.
+Eigen::Vector3d direction(SceneTable const& table, std::string const& key) {
+  Eigen::Vector3d const given = table.vector(key);
+  if (!(magnitude(given) > 0)) table.fail(key, key + ": a direction is expected, found one of length 0");
+  return given.stableNormalized().normalized();
+}
+
+/// An arm or an acceleration, without which there would be no torque.
+Eigen::Vector3d not_zero(SceneTable const& table, std::string const& key) {
+  Eigen::Vector3d const given = table.vector(key);
+  if (!(magnitude(given) > 0))
+    table.fail(key, key + ": it is zero, so that there is no torque; leave system.torque out");
+  return given;
+}
+
+std::string listed_components(Eigen::Vector3d const& v) {
+  return fmt::format("[{}, {}, {}]", v[0], v[1], v[2]);
+}
+
+/// That the direction to the centre stays in the plane of the orbit.
+void check_right_angle(SceneTable const& gradient, Eigen::Vector3d const& towards,
+                       Eigen::Vector3d const& normal) {
+  double const cosine = towards.dot(normal);
+  if (std::abs(cosine) <= 1e-9) return;
+  Eigen::Vector3d const in_plane = towards - cosine * normal;
+  gradient.fail(
+      "direction",
+      fmt::format("direction: the direction to the centre and the normal of the orbit are {} degrees "
+                  "apart, and must be 90 to 1e-9 radians{}",
+                  std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi,
+                  in_plane.norm() > 1e-6
+                      ? "; in the plane of the orbit it is " + listed_components(in_plane.normalized())
+                      : ""));
+}
+
+}  // namespace
+
+SceneTorque::SceneTorque(SceneTable const& torque, PrincipalInertia const& inertia) : inertia_(inertia) {
+  std::vector<std::string> given;
+  for (char const* key : {"gravity_gradient", "uniform_gravity", "potential"})
+    if (torque.has(key)) given.emplace_back(key);
+  if (given.empty())
+    throw SceneError(torque.place(),
+                     "[system.torque] needs one of 'gravity_gradient', 'uniform_gravity' and 'potential'");
+  if (given.size() > 1)
+    torque.fail(given[1],
+                fmt::format("{} and {} exclude each other: a body is under one torque; a sum of several is "
+                            "that of the sum of their potentials, written as one formula",
+                            given[0], given[1]));
+  try {
+    if (given[0] == "gravity_gradient")
+      read_gradient(torque.inside(given[0]));
+    else if (given[0] == "uniform_gravity")
+      read_uniform(torque.inside(given[0]));
+    else
+      read_formula(torque);
+  } catch (SceneError const&) {
+    throw;
+  } catch (Error const& error) {
+    torque.fail(given[0], given[0] + ": " + error.what());
+  }
+}
+
+void SceneTorque::read_gradient(SceneTable const& gradient) {
+  SceneTable table = gradient;
+  bool const turns = table.has("rate");
+  if (!turns && table.has("normal"))
+    table.fail("normal", "normal: the direction to the centre turns about it at 'rate', which is missing");
+  if (turns && !table.has("normal"))
+    throw SceneError(table.place("rate"),
+                     "rate: the direction to the centre turns about 'normal', which is missing");
+  double const rate = turns ? table.number("rate") : 0;
+  if (turns && rate == 0)
+    table.fail("rate", "rate: it is zero; without 'rate' and 'normal' the direction stands still");
+  if (!turns && !table.has("strength"))
+    throw SceneError(table.place(),
+                     "[system.torque.gravity_gradient] needs 'strength', which is mu/r^3, or the 'rate' of "
+                     "a circular orbit, whose square it is");
+  if (!table.has("strength")) {
+    if (!is_finite(rate * rate) || !(rate * rate > 0))
+      table.fail("rate", "rate: its square, which is mu/r^3, is beyond all numbers; 'strength' would say it");
+    table.set("strength", rate * rate);
+  }
+  double const strength = table.positive("strength");
+  if (!is_finite(3 * strength * magnitude(inertia_.tensor())))
+    table.fail("strength", "strength: the number is too large: the torque is beyond 1e308");
+  Eigen::Vector3d const towards = direction(table, "direction");
+  symmetric_ = !turns, axis_ = towards;
+  if (!turns) {
+    torque_ = bodies::gravity_gradient(inertia_.inertia, 3 * strength, towards);
+    return;
+  }
+  rate_ = rate, axis_ = direction(table, "normal");
+  check_right_angle(table, towards, axis_);
+  bodies::GravityGradient orbit = bodies::gravity_gradient_in_orbit(inertia_.inertia, rate, towards, axis_);
+  orbit.strength = 3 * strength;
+  torque_ = orbit;
+}
+
+void SceneTorque::read_uniform(SceneTable const& uniform) {
+  double const mass = uniform.positive("mass");
+  Eigen::Vector3d const lever = not_zero(uniform, "lever"), pull = not_zero(uniform, "acceleration"),
+                        weight = mass * pull.stableNorm() * lever;
+  if (!is_finite(weight) || !is_finite(weight.squaredNorm()))
+    throw SceneError(uniform.place(),
+                     "[system.torque.uniform_gravity]: the numbers are too large: mass times lever "
+                     "times acceleration is beyond 1e154");
+  torque_ = actio::bodies::uniform_gravity(weight, pull);
+  axis_ = -pull.stableNormalized().normalized(), symmetric_ = true;
+}
+
+void SceneTorque::read_formula(SceneTable const& torque) {
+  FormulaPotential potential(torque.text("potential"), torque.text_place("potential"));
+  place_ = torque.place("potential");
+  formula_in_time_ = potential.uses_time();
+  if (int const axis = potential.axis(); axis >= 0) axis_ = Eigen::Vector3d::Unit(axis), symmetric_ = true;
+  torque_ = bodies::PotentialTorque<FormulaPotential>(std::move(potential));
+}
+
+double SceneTorque::potential(Eigen::Vector4d const& attitude, double time) const {
+  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&torque_))
+    // Its moments are those along the principal axes.
+    return gradient->potential({SU2{}, bodies::PrincipalAxes(inertia_.axes).enter(attitude)}, time);
+  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&torque_))
+    return gravity->potential({SU2{}, attitude});
+  return std::get<bodies::PotentialTorque<FormulaPotential>>(torque_).potential({SU2{}, attitude}, time);
+}
+
+std::optional<SceneTorque> read_torque(SceneTable const& system, PrincipalInertia const& inertia) {
+  if (!system.has("torque")) return std::nullopt;
+  return SceneTorque(system.inside("torque"), inertia);
+}
+
+std::vector<Parameter> torque_parameters() {
+  std::string const torque = "system.torque", gradient = torque + ".gravity_gradient",
+                    uniform = torque + ".uniform_gravity", potential = torque + ".potential";
+  return {
+      {torque, "a table with gravity_gradient, uniform_gravity or potential", "none, and the body is free",
+       "A torque on the body, which comes from a potential. One that does not, such as friction or a "
+       "thruster, belongs to no Lagrangian, and is not offered.",
+       "", "{ gravity_gradient = { rate = 0.5, direction = [1, 0, 0], normal = [0, 0, 1] } }"},
+      {gradient, "a table with strength or rate, and direction", "or " + uniform + " or " + potential,
+       "The gradient of the gravity of a centre that is far away against the size of the body: its "
+       "potential is 3/2 mu/r^3 times the moment of inertia about the direction to the centre.",
+       "", "{ strength = 0.2, direction = [1, 0, 0] }"},
+      {gradient + ".strength", "a number > 0", "the square of " + gradient + ".rate",
+       "mu/r^3, the constant of gravitation times the mass of the centre by the cube of its distance.",
+       "1/time^2", "0.2"},
+      {gradient + ".direction", "three components, not all zero", "needed",
+       "To the centre, in space; with rate it is that at the start.", "", "[1, 0, 0]"},
+      {gradient + ".rate", "a number, not zero", "none, and the direction stands still",
+       "At which the direction turns about the normal, as on a circular orbit, where its square is mu/r^3.",
+       "1/time", "0.5"},
+      {gradient + ".normal", "three components, not all zero", "needed where " + gradient + ".rate is given",
+       "Of the orbit, in space, at right angles to the direction, which turns about it "
+       "counter-clockwise as seen from its tip.",
+       "", "[0, 0, 1]"},
+      {uniform, "a table with mass, lever and acceleration", "or " + gradient + " or " + potential,
+       "The weight of a body that is held at a point, about which the inertia is that of the scene; a "
+       "heavy_top computes it from that about the centre of mass. A magnet in a field is under such a "
+       "torque, too, its moment the mass times the lever.",
+       "", "{ mass = 1, lever = [0, 0, 0.5], acceleration = [0, 0, -9.81] }"},
+      {uniform + ".mass", "a number > 0", "needed", "The mass.", "mass", "1"},
+      {uniform + ".lever", "three numbers, not all zero", "needed",
+       "From the fixed point to the centre of mass, in the frame of the body.", "length", "[0, 0, 0.5]"},
+      {uniform + ".acceleration", "three numbers, not all zero", "needed", "Of gravity, in space.",
+       "length/time^2", "[0, 0, -9.81]"},
+      {potential, "a formula, as a text", "or " + gradient + " or " + uniform,
+       "The potential energy, in the entries r11, r12, ..., r33 of the rotation matrix that takes the body "
+       "to space, row by row, and the time t; names of your own may be defined before it: \"k = 2; "
+       "-k*r33\". The torque is its exact derivative.",
+       "", "\"-2*r33 + 0.1*r11^2*cos(t)\""},
+  };
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,196 @@
+// A Lagrangian of one's own on a group (thesis, chapters 2 to 4): the Euler-Poincare equations, with carried
+// vectors.
+#include <fmt/format.h>
+
+#include "actio/reduction/composition.hpp"
+#include "program/registry/companion.hpp"
+#include "program/registry/system.hpp"
+#include "program/systems/method_input.hpp"
+#include "program/systems/lagrangians/casimirs.hpp"
+#include "program/systems/lagrangians/instruments.hpp"
+#include "program/systems/lagrangians/motion.hpp"
+#include "program/systems/lagrangians/pace.hpp"
+#include "program/systems/lagrangians/quantities.hpp"
+#include "program/systems/lagrangians/state.hpp"
+
+namespace actio::scene {
+namespace {
+
+std::vector<Parameter> parameters() {
+  return {
+      {"system.group", "a text", "or system.algebra",
+       "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x "
+       "R^2\", \"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
+       "", "\"SE(2)\""},
+      {"system.algebra", "a list of square matrices, each a list of rows", "or system.group",
+       "A basis of the algebra of a group of one's own: linearly independent, and closed under "
+       "commutators. The components of the velocity are then x1, x2, ...",
+       "", "[[[0, 1], [0, 0]]]"},
+      {"system.side",
+       "a text",
+       "\"left\"",
+       "Which translations leave the Lagrangian as it is: \"left\" has velocities and momenta of the body, "
+       "g^-1 g', and \"right\" has those in space, g' g^-1.",
+       "",
+       "\"left\"",
+       {"left", "right"}},
+      {"system.lagrangian", "a formula", "needed",
+       "The Lagrangian, a formula in the components of the velocity, the parameters and the components "
+       "of the carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: "
+       "there is no abs, min or comparison.",
+       "", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
+      {"system.parameters", "a table by names of one's own", "none",
+       "Numbers by whose names the Lagrangian uses them; each is used.", "", "{ c = 6 }"},
+      {"system.advected", "a table of vectors by names of one's own", "none",
+       "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in "
+       "space on the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] "
+       "has the components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. "
+       "On SE(2) and SE(3) a list of 2 or 3 numbers is a direction.",
+       "", "{ gravity = [0, 0, -1] }"},
+      {"initial.velocity", "a list of as many numbers as the group has dimensions", "needed",
+       "The velocity at the start, in the order of the components.", "1/time", "[0.7, 1.0, 0.2]"},
+      {"initial.configuration", "a square matrix, an element of the group", "the identity",
+       "The configuration at the start, as a matrix.", "", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
+      {"method.step", "a number > 0", "from the time asked",
+       "The time that a step takes, a whole number of times in the time between two rows. By "
+       "default a twentieth of the shortest time in which something changes at the start: the "
+       "group turns, or the linearized equations of motion swing or grow; a hundredth of the time "
+       "between two rows where nothing does.",
+       "time", "0.01"},
+  };
+}
+
+std::vector<Method> methods() {
+  return {
+      {"natural_chart",
+       {"2", "4", "6"},
+       "The natural chart (3.25), order 2: over a step the group moves by exp(h v), and vectors are taken "
+       "at both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It preserves the coadjoint "
+       "orbit and the bracket, and conserves the momentum of the symmetry.",
+       "eq_3_26"},
+      {"cayley_chart",
+       {"2", "4", "6"},
+       "The same with Cayley's transform for the exponential, order 2: over a step the group moves by (1 - "
+       "hv/2)^-1 (1 + hv/2); composed of substeps 4 and 6. On groups into which that transform maps.",
+       "eq_3_20"},
+      {"galerkin",
+       {"4", "2", "6", "8", "10", "12", "14", "16"},
+       "Galerkin's method with s nodes of Gauss, order 2s: paths are polynomials in the natural chart. It "
+       "preserves and conserves what the natural chart does. Without carried vectors.",
+       "eq_3_20"}};
+}
+
+bool asked(Request const& request, std::initializer_list<char const*> names) {
+  for (auto const& name : request.quantities)
+    for (char const* const one : names)
+      if (name == one) return true;
+  return false;
+}
+
+ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
+  SceneTable method = request.file.section("method");
+  MethodChoice const choice = read_method(method, methods());
+  int const order = choice.number();
+  bool const galerkin = choice.name == "galerkin";
+  if (galerkin && !scene.carried.empty())
+    method.fail("name", "galerkin: it takes no carried vectors; natural_chart does");
+  bool const left = scene.system->side == systems::Side::left;
+  return {scene.system, galerkin ? order / 2 : 0,
+          order == 2   ? std::vector<double>{1}
+          : order == 4 ? suzuki<double>()
+                       : kahan_li<double>(),
+          asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}), choice.name};
+}
+
+/// The step of the scene. By default it follows the pace of the start, and is halved until a step can be
+/// made.
+double step_of(Request const& request, ReducedScheme const& scheme, ReducedScene const& scene) {
+  SceneTable method = request.file.section("method");
+  bool const given = method.has("step");
+  double const divisor = request.schedule.common_divisor(), until = request.schedule.until(),
+               time = divisor > 1e-3 * until ? divisor : until;
+  double fastest = given ? 1 : fastest_rate(scene, time);
+  if (!(fastest * time > 1e-12)) fastest = 5 / time;
+  double step = read_step(method, request.schedule, fastest);
+  for (int k = 0; !given && k < 20; ++k) try {
+      scheme.motion(step, scene.start, scene.velocity, scene.configuration);
+      break;
+    } catch (Error const&) {
+      method.set("step", step /= 2);
+    }
+  return step;
+}
+
+Companion companion_of(Request const& request, ReducedScheme const& scheme, ReducedScene const& scene,
+                       double step) {
+  bool const follows = scheme.with_configuration;
+  if (!request.error_estimate.value_or(true))
+    return {nullptr, 0, 0, follows, "left out by output.error_estimate"};
+  int const order = static_cast<int>(request.file.section("method").integer("order", 2, 16));
+  Companion out = companions(
+      [&](long multiple) {
+        return scheme.motion(static_cast<double>(multiple) * step, scene.start, scene.velocity,
+                             scene.configuration);
+      },
+      {4, 3, 2}, order, follows);
+  out.turn = "configuration", out.unit = "", out.vectors = !scene.carried.empty();
+  if (asked(request, {"tangent_map"})) out.without = {"tangent_map"};
+  return out;
+}
+
+Simulation prepare(Request const& request) {
+  std::vector<std::string> remarks;
+  ReducedScene const scene = read_reduced_scene(request.file, remarks);
+  SceneTable method = request.file.section("method");
+  ReducedScheme const scheme = scheme_of(request, scene);
+  Simulation simulation(quantities_of(request.file, scene));
+  simulation.remarks = remarks;
+  simulation.step = step_of(request, scheme, scene);
+  simulation.steps_at_once = std::max(1L, 4000L / (scene.system->dimension() * scene.system->dimension()));
+  std::unique_ptr<ReducedMotion> motion;
+  try {
+    motion = scheme.motion(simulation.step, scene.start, scene.velocity, scene.configuration);
+  } catch (Error const& error) {
+    double const longest =
+        scheme.longest_step(simulation.step, request.schedule.common_divisor(), scene.start, scene.velocity);
+    if (longest > 0)
+      fail_for_long_step(method, request.schedule, StepTooLong(scheme.name, simulation.step, longest));
+    simulation.failure = method.place("step").text() + ": " + error.what();
+    motion = standing(scene);
+  }
+  if (simulation.failure.empty())
+    simulation.companion = companion_of(request, scheme, scene, simulation.step);
+  if (asked(request, {"tangent_map"})) motion = following_tangent(std::move(motion), scheme, simulation.step);
+  if (!scheme.with_configuration)
+    simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");
+  define_state(simulation.quantities, scene, *motion);
+  define_casimirs(simulation, request, scene, *motion);
+  define_instruments(simulation.quantities, scheme, simulation.step, *motion);
+  simulation.quantities.ask(request.quantities);
+  simulation.motion = std::move(motion);
+  return simulation;
+}
+
+}  // namespace
+
+/// A Lagrangian of one's own on a group.
+System euler_poincare_system() {
+  return {
+      "euler_poincare",
+      "A Lagrangian on a group",
+      "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
+      "vectors that the motion carries.",
+      "chapters 2 to 4",
+      parameters(),
+      methods(),
+      reduced_quantities(),
+      prepare,
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
+      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[run]\nuntil = 10\nevery = 0.1\n"
+      "[output]\nquantities = [\"body_momentum\", \"energy\"]\n",
+      nullptr,
+      {},
+      named_quantities};
+}
+
+}  // namespace actio::scene

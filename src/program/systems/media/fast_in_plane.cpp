@@ -1,0 +1,14 @@
+// Media of the library in the plane on the fast road.
+#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "program/systems/media/fast_media.hpp"
+
+namespace actio::scene {
+
+std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, media::FastBox2d const& box, double density) {
+  return fluid_on_fast_road(material, box, density);
+}
+std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, media::FastBox2d const& box, double density) {
+  return solid_on_fast_road(material, box, density);
+}
+
+}  // namespace actio::scene

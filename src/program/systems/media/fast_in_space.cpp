@@ -1,0 +1,15 @@
+// Media of the library in space on the fast road.
+// In a unit of its own
+#include "actio/multisymplectic/fast_medium_3d.hpp"
+#include "program/systems/media/fast_media.hpp"
+
+namespace actio::scene {
+
+std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, media::FastBox3d const& box, double density) {
+  return fluid_on_fast_road(material, box, density);
+}
+std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, media::FastBox3d const& box, double density) {
+  return solid_on_fast_road(material, box, density);
+}
+
+}  // namespace actio::scene

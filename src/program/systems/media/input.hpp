@@ -1,0 +1,83 @@
+// What a scene says of a medium besides its material: its cells, its sides, and how it begins.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "actio/multisymplectic/body_mesh.hpp"
+#include "program/document/expression.hpp"
+#include "program/document/schedule.hpp"
+#include "program/registry/system.hpp"
+
+namespace actio::scene {
+
+/// `[system.mesh]`: a body in its reference space.
+struct MediumMesh {
+  std::string shape;                     ///< box, disc, annulus, ball, shell or file
+  int dimension = 2;                     ///< of the body
+  std::vector<double> lower;             ///< corner of a box, length
+  std::vector<double> upper;             ///< the corner across, length
+  std::vector<int> cells;                ///< of a box along each direction; of the others across and along
+  std::vector<bool> periodic;            ///< of a box, along each direction
+  double inner = 0;                      ///< radius of an annulus or a shell inside, length
+  double outer = 0;                      ///< radius of a round body outside, length
+  std::shared_ptr<media::BodyMesh const> read;  ///< from a file; null of the others
+  std::map<std::string, std::string> sides;  ///< what each side does: "free", "fixed", "sliding"
+
+  /// How many cells there will be, and nodes, those of round bodies from above.
+  double cell_count() const;
+  double node_count() const;  ///< \copydoc cell_count
+  /// The mesh, checked.
+  media::BodyMesh make() const;
+};
+
+/// Reads them, and writes defaults back. A file is read; of the others nothing is made.
+/// @throws SceneError  where they are none
+MediumMesh read_medium_mesh(SceneFile const& file);
+
+/// The records of the keys of [system] and [initial] of a medium.
+/// @param fluid  whether they are those of a fluid
+std::vector<Parameter> medium_parameters(bool fluid);
+
+/// Formulas of a place or a velocity in X, Y, Z.
+class PlaceFormula {
+ public:
+  /// The list of texts at a key, or these where it is not there; these are written back then.
+  /// @throws SceneError  where they are not as many as there are dimensions, or no formulas
+  PlaceFormula(SceneTable table, std::string const& key, std::vector<std::string> const& otherwise);
+  /// Of one text.
+  PlaceFormula(std::string const& text, int dimension, TextPlace const& place);
+
+  /// Writes the values at X, as many as there are formulas.
+  /// @throws SceneError  where one is a NaN or infinite there
+  template <std::size_t d>
+  void operator()(std::array<double, d> const& X, double* out) {
+    for (auto& formula : formulas_) *out++ = formula(std::span<double const>(X));
+  }
+  /// Whether a coordinate occurs in them.
+  bool is_constant() const;
+  /// Where the first one stands.
+  TextPlace const& place() const { return place_; }
+  /// The first one.
+  std::string const& text() const { return formulas_.front().text(); }
+
+ private:
+  std::vector<Expression> formulas_;
+  std::vector<std::string> variables_;
+  TextPlace place_;
+};
+
+/// A medium at the start, as formulas.
+struct MediumStart {
+  PlaceFormula placement;  ///< \f$\phi\f$, length
+  PlaceFormula velocity;   ///< \f$\dot\phi\f$, length/time
+  PlaceFormula density;    ///< mass per reference volume
+  bool uniform = true;     ///< the density is a number
+};
+/// `[initial]` and `system.density`.
+MediumStart read_medium_start(SceneFile const& file, int dimension);
+
+}  // namespace actio::scene

@@ -1,0 +1,126 @@
+#include "program/systems/media/mesh_road.hpp"
+
+#include "program/systems/media/walls.hpp"
+#include "program/systems/media/watch.hpp"
+
+namespace actio::scene {
+namespace {
+
+template <int d>
+media::BodyStart<d> start_of(std::shared_ptr<MediumStart> const& start) {
+  using Place = std::array<double, d>;
+  return {[start](Place const& X) {
+            double rho = 0;
+            start->density(X, &rho);
+            return rho;
+          },
+          [start](Place const& X) {
+            Place out;
+            start->placement(X, out.data());
+            return out;
+          },
+          [start](Place const& X) {
+            Place out;
+            start->velocity(X, out.data());
+            return out;
+          }};
+}
+
+/// A medium on a mesh.
+template <int d>
+class MeshMotion final : public MotionOnMesh<d> {
+ public:
+  using typename MediumMotion<d>::Place;
+
+  explicit MeshMotion(MeshRoad<d>& road)
+      : medium_(std::move(road.mesh), stored_energy_of<d>(road.material), start_of<d>(road.start),
+                {1, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
+        cells_(medium_.mesh()),
+        fluid_(road.material.record->fluid && d > 1),
+        conserves_form_(road.conserve == media::Conserve::form),
+        watch_(1, 32, fluid_, conserves_form_),
+        walls_(road.loads, medium_.mesh(), medium_.places()) {}
+
+  void begin(double step, double longest) override {
+    medium_.set_time_step(step);
+    watch_.begin(step, *this, longest);
+  }
+
+  void advance(long count) override {
+    while (count > 0) {
+      long const some = std::min(count, walls_.any() ? 1 : watch_.next());
+      sound([&] { medium_.step(some); });
+      count -= some;
+      if (walls_.any()) walls_.look(medium_.places(), medium_.time_step(), medium_.time());
+      watch_.made(some, *this, medium_.time(), [this] { return medium_.largest_step_of_waves(); });
+    }
+  }
+  void change_step(double first, double step, long made) override {
+    if (conserves_form_) require_stable(step, medium_.largest_step(), medium_.time());
+    medium_.change_step(first, step, made);
+  }
+  void remember(CheckpointStream& stream) override {
+    if (!stream.reading()) return save(stream);
+    std::vector<double> state(medium_.numbers_of_state());
+    stream(state);
+    medium_.restore(state), walls_.begin(medium_.places()), watch_.begin_anew();
+  }
+  long steps() const override { return medium_.steps(); }
+  MediumCells<d> const& cells() const override { return cells_; }
+  std::vector<Place> places() const override { return medium_.places(); }
+  std::vector<Place> velocities() const override { return medium_.velocities(); }
+  double mass(std::size_t node) const override { return medium_.masses()[node]; }
+  media::BodyEnergies energies() const override { return medium_.energies(); }
+  double dissipated() const override { return medium_.dissipated(); }
+  double longest_step() const override { return medium_.largest_step_of_waves(); }
+  double longest_in_one_part() const override { return medium_.largest_step_of_viscosity(); }
+
+ private:
+  void show_after(double time) override {
+    sound([&] { medium_.look_ahead(time); });
+  }
+  /// What turns a cell inside out, or is not solved, is told with the time.
+  template <class Steps>
+  void sound(Steps const& steps) {
+    try {
+      steps();
+    } catch (media::BodyCellInverts const& error) {
+      end_inside_out(error, medium_.time(), fluid_);
+    } catch (media::BodyStepUnsolved const& error) {
+      end_inside_out(error, medium_.time(), fluid_);
+    }
+  }
+  /// As a list, but a part of it at a time.
+  void save(CheckpointStream& stream) const {
+    std::size_t size = medium_.numbers_of_state();
+    stream.expect(size * sizeof(double) + bytes_of_others);
+    stream(size);
+    medium_.for_remembered([&](double const* from, std::size_t count) {
+      for (std::size_t k = 0; k < count; ++k) {
+        double one = from[k];
+        stream(one);
+      }
+    });
+  }
+
+  media::MediumOnMesh<d> medium_;
+  MeshCells<d> cells_;
+  bool fluid_;  // nothing resists shear
+  bool conserves_form_;
+  StepWatch<d> watch_;
+  WallWatch<d> walls_;
+};
+
+}  // namespace
+
+template <int d>
+std::unique_ptr<MotionOnMesh<d>> MeshRoad<d>::motion() { return std::make_unique<MeshMotion<d>>(*this); }
+
+/// Along a line.
+template struct MeshRoad<1>;
+/// In the plane.
+template struct MeshRoad<2>;
+/// In space.
+template struct MeshRoad<3>;
+
+}  // namespace actio::scene

@@ -1,0 +1,38 @@
+// Media on any mesh, with loads: the plain road.
+#pragma once
+
+#include "program/systems/media/loads.hpp"
+#include "program/systems/media/material.hpp"
+#include "program/systems/media/motion.hpp"
+
+namespace actio::scene {
+
+/// The motion of a medium on a mesh.
+template <int d>
+class MotionOnMesh : public MediumMotion<d> {
+ public:
+  /// The longest step for which small motions about the state now are stable, from above within a per cent.
+  virtual double longest_step() const = 0;
+  /// The longest that viscosity allows now, without which longer ones are made in parts; HUGE_VAL: any.
+  virtual double longest_in_one_part() const = 0;
+  /// From the start with steps of this length.
+  /// @param longest  what \ref longest_step is at the start
+  virtual void begin(double step, double longest) = 0;
+};
+
+/// What the plain road steps.
+template <int d>
+struct MeshRoad {
+  media::BodyMesh mesh;                       ///< of the body; the motion takes it
+  Material material;                   ///< of the body
+  std::shared_ptr<MediumStart> start;  ///< how it begins
+  MediumLoads<d> loads;                ///< what acts on it
+  int order = 2;                       ///< of the steps: 2 or 4
+  media::Conserve conserve = media::Conserve::form;  ///< what they keep
+  media::ArtificialViscosity viscosity = {};  ///< what spreads shocks
+
+  /// The motion, which has no step before it is begun with one.
+  std::unique_ptr<MotionOnMesh<d>> motion();
+};
+
+}  // namespace actio::scene

@@ -1,0 +1,20 @@
+// What can be told of a medium of a scene.
+#pragma once
+
+#include "program/registry/system.hpp"
+#include "program/systems/media/fields.hpp"
+#include "program/systems/media/loops.hpp"
+
+namespace actio::scene {
+
+/// The records of its quantities.
+/// @param fluid  of a fluid the circulation is conserved
+std::vector<Quantity> medium_quantities(bool fluid);
+
+/// How they come from its motion.
+/// @param loops  for the circulation; none where it is not asked for
+template <int d>
+void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
+                   std::vector<MaterialLoop<d>> const& loops, double step);
+
+}  // namespace actio::scene

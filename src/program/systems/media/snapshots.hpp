@@ -1,0 +1,23 @@
+// What snapshots of a medium hold, and their files: a table of the nodes, and grids for ParaView.
+#pragma once
+
+#include "program/registry/system.hpp"
+#include "program/systems/media/fields.hpp"
+
+namespace actio::scene {
+
+/// What they can hold.
+/// @param fluid  a solid has its stress besides
+SnapshotKind medium_snapshots(bool fluid);
+
+/// The columns of the tables.
+/// @param d  the dimension of the body
+std::vector<std::string> medium_columns(int d, std::vector<std::string> const& asked);
+
+/// What writes them.
+/// @param medium  its motion outlives the writer
+/// @return null where the scene asks for none
+template <int d>
+std::unique_ptr<SnapshotWriter> write_medium(Request const& request, MediumView<d> const& medium);
+
+}  // namespace actio::scene

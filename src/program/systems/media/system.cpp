@@ -1,0 +1,259 @@
+#include "program/systems/media/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "program/systems/media/conservation.hpp"
+#include "program/systems/media/crossing.hpp"
+#include "program/systems/media/examination.hpp"
+#include "program/systems/media/fast_road.hpp"
+#include "program/systems/media/memory.hpp"
+#include "program/systems/media/mesh_road.hpp"
+#include "program/systems/media/method.hpp"
+#include "program/systems/media/quantities.hpp"
+#include "program/systems/media/snapshots.hpp"
+#include "program/base/memory.hpp"
+
+namespace actio::scene {
+namespace {
+
+/// Before anything of that size is touched.
+double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
+  double const needed = bytes_for_medium(mesh, fast, request), there = bytes_of_machine();
+  if (needed > there)
+    file.section("system.mesh")
+        .fail("cells", fmt::format("cells: {:.0f} cells take about {} of memory in this scene, where {} "
+                                   "are there; about {:.0f} would do",
+                                   mesh.cell_count(), bytes_in_words(needed), bytes_in_words(there),
+                                   std::floor(0.9 * mesh.cell_count() * there / needed)));
+  return needed;
+}
+
+/// What acts on a medium, and what of that ends the conservation of something.
+template <int d>
+struct Acting {
+  MediumLoads<d> const& loads;
+  std::set<Feature> features;
+};
+
+template <int d>
+void finish(Simulation& simulation, Request const& request, std::unique_ptr<MediumMotion<d>> motion,
+            MediumView<d> view, MediumMesh const& mesh, double cells, Acting<d> acting) {
+  view.motion = motion.get();
+  require_finite_energies(request.file, motion->energies());
+  bool const circulates = std::ranges::find(request.quantities, "circulation") != request.quantities.end();
+  require_used_loops(request.file, circulates);
+  std::vector<MaterialLoop<d>> loops;
+  if (circulates) {
+    loops = read_loops<d>(request.file, motion->cells(), mesh);
+    acting.features.merge(features_of_loops<d>(mesh, motion->cells(), acting.loads, loops, motion->places()));
+  }
+  simulation.quantities.conserve([&](std::string const& name) {
+    return is_conserved(request.file.section("system").text("kind"), name, acting.features);
+  });
+  define_medium(simulation.quantities, view, loops, simulation.step);
+  simulation.quantities.ask(request.quantities);
+  simulation.snapshots = write_medium(request, view);
+  simulation.steps_at_once = std::max(1L, static_cast<long>(5e-3 / (cells * 1e-8)));
+  simulation.companion = {nullptr, 0, 0, false,
+                          "not estimated: a run with half the step and twice the "
+                          "cells along each direction tells it"};
+  simulation.motion = std::move(motion);
+}
+
+/// The density at a point of the body.
+template <int d>
+std::function<double(std::array<double, d> const&)> density_of(std::shared_ptr<MediumStart> const& start) {
+  return [start](std::array<double, d> const& X) {
+    double rho = 0;
+    start->density(X, &rho);
+    return rho;
+  };
+}
+
+/// When characteristics cross, of a plane wave, where that is before the end.
+template <int d>
+void tell_crossing(Simulation& simulation, Request const& request, MediumMesh const& mesh,
+                   Material const& material, MediumStart& start) {
+  auto const crossing = crossing_of_characteristics<d>(mesh, start, *stored_energy_of<d>(material));
+  if (!crossing || crossing->time > request.schedule.until()) return;
+  bool const spread = request.file.section("method").has("viscosity");
+  simulation.remarks.push_back(
+      fmt::format("characteristics {} t = {:.6g}{}: a shock {}, which {}",
+                  crossing->exact ? "cross at" : "may cross from", crossing->time,
+                  crossing->exact ? "" : " on", crossing->exact || spread ? "follows" : "would follow",
+                  spread ? "method.viscosity spreads over a few cells"
+                         : "this scheme does not resolve (method.viscosity spreads one over a few cells)"));
+}
+
+/// Sides that are held to a velocity, which do work.
+template <int d>
+void tell_driven_sides(Simulation& simulation, std::set<Feature>& features, MediumMesh const& mesh,
+                       MediumCells<d> const& cells, ExaminedStart<d> const& start) {
+  for (auto const& [side, speed] : driven_sides<d>(mesh, cells, start)) {
+    features.insert(Feature::driven_side);
+    simulation.remarks.push_back(
+        mesh.sides.at(side) == "fixed"
+            ? fmt::format("side {} is fixed to the velocity that it has at the start, up to {:.6g}", side,
+                          speed)
+            : fmt::format("side {} slides, and keeps the velocity across it that it has at the start, {:.6g}",
+                          side, speed));
+  }
+}
+
+/// By fused steps, where the scene is one for them.
+/// @return whether it is
+template <class Box>
+bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh, bool fluid,
+                  Material const& material, std::shared_ptr<MediumStart> const& start) {
+  constexpr int d = Box::dimension;
+  auto const box = fast_box<Box>(mesh);
+  if (!box) return false;
+  double rho = 0;
+  start->density(std::array<double, d>{}, &rho);
+  auto const road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
+  if (!road) return false;
+  simulation.bytes = require_memory(request.file, mesh, true, request);
+  keep_large_lists_apart();
+  BoxCells<Box> const cells(*box);
+  // Places of the start are let go of before there is a motion.
+  auto begin = examined_start<d>(request.file, *start, cells, mesh);
+  MediumLoads<d> const loads = read_medium_loads<d>(request.file, mesh);
+  auto features = features_of<d>(request.file, mesh, loads, material, start->uniform);
+  tell_driven_sides<d>(simulation, features, mesh, cells, begin);
+  begin.velocities = {};
+  double const longest = road->longest_step(begin.places);
+  begin.places = {};
+  require_reachable_end(request.file, longest, request.schedule.until());
+  simulation.step = medium_step(request, longest, 0, simulation.remarks);
+  tell_crossing<d>(simulation, request, mesh, material, *start);
+  simulation.shortcuts.emplace_back(
+      fmt::format("a box of equal cells of one density in {} without loads: fused steps",
+                  d == 2 ? "the plane" : "space"));
+  finish<d>(simulation, request, road->motion(simulation.step, longest, start),
+            {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh,
+            (d == 2 ? 1 : 5) * mesh.cell_count(), {loads, std::move(features)});
+  return true;
+}
+
+/// Where and how strongly gravity pulls, since a potential tells it by its slope alone.
+template <int d>
+void tell_gravity(Simulation& simulation, MediumLoads<d> const& loads,
+                  std::vector<std::array<double, d>> const& x) {
+  std::array<double, d> centre{};
+  double steepest = 0;
+  for (auto const& place : x) {
+    steepest = std::max(steepest, loads.slope_of_gravity(place));
+    for (std::size_t a = 0; a < d; ++a) centre[a] += place[a] / static_cast<double>(x.size());
+  }
+  std::string told = loads.pull_of_gravity(centre, steepest);
+  if (!told.empty()) simulation.remarks.push_back(std::move(told));
+}
+
+/// What is wrong with a side or with the mass of a cell is told at its key.
+template <int d>
+std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, MeshRoad<d>& road) {
+  try {
+    return road.motion();
+  } catch (media::NotABodyMesh const& error) {
+    for (auto const& [name, side] : road.loads.sides)
+      if (std::string(error.what()).starts_with("side '" + name + "'"))
+        file.section("system.boundary").fail(name, std::string("boundary: ") + error.what());
+    throw;
+  } catch (OutsideDomain const& error) {
+    if (std::string(error.what()).starts_with("density"))
+      file.section("system").fail("density", error.what());
+    throw;
+  }
+}
+
+template <int d>
+void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh const& mesh,
+                     Material const& material, MediumMethod const& method,
+                     std::shared_ptr<MediumStart> const& start) {
+  MeshRoad<d> road{mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
+                   method.order, method.conserve, method.viscosity};
+  auto features = features_of<d>(request.file, mesh, road.loads, material, start->uniform);
+  {
+    MeshCells<d> const cells(road.mesh);
+    auto const begin = examined_start<d>(request.file, *start, cells, mesh);
+    tell_driven_sides<d>(simulation, features, mesh, cells, begin);
+    for (auto& told :
+         examined_loads<d>(request.file, mesh, road.mesh, road.loads, begin, request.schedule.until()))
+      simulation.remarks.push_back(std::move(told));
+    tell_gravity<d>(simulation, road.loads, begin.places);
+  }
+  // Before the motion, which takes the mesh.
+  double const frequency =
+      frequency_of(road.loads.in_time, road.mesh.nodes, request.schedule.until(), simulation.remarks);
+  auto motion = motion_of(request.file, road);
+  double const longest = motion->longest_step();
+  require_reachable_end(request.file, longest, request.schedule.until());
+  simulation.step = medium_step(request, longest, frequency, simulation.remarks,
+                                motion->longest_in_one_part(), method.conserve == media::Conserve::form);
+  motion->begin(simulation.step, longest);
+  if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
+  finish<d>(simulation, request, std::move(motion),
+            {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count(),
+            {road.loads, std::move(features)});
+}
+
+/// Media move in Euclidean space.
+void require_euclidean(SceneTable system) {
+  if (!system.has("metric")) system.set("metric", "euclidean");
+  if (system.is_text("metric") && system.text("metric") == "euclidean") return;
+  system.fail("metric", "metric: media move in Euclidean space, \"euclidean\"; curved spaces are not there");
+}
+
+/// The quantities of a scene: a circulation for each of its loops.
+std::vector<Quantity> quantities_of(bool fluid, SceneFile const& file) {
+  auto all = medium_quantities(fluid);
+  for (auto& quantity : all)
+    if (quantity.name == "circulation" && !loop_names(file).empty()) quantity.kind = Quantity::Kind::list;
+  return all;
+}
+
+}  // namespace
+
+Simulation prepare_medium(bool fluid, Request const& request) {
+  SceneTable system = request.file.section("system");
+  MediumMethod const method = read_medium_method(request.file);
+  require_euclidean(system);
+  Material const material = read_material(system, fluid);
+  MediumMesh const mesh = read_medium_mesh(request.file);
+  require_stable_material(system, material, mesh.dimension);
+  auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
+
+  int const d = mesh.dimension;
+  auto const& asked = request.quantities;
+  if (auto const turns = std::find(asked.begin(), asked.end(), "angular_momentum");
+      d == 1 && turns != asked.end())
+    throw SceneError(
+        request.file.section("output").place("quantities", static_cast<std::size_t>(turns - asked.begin())),
+        "quantities: angular_momentum is that of bodies in the plane or in space");
+  Simulation simulation(quantities_of(fluid, request.file));
+  bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
+  if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, fluid, material, start) ||
+                      prepare_fast<media::FastBox3d>(simulation, request, mesh, fluid, material, start)))
+    return simulation;
+  simulation.bytes = require_memory(request.file, mesh, false, request);
+  if (d == 1)
+    prepare_on_mesh<1>(simulation, request, mesh, material, method, start);
+  else if (d == 2)
+    prepare_on_mesh<2>(simulation, request, mesh, material, method, start);
+  else
+    prepare_on_mesh<3>(simulation, request, mesh, material, method, start);
+  return simulation;
+}
+
+std::vector<Parameter> medium_scene_parameters(bool fluid) {
+  auto all = medium_parameters(fluid);
+  for (auto& key : load_parameters()) all.push_back(std::move(key));
+  all.push_back(loops_parameter());
+  for (auto& key : medium_method_parameters()) all.push_back(std::move(key));
+  return all;
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,38 @@
+#include "program/registry/system.hpp"
+
+#include "program/registry/conservation.hpp"
+
+// One line for each system, in the order in which they are told: systems/NAME.cpp defines NAME_system().
+// clang-format off
+#define ACTIO_EACH_SYSTEM(with) \
+  with(rigid_body)              \
+  with(rigid_body_n)            \
+  with(heavy_top)               \
+  with(euler_poincare)          \
+  with(vorticity_sphere)        \
+  with(barotropic_fluid)        \
+  with(elastic_body)
+// clang-format on
+
+namespace actio::scene {
+
+#define ACTIO_DECLARED(name) System name##_system();
+ACTIO_EACH_SYSTEM(ACTIO_DECLARED)
+#define ACTIO_MADE(name) name##_system(),
+
+std::vector<System> const& systems() {
+  static std::vector<System> const all = [] {
+    std::vector<System> made{ACTIO_EACH_SYSTEM(ACTIO_MADE)};
+    for (auto& system : made) system.quantities = with_conserved(system.name, std::move(system.quantities));
+    return made;
+  }();
+  return all;
+}
+
+System const* find_system(std::string const& name) {
+  for (auto const& system : systems())
+    if (system.name == name) return &system;
+  return nullptr;
+}
+
+}  // namespace actio::scene
