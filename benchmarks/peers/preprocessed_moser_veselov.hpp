@@ -29,7 +29,7 @@ class PreprocessingPolynomials {
   PreprocessingPolynomials(Task const& task, int order) : terms_(order / 2) {
     using actio::dec50, actio::bodies::Three;
     // For |M| = 1 the n-th term is a polynomial of degree n in 2H: interpolated at n + 1 energies.
-    bodies::Three<dec50> const I{dec50(task.I[0]), dec50(task.I[1]), dec50(task.I[2])};
+    actio::bodies::Three<dec50> const I{dec50(task.I[0]), dec50(task.I[1]), dec50(task.I[2])};
     actio::bodies::InverseMoments<dec50> const body(I);
     std::array<dec50, most> energy;
     std::vector<actio::bodies::ModifiedInertiaSeries<dec50>> series;

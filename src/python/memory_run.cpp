@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "program/base/memory.hpp"
 #include "program/run/checkpoint.hpp"
 #include "program/pictures/pictures.hpp"
 #include "program/run/run_files.hpp"
@@ -13,7 +15,6 @@
 #include "program/output/series.hpp"
 #include "program/output/series_reader.hpp"
 #include "program/registry/units.hpp"
-#include "python/available_memory.hpp"
 
 namespace actio::python {
 
@@ -36,6 +37,19 @@ MemoryRun without_rows(Scene const& scene) {
   out.inputs = scene.file.inputs();
   out.with_snapshots = scene.snapshots && scene.simulation.snapshots;
   return out;
+}
+
+/// @throws Error  where a table of so many rows and columns, at 8 bytes a number, takes more memory than is
+///                available
+void check_that_it_fits(double rows, std::size_t columns) {
+  double const bytes = 8 * rows * static_cast<double>(columns), available = bytes_of_machine();
+  if (bytes <= available) return;
+  char count[32];
+  std::snprintf(count, sizeof count, "%.0f", rows);
+  throw Error(std::string(count) + " rows of " + std::to_string(columns) + " columns at 8 bytes a number take " +
+              bytes_in_words(bytes) + ", and " + bytes_in_words(available) +
+              " of memory are available; fewer rows or quantities would do, or the command `actio run`, which "
+              "writes as it goes");
 }
 
 /// That so many snapshots fit into the memory, and the places to which they belong.

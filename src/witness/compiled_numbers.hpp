@@ -1,5 +1,5 @@
 // What all checks and many tests compute with, declared here and compiled in compiled_numbers.cpp: dual numbers
-// and matrices over Number.
+// and matrices over Number. Read at the end of number.hpp.
 #pragma once
 
 #include <array>
@@ -7,7 +7,6 @@
 
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/linear.hpp"
-#include "witness/number.hpp"
 
 namespace actio {
 

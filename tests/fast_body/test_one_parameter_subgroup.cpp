@@ -11,7 +11,7 @@
 
 using namespace actio;
 using namespace actio::bodies;
-using namespace actio::detail;
+using namespace actio::bodies::detail;
 using Eigen::MatrixXd;
 
 namespace {

@@ -1,4 +1,3 @@
-// In a unit of its own
 #include "actio/numbers/compiled_doubles.hpp"
 
 namespace actio::detail {

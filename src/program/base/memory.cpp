@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -10,19 +9,41 @@
 
 namespace actio::scene {
 
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+/// The number in a file that holds one; `unknown` where it is not there, or holds the word `max`.
+double number_in(char const* path) {
+  std::ifstream in(path);
+  double value = 0;
+  return in >> value && value > 0 ? value : unknown;
+}
+/// The number after a word in a file of names and numbers, a line for each; zero where it is not there.
+double number_after(char const* word, char const* path) {
+  std::ifstream in(path);
+  std::string name, rest;
+  double value = 0;
+  while (in >> name >> value && std::getline(in, rest))
+    if (name == word) return value;
+  return 0;
+}
+/// What the group of this process may still take, pages of files that can be dropped not counted as taken.
+double left_in_the_group() {
+  double const most = number_in("/sys/fs/cgroup/memory.max"), taken = number_in("/sys/fs/cgroup/memory.current");
+  if (most == unknown || taken == unknown) return number_in("/sys/fs/cgroup/memory/memory.limit_in_bytes");
+  char const* const statistics = "/sys/fs/cgroup/memory.stat";
+  double const dropped = number_after("inactive_file", statistics) + number_after("active_file", statistics);
+  return std::max(0.0, most - taken + dropped);
+}
+
+}  // namespace
+
 double bytes_of_machine() {
-  double bytes =
-      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
-  if (!(bytes > 0)) bytes = std::numeric_limits<double>::infinity();
-  for (char const* path : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-    std::ifstream in(path);
-    if (double limit = 0; in >> limit && limit > 0) bytes = std::min(bytes, limit);
-  }
+  double bytes = left_in_the_group();
   // What others use is not there.
-  std::ifstream memory("/proc/meminfo");
-  for (std::string word; memory >> word;)
-    if (double available = 0; word == "MemAvailable:" && memory >> available && available > 0)
-      bytes = std::min(bytes, 1024 * available);
+  if (double const available = number_after("MemAvailable:", "/proc/meminfo"); available > 0)
+    bytes = std::min(bytes, 1024 * available);
   for (auto const which : {RLIMIT_AS, RLIMIT_DATA})
     if (rlimit limit{}; ::getrlimit(which, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
       bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));

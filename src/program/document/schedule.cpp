@@ -8,7 +8,7 @@
 namespace actio::scene {
 namespace {
 
-constexpr double most = 9007199254740992;  // 2^53: whole numbers beyond it are not all doubles
+constexpr double most_whole = 9007199254740992;  // 2^53: whole numbers beyond it are not all doubles
 // of the contract: how far t/h may be from a whole number, relative to it where it is large
 constexpr double near = 1e-9;
 
@@ -72,7 +72,7 @@ void Schedule::read_times(SceneTable const& table, std::string const& key, bool 
 void Schedule::read_interval(SceneTable const& table, std::string const& key) {
   every_ = table.positive(key);
   double const ratio = until_ / every_;
-  if (!(ratio < most))
+  if (!(ratio < most_whole))
     table.fail(key, fmt::format("{}: at most 2^53 rows are possible; until/{} is {}", key, key, ratio));
   // A quarter: the last multiple of a short interval is not mistaken for another one.
   last_beside_ = std::round(ratio) < 1 ||
@@ -110,7 +110,7 @@ double Schedule::common_divisor() const {
   }
   auto const all = landmarks();
   double const longest = *std::max_element(all.begin(), all.end());
-  if (!(divisor * most > longest && divisor > 1e-7 * longest)) return 0;
+  if (!(divisor * most_whole > longest && divisor > 1e-7 * longest)) return 0;
   return longest / std::round(longest / divisor);  // the rounding of the remainders is gone
 }
 
@@ -149,7 +149,7 @@ StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const
     : schedule_(schedule), step_(step) {
   for (double const t : schedule.landmarks()) {
     double const ratio = t / step;
-    if (!(ratio < most))
+    if (!(ratio < most_whole))
       method.fail("step",
                   fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
     if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
