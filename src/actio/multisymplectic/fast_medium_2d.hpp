@@ -37,6 +37,18 @@ extern template class FusedRows2d<CellOf<FastFluid<PolytropicByRoots<5, 7>>, Fas
 extern template class FusedRows2d<CellOf<FastFluid<PolytropicGas>, FastBox2d>>;
 extern template class FusedRows2d<CellOf<FastNeoHookean<LogarithmicLaw>, FastBox2d>>;
 extern template class FusedRows2d<CellOf<FastStVenantKirchhoff, FastBox2d>>;
+extern template std::array<Plane<Dual<double>>, 4> corner_forces(
+    CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox2d> const&, Edges<Dual<double>> const&);
+extern template std::array<Plane<Dual<double>>, 4> corner_forces(
+    CellOf<FastFluid<PolytropicByRoots<3, 5>>, FastBox2d> const&, Edges<Dual<double>> const&);
+extern template std::array<Plane<Dual<double>>, 4> corner_forces(
+    CellOf<FastFluid<PolytropicByRoots<5, 7>>, FastBox2d> const&, Edges<Dual<double>> const&);
+extern template std::array<Plane<Dual<double>>, 4> corner_forces(
+    CellOf<FastFluid<PolytropicGas>, FastBox2d> const&, Edges<Dual<double>> const&);
+extern template std::array<Plane<Dual<double>>, 4> corner_forces(
+    CellOf<FastNeoHookean<LogarithmicLaw>, FastBox2d> const&, Edges<Dual<double>> const&);
+extern template std::array<Plane<Dual<double>>, 4> corner_forces(
+    CellOf<FastStVenantKirchhoff, FastBox2d> const&, Edges<Dual<double>> const&);
 }  // namespace detail
 
 }  // namespace actio::media

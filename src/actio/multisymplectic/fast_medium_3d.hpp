@@ -30,6 +30,12 @@ namespace detail {
 extern template class FusedPlanes3d<CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox3d>>;
 extern template class FusedPlanes3d<CellOf<FastNeoHookean<LogarithmicLaw>, FastBox3d>>;
 extern template class FusedPlanes3d<CellOf<FastStVenantKirchhoff, FastBox3d>>;
+extern template std::array<Space<Dual<double>>, 8> corner_forces(
+    CellOf<FastFluid<PolytropicByRoots<1, 2>>, FastBox3d> const&, Edges3d<Dual<double>> const&);
+extern template std::array<Space<Dual<double>>, 8> corner_forces(
+    CellOf<FastNeoHookean<LogarithmicLaw>, FastBox3d> const&, Edges3d<Dual<double>> const&);
+extern template std::array<Space<Dual<double>>, 8> corner_forces(
+    CellOf<FastStVenantKirchhoff, FastBox3d> const&, Edges3d<Dual<double>> const&);
 }  // namespace detail
 
 }  // namespace actio::media
