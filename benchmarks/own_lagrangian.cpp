@@ -11,8 +11,8 @@
 #include "actio/groups/special_linear.hpp"
 #include "actio/reduction/euler_poincare_steps.hpp"
 #include "actio/reduction/natural_chart.hpp"
-#include "program/run/run.hpp"
 #include "benchmark.hpp"
+#include "program/run/run.hpp"
 #include "timing.hpp"
 
 using namespace actio;

@@ -18,9 +18,9 @@
 #include <fstream>
 
 #include "actio/fast_body/space/free_steps.hpp"
-#include "program/run/run.hpp"
 #include "benchmark.hpp"
 #include "callgrind.hpp"
+#include "program/run/run.hpp"
 #include "timing.hpp"
 
 using namespace actio;

@@ -69,9 +69,9 @@ endfunction()
 
 # actio_together(OUT NAME BYTES SOURCE...): sources that compile SOURCE... as many at a time as BYTES of text
 # hold, into the variable OUT (tools/together.awk says how, and for which sources). What several of them
-# instantiate is compiled once, in two thirds of the time. Those that add to a namespace of others stay as they
-# are, and those that say of themselves, in a line of their own, that they are `// In a unit of its own`, as
-# large as a unit may be.
+# instantiate is compiled once, in two thirds of the time. Those that add to a namespace of others stay as
+# they are, and those that say of themselves, in a line of their own, that they are `// In a unit of its own`,
+# as large as a unit may be.
 find_program(AWK awk REQUIRED)
 function(actio_together out name bytes)
   set(result "")
@@ -104,9 +104,9 @@ function(actio_together out name bytes)
   set(${out} ${result} PARENT_SCOPE)
 endfunction()
 
-# The headers that nearly every unit needs, compiled once per level: at -O2 the standard library's and Eigen's,
-# at -Og, where all the tests are, Boost.Test (which every target that includes it must link) and the library's
-# headers for bodies as well: reading those takes two seconds, and there are over a hundred units.
+# The headers that nearly every unit needs, compiled once per level: at -O2 the standard library's and
+# Eigen's, at -Og, where all the tests are, Boost.Test (which every target that includes it must link) and the
+# library's headers for bodies as well: reading those takes two seconds, and there are over a hundred units.
 if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
   foreach(level IN ITEMS fast brief)

@@ -1,5 +1,5 @@
-# Install and export: after `cmake --install`, find_package(actio) gives actio::actio, one target per module and
-# the core, actio::core, which they link.
+# Install and export: after `cmake --install`, find_package(actio) gives actio::actio, one target per module
+# and the core, actio::core, which they link.
 include(CMakePackageConfigHelpers)
 set(actio_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/actio)
 

@@ -310,7 +310,8 @@ STATEMENT(claim_3_1_action_differential_regrouped, "interior terms are (3.2), th
     exchanged[0] = D2(L, g[0], g[1]), exchanged[N] = D1(L, g[N - 1], g[N]);
     claim.differs("D_2 at the first end and D_1 at the last", model, dS, in_one_column(exchanged));
     claim.differs("the action summed over k = 1, ..., N", model,
-                  differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 1, N); }), in_one_column(terms));
+                  differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 1, N); }),
+                  in_one_column(terms));
   });
 }
 

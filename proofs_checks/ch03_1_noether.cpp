@@ -13,24 +13,16 @@ namespace {
 /// Translations on the right: their generators, and what they do to a configuration.
 struct OnTheRight {
   template <class S>
-  auto operator()(Velocity<SpannedGroup, S> const& zeta) const {
-    return right_translation(zeta);
-  }
+  auto operator()(Velocity<SpannedGroup, S> const& zeta) const { return right_translation(zeta); }
   template <class S>
-  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const {
-    return g * k;
-  }
+  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const { return g * k; }
 };
 /// Translations on the left.
 struct OnTheLeft {
   template <class S>
-  auto operator()(Velocity<SpannedGroup, S> const& zeta) const {
-    return left_translation(zeta);
-  }
+  auto operator()(Velocity<SpannedGroup, S> const& zeta) const { return left_translation(zeta); }
   template <class S>
-  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const {
-    return k * g;
-  }
+  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const { return k * g; }
 };
 inline constexpr OnTheRight on_the_right;
 inline constexpr OnTheLeft on_the_left;

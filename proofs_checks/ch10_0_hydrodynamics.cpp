@@ -98,14 +98,10 @@ struct RationalSphere {
 };
 
 template <class S>
-Matrix<S> bracket_of(Matrix<S> const& x, Matrix<S> const& y) {
-  return x * y - y * x;
-}
+Matrix<S> bracket_of(Matrix<S> const& x, Matrix<S> const& y) { return x * y - y * x; }
 /// \f$-\mathrm{Tr}(XY)\f$.
 template <class S>
-S inner(Matrix<S> const& x, Matrix<S> const& y) {
-  return -S((x * y).trace());
-}
+S inner(Matrix<S> const& x, Matrix<S> const& y) { return -S((x * y).trace()); }
 
 /// A displacement that is diagonal in a basis at hand, so that linear equations with it are solved entry by
 /// entry.
@@ -222,9 +218,7 @@ Vector<S> angular_momentum(RationalSphere<S> const& sphere, Matrix<S> const& w) 
 }
 /// Twice the energy.
 template <class S>
-S energy(RationalSphere<S> const& sphere, Matrix<S> const& w) {
-  return -inner(sphere.stream(w), w);
-}
+S energy(RationalSphere<S> const& sphere, Matrix<S> const& w) { return -inner(sphere.stream(w), w); }
 
 /// The tangent of a step by the stream function drawn: the components of what \f$W_0\f$ and \f$W_1\f$ change
 /// by.

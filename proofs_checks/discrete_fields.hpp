@@ -142,9 +142,9 @@ struct DiscreteField {
     media::SumOfTerms<S, S> sum{S(0)};
     mesh.for_cells([&](media::GridIndex<n> const& cell) {
       for (int b = 0; b < mesh.corners; ++b)
-        sum.add(media::discrete_multisymplectic_form(density, media::cell_of(mesh, section, slab, cell),
-                                              media::node_of_corner<n>(b, 1), media::cell_of(mesh, V[0], slab, cell).y,
-                                              media::cell_of(mesh, V[1], slab, cell).y));
+        sum.add(media::discrete_multisymplectic_form(
+            density, media::cell_of(mesh, section, slab, cell), media::node_of_corner<n>(b, 1),
+            media::cell_of(mesh, V[0], slab, cell).y, media::cell_of(mesh, V[1], slab, cell).y));
     });
     return sum;
   }
@@ -157,7 +157,8 @@ std::vector<S> levels_of(S const& scale) {
   return times;
 }
 template <class S, int n>
-media::SpaceTimeMesh<S, n> mesh_with(std::vector<S> const& times, media::GridIndex<n> const& cells, media::Sides<n> const& sides) {
+media::SpaceTimeMesh<S, n> mesh_with(std::vector<S> const& times, media::GridIndex<n> const& cells,
+                                     media::Sides<n> const& sides) {
   // Cells of different shapes: the unit cube, bent inside; its sides stay where they are.
   return {times, cells, sides, [](Matrix<S, n, 1> const& u) {
             S bump = ratio<S>(1, 3);
@@ -172,7 +173,8 @@ media::SpaceTimeMesh<S, n> mesh_with(std::vector<S> const& times, media::GridInd
 /// pulled so that they solve its equations, with friction where there is some.
 template <int n, int N, class S, class L>
 DiscreteField<S, n, N, Pulled<L, S, n, N>> pulled_field(Draw& draw, L const& density,
-                                                        media::GridIndex<n> const& cells, media::Sides<n> const& sides,
+                                                        media::GridIndex<n> const& cells,
+                                                        media::Sides<n> const& sides,
                                                         S const& friction = S(0)) {
   using Field = DiscreteField<S, n, N, Pulled<L, S, n, N>>;
   Field field{mesh_with<S, n>(levels_of<S>(S(1)), cells, sides), {density, {}}, {}, friction};
@@ -186,12 +188,14 @@ DiscreteField<S, n, N, Pulled<L, S, n, N>> pulled_field(Draw& draw, L const& den
       field.section.levels[level].push_back(y);
     }
   // With the mass m of a node c adds m (c_{k-1} - c_{k+1})/2 to its equation at level k.
-  std::vector<media::Level<S, N>> c(mesh.levels(), media::Level<S, N>(mesh.node_count(), Matrix<S, N, 1>::Zero()));
+  std::vector<media::Level<S, N>> c(mesh.levels(),
+                                    media::Level<S, N>(mesh.node_count(), Matrix<S, N, 1>::Zero()));
   for (int level = 1; level < field.slabs(); ++level)
     for (Index i = 0; i < mesh.node_count(); ++i) {
       if (mesh.fixed(i)) continue;
       S mass(0);
-      mesh.for_cells_at(i, [&](media::GridIndex<n> const& cell, int b) { mass += mesh.geometry(cell).volume[b]; });
+      mesh.for_cells_at(
+          i, [&](media::GridIndex<n> const& cell, int b) { mass += mesh.geometry(cell).volume[b]; });
       auto const E = field.equation(field.section, level, i);
       for (int a = 0; a < N; ++a) c[level + 1][i][a] = c[level - 1][i][a] + E[a] * S(2) / mass;
     }
@@ -211,7 +215,8 @@ DiscreteField<S, n, N, Pulled<L, S, n, N>> pulled_field(Draw& draw, L const& den
 template <int n, int N, class S, class L>
 DiscreteField<S, n, N, L> stepped_field(Draw& draw, L const& density, media::GridIndex<n> const& cells) {
   auto const times = levels_of<S>(ratio<S>(1, 16));
-  DiscreteField<S, n, N, L> field{mesh_with<S, n>(times, cells, media::all_sides<n>(media::Side::free)), density, {}};
+  DiscreteField<S, n, N, L> field{
+      mesh_with<S, n>(times, cells, media::all_sides<n>(media::Side::free)), density, {}};
   field.section.levels.resize(2);
   for (Index i = 0; i < field.mesh.node_count(); ++i) {
     Matrix<S, N, 1> y = draw.vector<S, Matrix<S, N, 1>>(N) * ratio<S>(1, 16);
@@ -226,7 +231,7 @@ DiscreteField<S, n, N, L> stepped_field(Draw& draw, L const& density, media::Gri
 /// First variations of a medium: the run repeated over dual numbers.
 template <class S, int n, int N, class L>
 std::array<media::DiscreteSection<S, n, N>, 2> stepped_variations(Draw& draw,
-                                                           DiscreteField<S, n, N, L> const& field) {
+                                                                  DiscreteField<S, n, N, L> const& field) {
   std::array<media::DiscreteSection<S, n, N>, 2> V;
   for (auto& one : V) {
     auto start = field.section, change = field.draw_variation(draw);

@@ -29,7 +29,7 @@ using Change = PairChange<SpannedGroup, S>;
 
 template <class S>
 GroupElements<S> draw_points(Draw& draw, SpannedGroup const& group, int count,
-                                     std::type_identity_t<S> const& size = S(1)) {
+                             std::type_identity_t<S> const& size = S(1)) {
   GroupElements<S> g;
   for (int k = 0; k < count; ++k) g.push_back(draw.template element<S>(group, size));
   return g;

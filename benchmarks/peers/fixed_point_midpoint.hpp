@@ -21,7 +21,9 @@ inline void complex_product(actio::sphere::ComplexMatrix<> const& a, actio::sphe
 }
 
 /// The largest sum of moduli in a row.
-inline double largest_row(actio::sphere::ComplexMatrix<> const& a) { return a.cwiseAbs().rowwise().sum().maxCoeff(); }
+inline double largest_row(actio::sphere::ComplexMatrix<> const& a) {
+  return a.cwiseAbs().rowwise().sum().maxCoeff();
+}
 
 /// Steps of one length.
 struct FixedPointMidpoint {

@@ -106,8 +106,9 @@ inline Method moser_veselov_each_step(int order) {
             // The moments of this task are in ascending order, so the axes of the steps are those of the
             // body.
             auto const body = free_body(task);
-            return stepper(body.start(), TwistEachStep(body, task, h, order),
-                           [body](actio::bodies::FrameState<double> const& p) { return seven(body.state(p)); });
+            return stepper(
+                body.start(), TwistEachStep(body, task, h, order),
+                [body](actio::bodies::FrameState<double> const& p) { return seven(body.state(p)); });
           }};
 }
 

@@ -14,8 +14,8 @@
 
 #include <stdexcept>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "peers/quaternion.hpp"
 
 namespace peers {
@@ -36,8 +36,8 @@ class PreprocessingPolynomials {
     for (int k = 0; k < terms_; ++k) {
       dec50 const share = dec50(k) / most;
       energy[k] = body.J[2] + body.d13 * share;
-      series.emplace_back(body, actio::bodies::Orbit<dec50>(body, {sqrt(share), dec50(0), sqrt(dec50(1 - share))}),
-                          terms_);
+      series.emplace_back(
+          body, actio::bodies::Orbit<dec50>(body, {sqrt(share), dec50(0), sqrt(dec50(1 - share))}), terms_);
     }
     for (int n = 0; n < terms_; ++n) {
       s_[n] = interpolated(energy, n, [&](int k) { return series[k].s.coefficient(n); });

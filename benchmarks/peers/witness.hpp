@@ -8,9 +8,9 @@
 
 #include <vector>
 
+#include "actio/numbers/multiprecision.hpp"
 #include "peers/stepper.hpp"
 #include "witness/taylor_reference.hpp"
-#include "actio/numbers/multiprecision.hpp"
 
 namespace peers {
 

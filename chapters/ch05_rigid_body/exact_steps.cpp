@@ -14,9 +14,9 @@
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Geometry>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/bodies/body_catalogue.hpp"
 #include "actio/fast_body/space/free_steps.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

@@ -35,13 +35,14 @@ inline std::vector<actio::sphere::SkewHermitian<>> basis(int n) {
 }
 
 // The matrix of the Lie-Poisson bracket at W: <W, [e_a, e_b]>.
-inline Eigen::MatrixXd bracket_at(std::vector<actio::sphere::SkewHermitian<>> const& e, actio::sphere::SkewHermitian<> const& w) {
+inline Eigen::MatrixXd bracket_at(std::vector<actio::sphere::SkewHermitian<>> const& e,
+                                  actio::sphere::SkewHermitian<> const& w) {
   auto const d = static_cast<Eigen::Index>(e.size());
   Eigen::MatrixXd out(d, d);
   for (Eigen::Index a = 0; a < d; ++a)
     for (Eigen::Index b = 0; b < d; ++b)
-      out(a, b) =
-          actio::sphere::inner_product(w, actio::sphere::commutator(e[static_cast<std::size_t>(a)], e[static_cast<std::size_t>(b)]));
+      out(a, b) = actio::sphere::inner_product(
+          w, actio::sphere::commutator(e[static_cast<std::size_t>(a)], e[static_cast<std::size_t>(b)]));
   return out;
 }
 
@@ -53,8 +54,10 @@ inline double poisson(Step const& step, actio::sphere::SkewHermitian<> const& w,
   Eigen::MatrixXd tangent(d, d);
   for (Eigen::Index b = 0; b < d; ++b) {
     auto const at = [&](double k) { return step(w + (k * delta) * e[static_cast<std::size_t>(b)], h); };
-    actio::sphere::SkewHermitian<> const slope = (1 / (12 * delta)) * (8.0 * (at(1) - at(-1)) - (at(2) - at(-2)));
-    for (Eigen::Index a = 0; a < d; ++a) tangent(a, b) = actio::sphere::inner_product(e[static_cast<std::size_t>(a)], slope);
+    actio::sphere::SkewHermitian<> const slope =
+        (1 / (12 * delta)) * (8.0 * (at(1) - at(-1)) - (at(2) - at(-2)));
+    for (Eigen::Index a = 0; a < d; ++a)
+      tangent(a, b) = actio::sphere::inner_product(e[static_cast<std::size_t>(a)], slope);
   }
   Eigen::MatrixXd const carried = tangent * bracket_at(e, w) * tangent.transpose(),
                         there = bracket_at(e, step(w, h));
@@ -68,7 +71,8 @@ inline double self_adjointness(Step const& step, actio::sphere::SkewHermitian<> 
 
 // The largest change of an eigenvalue, relative to their root mean square.
 inline double spectrum(Step const& step, actio::sphere::SkewHermitian<> const& w, double h) {
-  Eigen::VectorXd const change = actio::sphere::vorticity_values(step(w, h)) - actio::sphere::vorticity_values(w);
+  Eigen::VectorXd const change =
+      actio::sphere::vorticity_values(step(w, h)) - actio::sphere::vorticity_values(w);
   return change.cwiseAbs().maxCoeff() * std::sqrt(static_cast<double>(w.size())) / actio::sphere::norm(w);
 }
 

@@ -19,7 +19,8 @@ class TruncatedFlow {
     actio::sphere::SphereHarmonics as_stream = zeta;
     for (int l = 0; l < degrees_; ++l) as_stream.coefficient.row(l) *= -(l * (l + 1.0));
     auto const u = actio::sphere::flow_on(grid_, zeta), slopes = actio::sphere::flow_on(grid_, as_stream);
-    actio::sphere::GridField const transport = u.east.cwiseProduct(slopes.north) - u.north.cwiseProduct(slopes.east);
+    actio::sphere::GridField const transport =
+        u.east.cwiseProduct(slopes.north) - u.north.cwiseProduct(slopes.east);
     auto f = actio::sphere::harmonics_from(grid_, transport, degrees_);
     f.coefficient *= -1;
     return f;

@@ -4,13 +4,13 @@
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Core>
 
-#include "book/try_it.hpp"
 #include "actio/multisymplectic/asynchronous_steps.hpp"
 #include "actio/multisymplectic/body_shapes.hpp"
 #include "actio/multisymplectic/discrete_noether.hpp"
 #include "actio/multisymplectic/fast_medium_2d.hpp"
 #include "actio/multisymplectic/step_field_equations.hpp"
 #include "actio/numbers/print.hpp"
+#include "book/try_it.hpp"
 using namespace actio;
 using namespace actio::media;
 

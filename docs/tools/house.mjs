@@ -2,8 +2,8 @@
 // their sizes, read from where they are declared.
 //
 // Modules and arrows are the lines `actio_module(NAME USES ...)` of CMakeLists.txt, rooms the lines
-// `actio_room(NAME USES ...)` of src/program/CMakeLists.txt; the test `layering` holds every #include to them.
-// What each holds is the \brief of its folder in docs/rooms.dox; sizes are counted in the sources.
+// `actio_room(NAME USES ...)` of src/program/CMakeLists.txt; the test `layering` holds every #include to
+// them. What each holds is the \brief of its folder in docs/rooms.dox; sizes are counted in the sources.
 import fs from 'node:fs';
 import path from 'node:path';
 import { boxed, escapeHtml, walk } from './lib.mjs';

@@ -9,7 +9,7 @@ failures=0
 
 project() {
   rm -rf "$work/p"
-  mkdir -p "$work"/p/{src/actio/reduction,src/book,chapters/ch03_sample,proofs_checks,data,build/report/programs}
+  mkdir -p "$work"/p/{src/actio/reduction,src/program,src/book,chapters/ch03_sample,proofs_checks,data,build/report/programs}
   cp -r "$docs" "$work/p/docs"
   cd "$work/p" || exit 1
   # Pages that speak of the real library are not under test.

@@ -4,10 +4,10 @@
 
 #include "program/catalogue/bodies.hpp"
 #include "program/catalogue/groups.hpp"
-#include "program/registry/keys.hpp"
 #include "program/catalogue/materials.hpp"
-#include "program/document/scenes.hpp"
 #include "program/catalogue/statements.hpp"
+#include "program/document/scenes.hpp"
+#include "program/registry/keys.hpp"
 
 namespace actio::app {
 

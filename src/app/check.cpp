@@ -11,12 +11,12 @@
 #include <sstream>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "program/base/printable.hpp"
-#include "program/base/error.hpp"
-#include "program/catalogue/statements.hpp"
 #include "app/child.hpp"
 #include "app/commands.hpp"
 #include "app/ledger.hpp"
+#include "program/base/error.hpp"
+#include "program/base/printable.hpp"
+#include "program/catalogue/statements.hpp"
 
 namespace actio::app {
 

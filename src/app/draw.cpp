@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "program/pictures/pictures.hpp"
 #include "program/base/error.hpp"
+#include "program/pictures/pictures.hpp"
 
 namespace actio::app {
 namespace {

@@ -4,17 +4,17 @@
 #include <algorithm>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "program/catalogue/bodies.hpp"
-#include "program/catalogue/groups.hpp"
-#include "program/registry/keys.hpp"
-#include "program/catalogue/materials.hpp"
-#include "program/base/printable.hpp"
-#include "program/base/progress.hpp"
-#include "program/registry/registry_json.hpp"
-#include "program/document/scenes.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/text.hpp"
+#include "program/base/printable.hpp"
+#include "program/base/progress.hpp"
+#include "program/catalogue/bodies.hpp"
+#include "program/catalogue/groups.hpp"
+#include "program/catalogue/materials.hpp"
+#include "program/document/scenes.hpp"
+#include "program/registry/keys.hpp"
+#include "program/registry/registry_json.hpp"
 
 namespace actio::app {
 

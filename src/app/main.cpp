@@ -8,10 +8,10 @@
 #include <new>
 #include <system_error>
 
-#include "program/base/progress.hpp"
-#include "program/base/error.hpp"
 #include "app/sweep_arguments.hpp"
 #include "app/usage.hpp"
+#include "program/base/error.hpp"
+#include "program/base/progress.hpp"
 
 using namespace actio;
 

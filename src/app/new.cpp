@@ -8,12 +8,12 @@
 #include <cstring>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "program/catalogue/bodies.hpp"
-#include "program/base/printable.hpp"
-#include "program/registry/scene_template.hpp"
-#include "program/document/scenes.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
+#include "program/base/printable.hpp"
+#include "program/catalogue/bodies.hpp"
+#include "program/document/scenes.hpp"
+#include "program/registry/scene_template.hpp"
 
 namespace actio::app {
 

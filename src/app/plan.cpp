@@ -4,12 +4,12 @@
 #include <filesystem>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "program/base/printable.hpp"
-#include "program/base/progress.hpp"
-#include "program/registry/scene.hpp"
 #include "app/commands.hpp"
 #include "app/estimate.hpp"
 #include "app/text.hpp"
+#include "program/base/printable.hpp"
+#include "program/base/progress.hpp"
+#include "program/registry/scene.hpp"
 
 namespace actio::app {
 

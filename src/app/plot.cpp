@@ -3,12 +3,12 @@
 
 #include <filesystem>
 
-#include "program/base/progress.hpp"
-#include "program/run/run.hpp"
-#include "program/run/run_folder.hpp"
 #include "app/commands.hpp"
 #include "app/draw.hpp"
 #include "app/text.hpp"
+#include "program/base/progress.hpp"
+#include "program/run/run.hpp"
+#include "program/run/run_folder.hpp"
 
 namespace actio::app {
 

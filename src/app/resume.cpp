@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "program/run/checkpoint.hpp"
-#include "program/base/progress.hpp"
-#include "program/run/run_files.hpp"
 #include "app/commands.hpp"
 #include "app/draw.hpp"
 #include "app/run_to_end.hpp"
+#include "program/base/progress.hpp"
+#include "program/run/checkpoint.hpp"
+#include "program/run/run_files.hpp"
 
 namespace actio::app {
 

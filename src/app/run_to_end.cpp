@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "program/base/progress.hpp"
 #include "app/draw.hpp"
 #include "app/text.hpp"
+#include "program/base/progress.hpp"
 
 namespace actio::app {
 

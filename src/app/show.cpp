@@ -9,20 +9,20 @@
 #include <cctype>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "program/catalogue/bodies.hpp"
-#include "program/catalogue/groups.hpp"
-#include "program/registry/keys.hpp"
-#include "program/catalogue/materials.hpp"
-#include "program/base/printable.hpp"
-#include "program/document/scenes.hpp"
-#include "program/catalogue/statements.hpp"
-#include "program/registry/conservation.hpp"
-#include "program/registry/units.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/ledger.hpp"
 #include "app/statement_text.hpp"
 #include "app/text.hpp"
+#include "program/base/printable.hpp"
+#include "program/catalogue/bodies.hpp"
+#include "program/catalogue/groups.hpp"
+#include "program/catalogue/materials.hpp"
+#include "program/catalogue/statements.hpp"
+#include "program/document/scenes.hpp"
+#include "program/registry/conservation.hpp"
+#include "program/registry/keys.hpp"
+#include "program/registry/units.hpp"
 
 namespace actio::app {
 

@@ -4,9 +4,9 @@
 #include <sstream>
 #include <string_view>
 
+#include "app/text.hpp"
 #include "program/base/embedded.hpp"
 #include "program/catalogue/statements.hpp"
-#include "app/text.hpp"
 
 namespace actio::app {
 namespace {

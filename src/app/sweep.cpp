@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/sweep_arguments.hpp"
 #include "program/base/interrupt.hpp"
 #include "program/sweep/folder.hpp"
 #include "program/sweep/run.hpp"
-#include "app/sweep_arguments.hpp"
 
 namespace actio::app {
 

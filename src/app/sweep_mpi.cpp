@@ -12,10 +12,10 @@
 #include <chrono>
 #include <thread>
 
+#include "app/sweep_arguments.hpp"
 #include "program/base/interrupt.hpp"
 #include "program/base/progress.hpp"
 #include "program/sweep/run.hpp"
-#include "app/sweep_arguments.hpp"
 
 using namespace actio;
 using namespace actio::scene;

@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "program/base/printable.hpp"
 #include "app/text.hpp"
+#include "program/base/printable.hpp"
 
 namespace actio::app {
 namespace {

@@ -8,13 +8,13 @@
 #include <iterator>
 
 #include "program/base/memory.hpp"
-#include "program/run/checkpoint.hpp"
-#include "program/pictures/pictures.hpp"
-#include "program/run/run_files.hpp"
-#include "program/run/run_folder.hpp"
 #include "program/output/series.hpp"
 #include "program/output/series_reader.hpp"
+#include "program/pictures/pictures.hpp"
 #include "program/registry/units.hpp"
+#include "program/run/checkpoint.hpp"
+#include "program/run/run_files.hpp"
+#include "program/run/run_folder.hpp"
 
 namespace actio::python {
 
@@ -46,10 +46,11 @@ void check_that_it_fits(double rows, std::size_t columns) {
   if (bytes <= available) return;
   char count[32];
   std::snprintf(count, sizeof count, "%.0f", rows);
-  throw Error(std::string(count) + " rows of " + std::to_string(columns) + " columns at 8 bytes a number take " +
-              bytes_in_words(bytes) + ", and " + bytes_in_words(available) +
-              " of memory are available; fewer rows or quantities would do, or the command `actio run`, which "
-              "writes as it goes");
+  throw Error(
+      std::string(count) + " rows of " + std::to_string(columns) + " columns at 8 bytes a number take " +
+      bytes_in_words(bytes) + ", and " + bytes_in_words(available) +
+      " of memory are available; fewer rows or quantities would do, or the command `actio run`, which "
+      "writes as it goes");
 }
 
 /// That so many snapshots fit into the memory, and the places to which they belong.

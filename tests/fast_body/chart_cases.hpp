@@ -18,8 +18,9 @@ struct Case {
 /// A random body whose velocity, as a matrix, has the norm 1.
 inline Case random_case(std::mt19937& random, int n) {
   auto const [inertia, spin] = random_body<n_>(random, n);
-  return {inertia,
-          body_momentum(inertia, spin / bodies::skew_spectrum(inertia.group.hat(spin.coordinates)).maxCoeff())};
+  return {
+      inertia,
+      body_momentum(inertia, spin / bodies::skew_spectrum(inertia.group.hat(spin.coordinates)).maxCoeff())};
 }
 inline double difference(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b) { return (a - b).norm(); }
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <random>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/fast_body/space/free_steps.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "free_body_witness.hpp"
 
 namespace actio::testing {
@@ -20,7 +20,7 @@ struct FreeProblem {
 
   bodies::FreeBody body() const {
     return bodies::FreeBody(inertia_from_moments(moments[0], moments[1], moments[2]),
-                    {SO<3>{}, Eigen::Vector3d(momentum[0], momentum[1], momentum[2])});
+                            {SO<3>{}, Eigen::Vector3d(momentum[0], momentum[1], momentum[2])});
   }
   double amount() const { return std::hypot(momentum[0], momentum[1], momentum[2]); }
   /// The largest component of the angular velocity at the start.
@@ -84,7 +84,8 @@ FreePath<S> exact_path(FreeProblem const& p) {
   S const amount = sqrt(square);
   for (S& x : u) x /= amount;
   bodies::FrameState<S> state{u, {S(1), S(0), S(0), S(0)}};
-  bodies::HalfTurn<S>(bodies::exact_flow<S>(bodies::InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(state);
+  bodies::HalfTurn<S>(bodies::exact_flow<S>(bodies::InverseMoments<S>(I), u, S(p.time) / S(2) * amount))
+      .leap(state);
   FreePath<S> path;
   path.attitude[0] = state.attitude[0];
   for (int i = 0; i < 3; ++i)
@@ -146,7 +147,8 @@ inline ConservationErrors conservation_errors(bodies::Three<double> const& momen
   for (int i = 0; i < 3; ++i) energy += u[i] * u[i] / moments[i], before += from[i] * from[i] / moments[i];
   for (int i = 0; i < 4; ++i) length += q[i] * q[i];
   bodies::Four<Quad> const in_space =
-      bodies::compose(bodies::compose(q, bodies::Four<Quad>{0, u[0], u[1], u[2]}), bodies::Four<Quad>{q[0], -q[1], -q[2], -q[3]});
+      bodies::compose(bodies::compose(q, bodies::Four<Quad>{0, u[0], u[1], u[2]}),
+                      bodies::Four<Quad>{q[0], -q[1], -q[2], -q[3]});
   double spatial = 0;
   for (int i = 0; i < 3; ++i)
     spatial = std::max(spatial, std::abs(static_cast<double>(in_space[1 + i] / length - from[i])));
@@ -155,7 +157,8 @@ inline ConservationErrors conservation_errors(bodies::Three<double> const& momen
           std::abs(static_cast<double>(length - 1))};
 }
 /// The same of what a motion gives away, from the attitude 1.
-inline ConservationErrors conservation_errors(bodies::FreeSteps const& motion, bodies::Three<double> const& moments) {
+inline ConservationErrors conservation_errors(bodies::FreeSteps const& motion,
+                                              bodies::Three<double> const& moments) {
   auto const now = path_of(motion.state()), start = path_of(motion.body().at(0));
   double const L = motion.body().amount();
   return conservation_errors(

@@ -7,9 +7,9 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "hard_bodies.hpp"
 #include "witness/taylor_reference.hpp"
-#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 using namespace actio::bodies;

@@ -92,7 +92,8 @@ BOOST_AUTO_TEST_CASE(a_norm_counts_the_entries_of_its_matrix_and_nothing_behind_
   for (int n : {2, 4, 5, 9}) {
     bodies::detail::MatrixAlgebra const algebra(n);
     std::vector<double> room(algebra.size() + 8, 0.0);
-    room[bodies::detail::full_entry(algebra.shape(), 0, 1)] = 3, room[bodies::detail::full_entry(algebra.shape(), 1, 0)] = -4;
+    room[bodies::detail::full_entry(algebra.shape(), 0, 1)] = 3, room[bodies::detail::full_entry(
+                                                                     algebra.shape(), 1, 0)] = -4;
     for (std::size_t k = algebra.size(); k < room.size(); ++k) room[k] = 7;
     BOOST_TEST(algebra.norm(room.data()) == 5.0);
   }

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "program/document/expression.hpp"
 #include "program/base/printable.hpp"
+#include "program/document/expression.hpp"
 #include "program/registry/scene.hpp"
 
 namespace {

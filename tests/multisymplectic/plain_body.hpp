@@ -110,7 +110,8 @@ struct PlainBody {
         by_u(i, b) = b >> i & 1 ? 1 : -1;
         for (int k = 0; k < d; ++k)
           if (k != i) by_u(i, b) *= b >> k & 1 ? u[std::size_t(k)] : 1 - u[std::size_t(k)];
-        for (int a = 0; a < d; ++a) out.map(a, i) += media::corner_place(mesh, cell, b)[std::size_t(a)] * by_u(i, b);
+        for (int a = 0; a < d; ++a)
+          out.map(a, i) += media::corner_place(mesh, cell, b)[std::size_t(a)] * by_u(i, b);
       }
     out.hats = inverse_matrix(out.map).transpose() * by_u, out.jacobian = media::small_determinant(out.map);
     return out;

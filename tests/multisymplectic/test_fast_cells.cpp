@@ -138,7 +138,8 @@ Off worst_of(Medium const& medium, Energy const& W, Box box) {
       for (int c = 0; c < n; ++c) {
         T& one = media::detail::component(moved[k], c);
         one.part[0] = 1;
-        double const slope = media::detail::cell_energy(medium, box.spacing, media::detail::edges_between(moved)).part[0];
+        double const slope =
+            media::detail::cell_energy(medium, box.spacing, media::detail::edges_between(moved)).part[0];
         one.part[0] = 0;
         Vector force = forces[k];
         worst.force =

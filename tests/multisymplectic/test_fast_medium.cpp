@@ -182,9 +182,9 @@ void slopes_are_the_derivative(Medium const& medium) {
     for (int k = 0; k < 8; ++k) {
       T y[8];
       for (int l = 0; l < 8; ++l) y[l] = T(edge[l]), y[l].part[0] = k == l;
-      T const energy =
-          media::detail::cell_energy(medium, std::array{h1, h2},
-                              media::detail::Edges<T>{{y[0], y[1]}, {y[2], y[3]}, {y[4], y[5]}, {y[6], y[7]}});
+      T const energy = media::detail::cell_energy(
+          medium, std::array{h1, h2},
+          media::detail::Edges<T>{{y[0], y[1]}, {y[2], y[3]}, {y[4], y[5]}, {y[6], y[7]}});
       // Some forty operations on each side, on terms that are below 30 where J is not small.
       BOOST_TEST(std::abs(energy.part[0] - slopes[k]) <= 80 * eps * 30);
     }

@@ -160,9 +160,10 @@ BOOST_AUTO_TEST_CASE(in_space_waves_along_the_diagonals_bound_the_step) {
                       {FastBox3d::Ends{periodic, periodic}, FastBox3d::Ends{periodic, periodic},
                        FastBox3d::Ends{periodic, periodic}}};
   std::vector<media::detail::Space<double>> x;
-  media::detail::for_nodes(box,
-                    [&](auto const& node, std::size_t) { x.push_back(media::detail::as_vector(box.at(node))); });
-  double const found = media::detail::largest_frequency(box, media::detail::cell_on(FastFluid{Acoustic{}}, box.spacing), x);
+  media::detail::for_nodes(
+      box, [&](auto const& node, std::size_t) { x.push_back(media::detail::as_vector(box.at(node))); });
+  double const found =
+      media::detail::largest_frequency(box, media::detail::cell_on(FastFluid{Acoustic{}}, box.spacing), x);
   double const exact = 2 * 2 / 0.1 * std::sqrt(9.0 / 8);
   BOOST_TEST(found <= exact * (1 + 1e-12));
   BOOST_TEST(found >= exact * 0.995);

@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/divergence_functions.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/square_root.hpp"
 

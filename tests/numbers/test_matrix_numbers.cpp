@@ -4,9 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/errors.hpp"
 #include "actio/numbers/matrix.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "refused.hpp"
 
 using namespace actio;

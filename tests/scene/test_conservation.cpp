@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "program/run/run.hpp"
 #include "program/registry/conservation.hpp"
+#include "program/run/run.hpp"
 
 using namespace actio::scene;
 

@@ -13,8 +13,8 @@
 #include <random>
 #include <thread>
 
-#include "program/output/series.hpp"
 #include "hdf5_table.hpp"
+#include "program/output/series.hpp"
 #include "refused.hpp"
 
 using namespace actio::scene;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 
-#include "program/run/checkpoint.hpp"
 #include "program/base/own_files.hpp"
+#include "program/run/checkpoint.hpp"
 #include "program/run/run.hpp"
 #include "readable_folder.hpp"
 #include "refusal.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "program/systems/bodies/formula_potential.hpp"
 #include "last_row.hpp"
+#include "program/systems/bodies/formula_potential.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio::scene;

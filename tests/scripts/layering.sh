@@ -6,8 +6,8 @@
 # chapters/CMakeLists.txt. A file may include its own module and whatever that reaches; a room of the program
 # its own, whatever that reaches, all of the library and src/book, which draws the pictures of runs; src/app,
 # the command, and src/python, the module for Python, every room and all of the library; src/book no module;
-# src/witness, for checks, tests and programs, numbers and groups. Includes that run in a circle are reported as
-# well. At the end a violation is planted in a copy, and must be found.
+# src/witness, for checks, tests and programs, numbers and groups. Includes that run in a circle are reported
+# as well. At the end a violation is planted in a copy, and must be found.
 set -euo pipefail
 root=$1
 

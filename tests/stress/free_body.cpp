@@ -8,9 +8,9 @@
 #include <chrono>
 
 #include "../fast_body/hard_bodies.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "book/measure.hpp"
 #include "book/program.hpp"
-#include "actio/numbers/multiprecision.hpp"
 
 using namespace actio;
 using namespace actio::bodies;

@@ -1,8 +1,8 @@
 // Random draws: reproducible, evenly spread, the same point at every scalar.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/groups/motions.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;

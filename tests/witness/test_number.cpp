@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "actio/numbers/multiprecision.hpp"
 #include "actio/forms/metric.hpp"
 #include "actio/numbers/linear.hpp"
+#include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/square_root.hpp"
 #include "refused.hpp"

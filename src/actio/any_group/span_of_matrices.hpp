@@ -36,17 +36,11 @@ struct SpanOfMatrices {
   bool cayley_stays() const { return cayley_stays_; }
 
   template <MatrixLike V>
-  auto hat(V const& v) const {
-    return algebra_->hat(v);
-  }
+  auto hat(V const& v) const { return algebra_->hat(v); }
   template <MatrixLike M>
-  auto vee(M const& a) const {
-    return algebra_->vee(a);
-  }
+  auto vee(M const& a) const { return algebra_->vee(a); }
   template <class S>
-  Vector<S> bracket(Vector<S> const& v, Vector<S> const& w) const {
-    return algebra_->bracket(v, w);
-  }
+  Vector<S> bracket(Vector<S> const& v, Vector<S> const& w) const { return algebra_->bracket(v, w); }
   /// @throws Singular        where Cayley's transform has no value
   /// @throws NotInThisField  over the rationals, where the retraction is the exponential
   template <class S>
@@ -60,9 +54,7 @@ struct SpanOfMatrices {
   /// @throws OutsideDomain  at and next to an eigenvalue on the negative axis, and where the principal
   ///                        logarithm is not in the algebra
   template <Real S>
-  Vector<S> log(Matrix<S> const& a) const {
-    return logarithm_in_algebra<SpanOfMatrices, S>(*this, a);
-  }
+  Vector<S> log(Matrix<S> const& a) const { return logarithm_in_algebra<SpanOfMatrices, S>(*this, a); }
   /// Next to an eigenvalue -1, or where the principal logarithm leaves the algebra, the element as it is.
   /// @throws OutsideDomain  where it is not even near the group
   template <Real S>

@@ -80,9 +80,7 @@ class BodyQuadrature {
 
   /// Calls f with the \ref CellKind of the cells, so that loops over corners have a length that is known.
   template <class F>
-  auto with_kind(F const& f) const {
-    return simplex ? f(CellKind<d, true>{}) : f(CellKind<d, false>{});
-  }
+  auto with_kind(F const& f) const { return simplex ? f(CellKind<d, true>{}) : f(CellKind<d, false>{}); }
   /// Where corners of a cell are, given the places of all nodes.
   /// @param periods  whether a corner beyond a seam is moved by its period: not for velocities
   template <class Kind>

@@ -28,21 +28,15 @@ struct SpaceTimeCell {
   Base<S> volume(int l) const { return duration() / Base<S>(2) * geometry->volume[l % corners]; }
   /// The same cell with other values.
   template <class T>
-  SpaceTimeCell<T, n, N> with(Matrix<T, N, nodes> const& values) const {
-    return {geometry, time, values};
-  }
+  SpaceTimeCell<T, n, N> with(Matrix<T, N, nodes> const& values) const { return {geometry, time, values}; }
   /// The same cell over a scalar that extends S.
   template <class T>
-  SpaceTimeCell<T, n, N> cast() const {
-    return with(Matrix<T, N, nodes>(y.template cast<T>()));
-  }
+  SpaceTimeCell<T, n, N> cast() const { return with(Matrix<T, N, nodes>(y.template cast<T>())); }
 };
 
 /// The node at a corner of the cell of the body, at the earlier (0) or the later level (1).
 template <int n>
-constexpr int node_of_corner(int corner, int level) {
-  return corner + level * corners_of_cell<n>;
-}
+constexpr int node_of_corner(int corner, int level) { return corner + level * corners_of_cell<n>; }
 
 /// Whether the discrete jet at node l contains the value at node m: they are the same, or the ends of an edge
 /// of space-time; of a cell with a correction all nodes at a level.

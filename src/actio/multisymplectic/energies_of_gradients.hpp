@@ -125,15 +125,11 @@ Matrix<double, d, d> green_stress_of(FastNeoHookean<Volume> const& medium, Matri
 /// \f$W\f$ of a reader's own law: a callable on deformation gradients over any scalar.
 template <class Law, class T, int d>
   requires std::invocable<Law const&, Matrix<T, d, d> const&>
-T energy_of(Law const& law, Matrix<T, d, d> const& F) {
-  return law(F);
-}
+T energy_of(Law const& law, Matrix<T, d, d> const& F) { return law(F); }
 /// \f$\partial W/\partial F\f$ of a reader's own law, by dual numbers.
 template <class Law, class T, int d>
   requires std::invocable<Law const&, Matrix<T, d, d> const&>
-Matrix<T, d, d> stress_of(Law const& law, Matrix<T, d, d> const& F) {
-  return derivative(law, F).gradient();
-}
+Matrix<T, d, d> stress_of(Law const& law, Matrix<T, d, d> const& F) { return derivative(law, F).gradient(); }
 
 namespace detail {
 /// The upper triangle R with positive diagonal and \f$R^TR = C\f$.
@@ -179,9 +175,7 @@ template <class Medium>
 Weighed(Medium, double) -> Weighed<Medium>;
 /// W of the medium.
 template <class Medium, class T, int d>
-T energy_of(Weighed<Medium> const& weighed, Matrix<T, d, d> const& F) {
-  return energy_of(weighed.medium, F);
-}
+T energy_of(Weighed<Medium> const& weighed, Matrix<T, d, d> const& F) { return energy_of(weighed.medium, F); }
 /// \f$\partial W/\partial F\f$ of the medium.
 template <class Medium, class T, int d>
 Matrix<T, d, d> stress_of(Weighed<Medium> const& weighed, Matrix<T, d, d> const& F) {
@@ -199,9 +193,7 @@ inline Weighed<FastFluid<PolytropicGas>> isentropic_gas(double K, double gamma) 
 }
 /// A medium whose moduli are given per reference volume, not per mass.
 template <class Medium>
-Weighed<Medium> per_volume(Medium const& medium) {
-  return {medium, 0};
-}
+Weighed<Medium> per_volume(Medium const& medium) { return {medium, 0}; }
 
 /// The volume part \f$U = -\mu\log J+\tfrac\kappa2(J-1)^2\f$ of a neo-Hookean solid, free of stress at rest.
 struct QuadraticLaw {
@@ -215,9 +207,7 @@ struct QuadraticLaw {
   }
   /// \f$U'\f$.
   template <class T>
-  T slope(T const& J) const {
-    return (J - 1.0) * kappa - mu / J;
-  }
+  T slope(T const& J) const { return (J - 1.0) * kappa - mu / J; }
   /// \f$U+m\log J\f$ from \f$J-1\f$ and \f$\log J\f$, without loss where these are small and m is \f$\mu\f$.
   double energy_beyond(double m, double j, double log) const { return kappa / 2 * j * j + (m - mu) * log; }
   /// \f$JU'+m\f$, likewise.

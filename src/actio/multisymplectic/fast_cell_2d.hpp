@@ -33,13 +33,9 @@ struct Plane {
   }
 };
 template <class T>
-[[gnu::always_inline]] inline T cross(Plane<T> const& a, Plane<T> const& b) {
-  return a.x * b.y - a.y * b.x;
-}
+[[gnu::always_inline]] inline T cross(Plane<T> const& a, Plane<T> const& b) { return a.x * b.y - a.y * b.x; }
 template <class T>
-[[gnu::always_inline]] inline T dot(Plane<T> const& a, Plane<T> const& b) {
-  return a.x * b.x + a.y * b.y;
-}
+[[gnu::always_inline]] inline T dot(Plane<T> const& a, Plane<T> const& b) { return a.x * b.x + a.y * b.y; }
 
 /// One vector for each edge of a cell: two that go right, two that go up.
 template <class T>
@@ -54,14 +50,10 @@ template <class T>
 }
 /// \copydoc edges_between
 template <class T>
-Edges<T> edges_between(Plane<T> const (&x)[4]) {
-  return edges_between(x[0], x[1], x[2], x[3]);
-}
+Edges<T> edges_between(Plane<T> const (&x)[4]) { return edges_between(x[0], x[1], x[2], x[3]); }
 /// s a.
 template <class T>
-Plane<T> scaled_by(double s, Plane<T> const& a) {
-  return {s * a.x, s * a.y};
-}
+Plane<T> scaled_by(double s, Plane<T> const& a) { return {s * a.x, s * a.y}; }
 /// \f$e_1\times e_2\f$ at the corners: \f$h_1h_2J\f$.
 template <class T>
 [[gnu::always_inline]] inline void areas(Edges<T> const& e, T (&d)[4]) {
@@ -183,9 +175,7 @@ FastNeoHookean(double, Volume) -> FastNeoHookean<Volume>;
 inline FastNeoHookean<LogarithmicLaw> neo_hookean(double lambda, double mu) { return {mu, {lambda, mu}}; }
 /// Blatz and Ko's solid, free of stress at rest: \f$U = \tfrac{\mu}{2m}(J^{-2m}-1)\f$, \f$\lambda = 2m\mu\f$.
 template <int m>
-FastNeoHookean<PolytropicByRoots<1, 2 * m + 1>> blatz_ko(double mu) {
-  return {mu, {mu}};
-}
+FastNeoHookean<PolytropicByRoots<1, 2 * m + 1>> blatz_ko(double mu) { return {mu, {mu}}; }
 
 /// St Venant and Kirchhoff's solid of the fast road: \f$W = \tfrac\lambda2(\Tr E)^2+\mu\Tr E^2\f$ with
 /// \f$E = \tfrac12(C-1)\f$.
@@ -199,9 +189,7 @@ struct FastStVenantKirchhoff {
 namespace detail {
 /// What steps cells of these lengths.
 template <class Medium>
-auto cell_on(Medium const& medium, std::array<double, 2> const& h) {
-  return medium.on(h[0], h[1]);
-}
+auto cell_on(Medium const& medium, std::array<double, 2> const& h) { return medium.on(h[0], h[1]); }
 /// \f$h_1h_2J\f$ at the corners.
 template <class T>
 std::array<T, 4> corner_volumes(Edges<T> const& e) {

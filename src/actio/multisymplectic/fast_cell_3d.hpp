@@ -29,9 +29,7 @@ struct Space {
 };
 /// s a.
 template <class T>
-Space<T> scaled_by(double s, Space<T> const& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
+Space<T> scaled_by(double s, Space<T> const& a) { return {s * a.x, s * a.y, s * a.z}; }
 template <class T>
 [[gnu::always_inline]] inline Space<T> cross(Space<T> const& a, Space<T> const& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -58,17 +56,11 @@ struct Edges3d {
 };
 /// The edge of a direction that ends at corner k.
 template <int k, class T>
-[[gnu::always_inline]] inline T& first_at(T (&edges)[4]) {
-  return edges[k >> 1];
-}
+[[gnu::always_inline]] inline T& first_at(T (&edges)[4]) { return edges[k >> 1]; }
 template <int k, class T>
-[[gnu::always_inline]] inline T& second_at(T (&edges)[4]) {
-  return edges[(k & 1) + 2 * (k >> 2)];
-}
+[[gnu::always_inline]] inline T& second_at(T (&edges)[4]) { return edges[(k & 1) + 2 * (k >> 2)]; }
 template <int k, class T>
-[[gnu::always_inline]] inline T& third_at(T (&edges)[4]) {
-  return edges[k & 3];
-}
+[[gnu::always_inline]] inline T& third_at(T (&edges)[4]) { return edges[k & 3]; }
 
 /// The edges between eight corners.
 template <class T>
@@ -203,13 +195,9 @@ struct StVenantKirchhoffCell3d {
 
  private:
   template <class T>
-  [[gnu::always_inline]] static T square(Space<T> const& a) {
-    return dot(a, a);
-  }
+  [[gnu::always_inline]] static T square(Space<T> const& a) { return dot(a, a); }
   template <class T>
-  [[gnu::always_inline]] static T sum(T const& a, T const& b) {
-    return a + b;
-  }
+  [[gnu::always_inline]] static T sum(T const& a, T const& b) { return a + b; }
   /// The part along the edges of direction i. In the order of these edges the sums u of one other direction
   /// belong to the bit that i shares with it, and so do the sums v of the other.
   template <int i, class T>

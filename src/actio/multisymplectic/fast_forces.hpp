@@ -21,14 +21,10 @@ using VectorOf = std::conditional_t<Box::dimension == 2, Plane<T>, Space<T>>;
 
 /// Component c.
 template <class T>
-T& component(Plane<T>& a, int c) {
-  return c == 0 ? a.x : a.y;
-}
+T& component(Plane<T>& a, int c) { return c == 0 ? a.x : a.y; }
 /// \copydoc component
 template <class T>
-T& component(Space<T>& a, int c) {
-  return c == 0 ? a.x : c == 1 ? a.y : a.z;
-}
+T& component(Space<T>& a, int c) { return c == 0 ? a.x : c == 1 ? a.y : a.z; }
 
 /// Calls `visit(index)` for all indices below n, the first one fastest.
 template <std::size_t d, class Visit>

@@ -224,9 +224,7 @@ template <int n, int p, QuadOrFour T>
 /// A guess from the bits with \f$|t| < 0.2\f$, where \f$t = 1-xy^n\f$; a round that leaves
 /// \f$|t| < 1.5\cdot10^{-4}\f$; and one that leaves less than what a double holds.
 template <int n, QuadOrFour T>
-[[gnu::always_inline]] inline T inverse_root(T const& x) {
-  return better_root<n>(x, first_root<n>(x));
-}
+[[gnu::always_inline]] inline T inverse_root(T const& x) { return better_root<n>(x, first_root<n>(x)); }
 /// The same for other scalars: numbers, and dual numbers.
 template <int n, class T>
 T inverse_root(T const& x) {
@@ -285,8 +283,6 @@ T exp2(T const& x) {
   return exp(std::numbers::ln2 * x);
 }
 template <class T>
-T reciprocal(T const& x) {
-  return T(1) / x;
-}
+T reciprocal(T const& x) { return T(1) / x; }
 
 }  // namespace actio::media::detail

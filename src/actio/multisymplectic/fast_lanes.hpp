@@ -91,27 +91,19 @@ struct Quad {
 
 #if defined(__x86_64__) && defined(__GNUC__)
 template <class Kernel>
-[[gnu::target("avx2,fma")]] void run_with_avx2(Kernel& kernel) {
-  kernel();
-}
+[[gnu::target("avx2,fma")]] void run_with_avx2(Kernel& kernel) { kernel(); }
 template <class Kernel>
 [[gnu::target("avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]] void run_with_avx512(Kernel& kernel) {
   kernel();
 }
 #else
 template <class Kernel>
-void run_with_avx2(Kernel& kernel) {
-  kernel();
-}
+void run_with_avx2(Kernel& kernel) { kernel(); }
 template <class Kernel>
-void run_with_avx512(Kernel& kernel) {
-  kernel();
-}
+void run_with_avx512(Kernel& kernel) { kernel(); }
 #endif
 template <class Kernel>
-void run_with_plain(Kernel& kernel) {
-  kernel();
-}
+void run_with_plain(Kernel& kernel) { kernel(); }
 
 /// Runs a kernel, compiled for these registers. Its call operator must be always_inline.
 template <class Kernel>

@@ -138,9 +138,7 @@ struct PolytropicGas {
   }
   /// \f$U'\f$, speed squared.
   template <class T>
-  [[gnu::always_inline]] T slope(T const& J) const {
-    return second_half(J, first_half(J));
-  }
+  [[gnu::always_inline]] T slope(T const& J) const { return second_half(J, first_half(J)); }
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
@@ -148,9 +146,7 @@ struct PolytropicGas {
   }
   /// \f$\log_2J^{-\gamma}\f$.
   template <class T>
-  [[gnu::always_inline]] T first_half(T const& J) const {
-    return -gamma * detail::log2(J);
-  }
+  [[gnu::always_inline]] T first_half(T const& J) const { return -gamma * detail::log2(J); }
   /// \f$U'\f$ from that, speed squared.
   template <class T>
   [[gnu::always_inline]] T second_half(T const&, T const& log_of_power) const {
@@ -180,9 +176,7 @@ struct LogarithmicLaw {
   }
   /// \f$U'\f$, speed squared.
   template <class T>
-  [[gnu::always_inline]] T slope(T const& J) const {
-    return second_half(J, first_half(J));
-  }
+  [[gnu::always_inline]] T slope(T const& J) const { return second_half(J, first_half(J)); }
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {
@@ -190,9 +184,7 @@ struct LogarithmicLaw {
   }
   /// \f$\log_2J\f$.
   template <class T>
-  [[gnu::always_inline]] T first_half(T const& J) const {
-    return detail::log2(J);
-  }
+  [[gnu::always_inline]] T first_half(T const& J) const { return detail::log2(J); }
   /// \f$U'\f$ from that, speed squared.
   template <class T>
   [[gnu::always_inline]] T second_half(T const& J, T const& log) const {
@@ -226,9 +218,7 @@ struct ReciprocalLaw {
   }
   /// \f$U'\f$, speed squared.
   template <class T>
-  [[gnu::always_inline]] T slope(T const& J) const {
-    return T(b) * J - T(a) / J - T(c);
-  }
+  [[gnu::always_inline]] T slope(T const& J) const { return T(b) * J - T(a) / J - T(c); }
   /// \f$U'\f$ at four corners.
   template <class T>
   [[gnu::always_inline]] void slopes(T const (&J)[4], T (&out)[4]) const {

@@ -110,8 +110,9 @@ struct NotConverged : Error {
  private:
   static std::string message(std::string_view where, std::vector<double> const& residuals, double bound) {
     auto const last = residuals.empty() ? std::string("none") : show(residuals.back());
-    return detail::joined({where, ": no convergence in ", std::to_string(residuals.size()), " iterations, residual ",
-                           last, ", tolerance ", show(bound), "; the step may be too long for the Lagrangian to be regular"});
+    return detail::joined({where, ": no convergence in ", std::to_string(residuals.size()),
+                           " iterations, residual ", last, ", tolerance ", show(bound),
+                           "; the step may be too long for the Lagrangian to be regular"});
   }
 };
 

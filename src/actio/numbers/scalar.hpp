@@ -1,9 +1,9 @@
 // Scalars: the numbers that every formula of the library is written over.
 //
 // A formula is written once and evaluated in double, in 50 or 100 decimal digits, over the rationals (where
-// it needs no root and no transcendental function; multiprecision.hpp has these numbers), and in each of these
-// extended by infinitesimals (dual.hpp) or by powers of the time (taylor.hpp). `Scalar` asks for the four
-// operations; `Real` asks for roots and transcendental functions as well.
+// it needs no root and no transcendental function; multiprecision.hpp has these numbers), and in each of
+// these extended by infinitesimals (dual.hpp) or by powers of the time (taylor.hpp). `Scalar` asks for the
+// four operations; `Real` asks for roots and transcendental functions as well.
 #pragma once
 
 #include <cmath>

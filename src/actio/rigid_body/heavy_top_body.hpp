@@ -133,7 +133,7 @@ struct TurnedHeavyTop {
 /// @param centre  centre of mass from the fixed point, in that frame
 /// @throws NotFinite, OutsideDomain, UnphysicalInertia  as \ref heavy_top and \ref principal_inertia
 TurnedHeavyTop held_anywhere(double mass, Eigen::Matrix3d const& tensor, Eigen::Vector3d const& centre,
-                                    Eigen::Vector3d const& gravity);
+                             Eigen::Vector3d const& gravity);
 
 /// The state of a top that is let go with attitude g and body velocity xi.
 template <Real S>

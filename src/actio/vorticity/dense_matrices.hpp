@@ -57,9 +57,7 @@ Eigen::VectorXd regular_solution(Dense const& gram, Eigen::VectorXd const& b, do
 
 /// a b.
 template <class Dense>
-Dense product_of(Dense const& a, Dense const& b) {
-  return a * b;
-}
+Dense product_of(Dense const& a, Dense const& b) { return a * b; }
 
 extern template Eigen::VectorXd hermitian_values(ComplexMatrix<> const&);
 extern template Eigen::VectorXd hermitian_values(Eigen::MatrixXd const&);

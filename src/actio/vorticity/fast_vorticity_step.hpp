@@ -312,9 +312,7 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
 }
 
 template <class Stream>
-double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
-  return lanczos_radius(a);
-}
+double FastVorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) { return lanczos_radius(a); }
 
 extern template class FastVorticityStep<SphereLaplacian>;
 

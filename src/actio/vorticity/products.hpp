@@ -87,9 +87,7 @@ class EigenProducts : public ProductsBy<EigenProducts> {
 };
 
 template <class Part>
-void EigenProducts::whole(Part const& a, Part const& b, Part& out) const {
-  out.noalias() = a * b;
-}
+void EigenProducts::whole(Part const& a, Part const& b, Part& out) const { out.noalias() = a * b; }
 template <class Part>
 void EigenProducts::lower(Part const& a, Part const& b, Part& out) const {
   out.template triangularView<Eigen::Lower>() = a * b;
@@ -140,9 +138,7 @@ class SkewProducts {
   }
   /// Calls `use(real, imaginary)` with the parts of the B of the last product, which it may change.
   template <class Use>
-  void with_product(Use const& use) {
-    use(real_, imaginary_);
-  }
+  void with_product(Use const& use) { use(real_, imaginary_); }
   /// E = B A = A W A with the A and the B of the last product: skew-Hermitian, so that half of it is
   /// computed.
   void multiply_again(SkewHermitian<Real> const& a, SkewHermitian<Real>& e) {

@@ -44,9 +44,7 @@ struct SkewHermitian {
   }
   /// In another precision.
   template <class T>
-  SkewHermitian<T> cast() const {
-    return {real.template cast<T>(), imaginary.template cast<T>()};
-  }
+  SkewHermitian<T> cast() const { return {real.template cast<T>(), imaginary.template cast<T>()}; }
 
   SkewHermitian& operator+=(SkewHermitian const& other) {
     real += other.real, imaginary += other.imaginary;

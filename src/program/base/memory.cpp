@@ -30,7 +30,8 @@ double number_after(char const* word, char const* path) {
 }
 /// What the group of this process may still take, pages of files that can be dropped not counted as taken.
 double left_in_the_group() {
-  double const most = number_in("/sys/fs/cgroup/memory.max"), taken = number_in("/sys/fs/cgroup/memory.current");
+  double const most = number_in("/sys/fs/cgroup/memory.max"),
+               taken = number_in("/sys/fs/cgroup/memory.current");
   if (most == unknown || taken == unknown) return number_in("/sys/fs/cgroup/memory/memory.limit_in_bytes");
   char const* const statistics = "/sys/fs/cgroup/memory.stat";
   double const dropped = number_after("inactive_file", statistics) + number_after("active_file", statistics);

@@ -54,7 +54,8 @@ std::string own_components_of_member(std::string name, int number) {
 
 std::optional<NamedGroup> named_group(std::string_view word) {
   auto algebra = algebra_of_name(word);
-  if (!algebra && !find_groups(word).empty()) algebra = algebra_of_name(actio::systems::detail::nearest_group(word));
+  if (!algebra && !find_groups(word).empty())
+    algebra = algebra_of_name(actio::systems::detail::nearest_group(word));
   if (!algebra) return {};
   return NamedGroup{algebra->name, algebra->components, velocity_in_words(*algebra)};
 }

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "program/document/input_files.hpp"
 #include "program/base/error.hpp"
+#include "program/document/input_files.hpp"
 
 namespace actio::scene::detail {
 

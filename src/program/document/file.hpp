@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "program/document/input_files.hpp"
 #include "program/base/error.hpp"
+#include "program/document/input_files.hpp"
 
 namespace actio::scene {
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cstring>
 
-#include "program/output/series.hpp"
 #include "program/base/whole_file.hpp"
+#include "program/output/series.hpp"
 
 namespace actio::scene {
 namespace {

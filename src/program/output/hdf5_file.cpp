@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <chrono>
 
-#include "program/output/hdf5_checksums.hpp"
 #include "program/base/error.hpp"
+#include "program/output/hdf5_checksums.hpp"
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>
 #endif

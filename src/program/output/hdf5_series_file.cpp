@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "program/base/whole_file.hpp"
 #include "program/output/hdf5_attributes.hpp"
 #include "program/output/hdf5_file.hpp"
-#include "program/base/whole_file.hpp"
 
 namespace actio::scene::hdf5 {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "program/registry/quantity.hpp"
 #include "program/base/error.hpp"
+#include "program/registry/quantity.hpp"
 
 namespace actio::scene {
 

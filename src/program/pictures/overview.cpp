@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "program/run/drift.hpp"
 #include "program/base/progress.hpp"
 #include "program/output/series_reader.hpp"
+#include "program/run/drift.hpp"
 
 namespace actio::scene {
 namespace {

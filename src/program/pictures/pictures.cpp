@@ -7,17 +7,17 @@
 #include <iterator>
 #include <limits>
 
-#include "program/run/checkpoint.hpp"
-#include "program/run/drift.hpp"
-#include "program/base/own_files.hpp"
-#include "program/pictures/played_medium.hpp"
-#include "program/base/printable.hpp"
-#include "program/base/progress.hpp"
-#include "program/run/run_files.hpp"
-#include "program/output/series_reader.hpp"
-#include "program/registry/units.hpp"
 #include "book/plot.hpp"
 #include "book/sphere.hpp"
+#include "program/base/own_files.hpp"
+#include "program/base/printable.hpp"
+#include "program/base/progress.hpp"
+#include "program/output/series_reader.hpp"
+#include "program/pictures/played_medium.hpp"
+#include "program/registry/units.hpp"
+#include "program/run/checkpoint.hpp"
+#include "program/run/drift.hpp"
+#include "program/run/run_files.hpp"
 
 namespace actio::scene {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <span>
 
-#include "program/pictures/played_medium.hpp"
 #include "book/png.hpp"
 #include "book/program.hpp"
 #include "book/svg.hpp"
+#include "program/pictures/played_medium.hpp"
 
 namespace actio::scene {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "program/catalogue/body_shape.hpp"
-#include "program/base/embedded.hpp"
-#include "program/pictures/pictures.hpp"
-#include "program/base/printable.hpp"
-#include "program/registry/units.hpp"
 #include "book/svg.hpp"
+#include "program/base/embedded.hpp"
+#include "program/base/printable.hpp"
+#include "program/catalogue/body_shape.hpp"
+#include "program/pictures/pictures.hpp"
+#include "program/registry/units.hpp"
 
 namespace actio::scene {
 namespace {

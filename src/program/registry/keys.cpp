@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "actio/numbers/nearest_name.hpp"
-#include "program/registry/common_keys.hpp"
 #include "program/base/printable.hpp"
+#include "program/registry/common_keys.hpp"
 
 namespace actio::scene {
 namespace {

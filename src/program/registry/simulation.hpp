@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "program/base/checkpoint_stream.hpp"
-#include "program/registry/quantity.hpp"
 #include "program/base/error.hpp"
+#include "program/registry/quantity.hpp"
 #include "program/registry/snapshots.hpp"
 
 namespace actio::scene {

@@ -61,7 +61,8 @@ struct SnapshotMaps {
   /// Some of them, from the first to the last that is there, as a picture of that width; empty where the run
   /// has none.
   std::string (*picture)(Scene const& scene, std::string const& folder, double width);
-  /// All of them, or a hundred, as the page of the run has them, in JSON; `null` where there are fewer than two.
+  /// All of them, or a hundred, as the page of the run has them, in JSON; `null` where there are fewer than
+  /// two.
   std::string (*json)(Scene const& scene, std::string const& folder);
 };
 

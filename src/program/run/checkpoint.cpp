@@ -7,10 +7,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "program/document/input_files.hpp"
-#include "program/run/run.hpp"
 #include "program/base/error.hpp"
 #include "program/base/whole_file.hpp"
+#include "program/document/input_files.hpp"
+#include "program/run/run.hpp"
 
 namespace actio::scene {
 namespace {

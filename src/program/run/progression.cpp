@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "program/run/checkpoint.hpp"
-#include "program/document/input_files.hpp"
 #include "program/base/own_files.hpp"
+#include "program/document/input_files.hpp"
+#include "program/run/checkpoint.hpp"
 #include "program/run/run.hpp"
 
 namespace actio::scene {

@@ -8,14 +8,14 @@
 #include <filesystem>
 #include <optional>
 
+#include "program/base/poll_interval.hpp"
+#include "program/base/progress.hpp"
+#include "program/base/whole_file.hpp"
 #include "program/run/change_of_step.hpp"
 #include "program/run/checkpoint.hpp"
 #include "program/run/error_estimate.hpp"
-#include "program/base/poll_interval.hpp"
-#include "program/base/progress.hpp"
 #include "program/run/run_output.hpp"
 #include "program/run/run_position.hpp"
-#include "program/base/whole_file.hpp"
 
 namespace actio::scene {
 namespace {

@@ -6,12 +6,12 @@
 
 #include <functional>
 
+#include "program/base/interrupt.hpp"
+#include "program/output/series.hpp"
+#include "program/registry/scene.hpp"
 #include "program/run/drift.hpp"
 #include "program/run/error_estimate.hpp"
-#include "program/base/interrupt.hpp"
 #include "program/run/progression.hpp"
-#include "program/registry/scene.hpp"
-#include "program/output/series.hpp"
 
 namespace actio::scene {
 

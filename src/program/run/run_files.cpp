@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "program/run/run.hpp"
 #include "program/registry/units.hpp"
+#include "program/run/run.hpp"
 
 namespace actio::scene {
 

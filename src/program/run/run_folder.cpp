@@ -9,8 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "program/base/own_files.hpp"
 #include "program/base/error.hpp"
+#include "program/base/own_files.hpp"
 
 namespace actio::scene {
 namespace {

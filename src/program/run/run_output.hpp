@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "program/output/memory_series.hpp"
 #include "program/base/own_files.hpp"
+#include "program/output/memory_series.hpp"
 #include "program/run/run.hpp"
 #include "program/run/run_files.hpp"
 

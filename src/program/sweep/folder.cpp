@@ -14,8 +14,8 @@
 #include <optional>
 #include <utility>
 
-#include "program/run/checkpoint.hpp"
 #include "program/base/own_files.hpp"
+#include "program/run/checkpoint.hpp"
 
 namespace actio::scene {
 namespace {

@@ -3,10 +3,10 @@
 namespace actio::bodies {
 
 Eigen::MatrixXd ChartedBody::whole(int k) const {
-    Eigen::MatrixXd m(size(), size());
-    for (int j = 0; j < size(); ++j)
-      for (int i = 0; i < size(); ++i) m(i, j) = array(k)[detail::full_entry(shape_, i, j)];
-    return m;
-  }
+  Eigen::MatrixXd m(size(), size());
+  for (int j = 0; j < size(); ++j)
+    for (int i = 0; i < size(); ++i) m(i, j) = array(k)[detail::full_entry(shape_, i, j)];
+  return m;
+}
 
 }  // namespace actio::bodies

@@ -23,37 +23,38 @@ double largest_of_tridiagonal(std::vector<double> const& diagonal, std::vector<d
   return high;
 }
 
-SpinAgainstInertia::SpinAgainstInertia(Eigen::VectorXd lambda, Eigen::MatrixXd m) : lambda_(std::move(lambda)),
-        m_(std::move(m)),
-        start_(Eigen::VectorXd::LinSpaced(lambda_.size(), 1, 2)) {}
+SpinAgainstInertia::SpinAgainstInertia(Eigen::VectorXd lambda, Eigen::MatrixXd m)
+    : lambda_(std::move(lambda)),
+      m_(std::move(m)),
+      start_(Eigen::VectorXd::LinSpaced(lambda_.size(), 1, 2)) {}
 
 double SpinAgainstInertia::operator()(double s, double digits) {
-    Eigen::VectorXd const w = (lambda_.array().square() + s * s).rsqrt();
-    std::vector<Eigen::VectorXd> basis{start_.normalized()};
-    std::vector<double> diagonal, beside;
-    double found = 0;
-    for (int k = 0; k < std::min<int>(static_cast<int>(lambda_.size()), 120); ++k) {
-      Eigen::VectorXd v = minus_square(w, basis.back());
-      diagonal.push_back(v.dot(basis.back()));
-      for (int twice = 0; twice < 2; ++twice)
-        for (auto const& b : basis) v -= v.dot(b) * b;
-      double const before = found;
-      found = largest_of_tridiagonal(diagonal, beside);
-      double const left = v.norm();
-      if (k > 3 && found - before <= digits * digits * found) break;
-      if (!(left > 1e-14 * found)) break;
-      beside.push_back(left);
-      basis.push_back(v / left);
-    }
-    // A value to start from next time, with s nearby: one step nearer the top than before.
-    start_ = minus_square(w, minus_square(w, basis.front())) + 1e-3 * found * found * basis.front();
-    return s * std::sqrt(std::max(0.0, found));
+  Eigen::VectorXd const w = (lambda_.array().square() + s * s).rsqrt();
+  std::vector<Eigen::VectorXd> basis{start_.normalized()};
+  std::vector<double> diagonal, beside;
+  double found = 0;
+  for (int k = 0; k < std::min<int>(static_cast<int>(lambda_.size()), 120); ++k) {
+    Eigen::VectorXd v = minus_square(w, basis.back());
+    diagonal.push_back(v.dot(basis.back()));
+    for (int twice = 0; twice < 2; ++twice)
+      for (auto const& b : basis) v -= v.dot(b) * b;
+    double const before = found;
+    found = largest_of_tridiagonal(diagonal, beside);
+    double const left = v.norm();
+    if (k > 3 && found - before <= digits * digits * found) break;
+    if (!(left > 1e-14 * found)) break;
+    beside.push_back(left);
+    basis.push_back(v / left);
   }
+  // A value to start from next time, with s nearby: one step nearer the top than before.
+  start_ = minus_square(w, minus_square(w, basis.front())) + 1e-3 * found * found * basis.front();
+  return s * std::sqrt(std::max(0.0, found));
+}
 
 }  // namespace detail
 
 double largest_step_n(Inertia<Eigen::Dynamic> const& inertia,
-                             Momentum<SO<Eigen::Dynamic>, double> const& pi) {
+                      Momentum<SO<Eigen::Dynamic>, double> const& pi) {
   if (!is_finite(pi.components)) throw NotFinite("largest_step: body momentum");
   double const size = magnitude(pi.components), unit = magnitude(inertia.lambda);
   if (size == 0) return std::numeric_limits<double>::infinity();

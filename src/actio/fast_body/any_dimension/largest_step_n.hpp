@@ -45,7 +45,6 @@ class SpinAgainstInertia {
 ///
 /// @throws OutsideDomain  where a \f$\Lambda_i\f$ is negative
 /// Accuracy: relative 1e-6 or so.
-double largest_step_n(Inertia<Eigen::Dynamic> const& inertia,
-                             Momentum<SO<Eigen::Dynamic>, double> const& pi);
+double largest_step_n(Inertia<Eigen::Dynamic> const& inertia, Momentum<SO<Eigen::Dynamic>, double> const& pi);
 
 }  // namespace actio::bodies

@@ -15,9 +15,7 @@
 #include "actio/numbers/errors.hpp"
 
 namespace actio::bodies {
-namespace detail {
-
-}  // namespace detail
+namespace detail {}  // namespace detail
 
 /// The moduli of the eigenvalues of a skew matrix, in ascending order: as many as it has rows, those of a
 /// pair equal.

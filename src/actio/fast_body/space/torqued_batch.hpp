@@ -43,7 +43,7 @@ void set_lane(std::array<Pack<4>, n>& x, int l, std::array<double, n> const& y) 
 /// The drift of each lane by itself. A momentum that is no number any more stays: its body is refused after
 /// the run.
 [[gnu::noinline, gnu::cold]] void drift_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p,
-                                                     Four<Pack<4>>& q);
+                                              Four<Pack<4>>& q);
 
 /// Steps of four bodies.
 template <bool orbits>

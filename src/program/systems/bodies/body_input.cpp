@@ -79,7 +79,7 @@ Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInerti
 }
 
 bodies::FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia,
-                     std::vector<std::string>& remarks) {
+                             std::vector<std::string>& remarks) {
   Element<SU2, double> const attitude{{}, read_attitude(initial, remarks)};
   return {read_momentum(initial, inertia), attitude};
 }

@@ -25,7 +25,7 @@ Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& rema
 Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInertia const& inertia);
 /// Attitude and momentum at the start.
 bodies::FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia,
-                     std::vector<std::string>& remarks);
+                             std::vector<std::string>& remarks);
 
 /// The records of `attitude`, `angular_velocity` and `angular_momentum`.
 /// @param momentum  what is said of the momentum

@@ -57,7 +57,8 @@ FormulaPotential::FormulaPotential(std::string const& text, TextPlace const& pla
   }
 }
 
-double FormulaPotential::operator()(bodies::NineEntries const& rotation, double time, bodies::NineEntries& slope) const {
+double FormulaPotential::operator()(bodies::NineEntries const& rotation, double time,
+                                    bodies::NineEntries& slope) const {
   double x[10], y[10];
   std::ranges::copy(rotation, x), x[9] = time;
   tapes_->slope(x, y, work_);
@@ -70,7 +71,8 @@ Eigen::Matrix3d FormulaPotential::curvature(bodies::NineEntries const& rotation,
   tapes_->curvature(x, y, work_);
   return along_turns(rotation, y + 1, y + 10);
 }
-ChangeInTime FormulaPotential::change(bodies::NineEntries const& rotation, double until, double enough) const {
+ChangeInTime FormulaPotential::change(bodies::NineEntries const& rotation, double until,
+                                      double enough) const {
   std::vector<double> x(rotation.begin(), rotation.end());
   x.push_back(0);
   // As many intervals as take about a tenth of a second.

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "actio/fast_body/space/potential_torque.hpp"
-#include "program/registry/change_in_time.hpp"
 #include "program/base/error.hpp"
+#include "program/registry/change_in_time.hpp"
 
 namespace actio::scene {
 

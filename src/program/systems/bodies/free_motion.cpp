@@ -83,11 +83,12 @@ class SteppedMotion : public TurningBody {
 std::unique_ptr<TurningBody> exact_motion(bodies::FreeBody body) {
   return std::make_unique<ExactMotion>(std::move(body));
 }
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::FreeSteps> steps, bodies::FreeState const& start, double step) {
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::FreeSteps> steps,
+                                            bodies::FreeState const& start, double step) {
   return std::make_unique<SteppedMotion<bodies::FreeSteps>>(std::move(steps), start, step);
 }
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::NaturalChartSteps> steps, bodies::FreeState const& start,
-                                            double step) {
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::NaturalChartSteps> steps,
+                                            bodies::FreeState const& start, double step) {
   return std::make_unique<SteppedMotion<bodies::NaturalChartSteps>>(std::move(steps), start, step);
 }
 

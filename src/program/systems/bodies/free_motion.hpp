@@ -17,9 +17,10 @@ using StepsFrom = std::function<Steps(bodies::FreeState const& start, double ste
 /// A free body that goes to any time at once.
 std::unique_ptr<TurningBody> exact_motion(bodies::FreeBody body);
 /// A free body in steps.
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::FreeSteps> steps, bodies::FreeState const& start, double step);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::FreeSteps> steps,
+                                            bodies::FreeState const& start, double step);
 /// The same by the natural-chart scheme.
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::NaturalChartSteps> steps, bodies::FreeState const& start,
-                                            double step);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<bodies::NaturalChartSteps> steps,
+                                            bodies::FreeState const& start, double step);
 
 }  // namespace actio::scene

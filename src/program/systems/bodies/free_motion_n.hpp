@@ -29,7 +29,8 @@ std::vector<double> fractions_of(int order);
 /// In steps of this length, with the attitude or without.
 /// @throws Error  where the step is too long: the first one is tried
 std::unique_ptr<TurningBodyN> stepped_motion_n(StepsOfBodyN const& choice, StartOfBodyN const& start,
-                                               double step, bodies::Sweeps sweeps = bodies::Sweeps::beyond_rounding);
+                                               double step,
+                                               bodies::Sweeps sweeps = bodies::Sweeps::beyond_rounding);
 
 /// What does not move: the momentum, without an attitude, of a body all whose moments are equal; and the
 /// start of a motion that can take no step.

@@ -8,8 +8,8 @@
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
 #include "program/systems/bodies/free_motion.hpp"
-#include "program/systems/method_input.hpp"
 #include "program/systems/bodies/torqued_motion.hpp"
+#include "program/systems/method_input.hpp"
 
 namespace actio::scene {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 #include "program/registry/companion.hpp"
+#include "program/registry/conservation.hpp"
 #include "program/systems/bodies/angle_input.hpp"
 #include "program/systems/bodies/body_n_input.hpp"
-#include "program/registry/conservation.hpp"
 #include "program/systems/bodies/free_motion_n.hpp"
 #include "program/systems/method_input.hpp"
 
@@ -25,7 +25,8 @@ void require_finite_start(SceneTable const& initial, StartOfBodyN const& start, 
                  "angular_velocity: the numbers are too large: energy and |M|^2 are beyond 1e308");
   if (!casimirs) return;
   int const n = start.inertia.group.n;
-  double const largest = bodies::skew_spectrum(start.momentum).maxCoeff(), most = largest_modulus_for_casimirs(n);
+  double const largest = bodies::skew_spectrum(start.momentum).maxCoeff(),
+               most = largest_modulus_for_casimirs(n);
   if (largest > most)
     initial.fail("angular_velocity",
                  fmt::format("angular_velocity: the largest modulus in the spectrum of M is {}; with more "
@@ -104,7 +105,8 @@ Companion companion_of(StepsOfBodyN const& choice, StartOfBodyN const& start, do
   if (choice.chart && !wanted)
     return {nullptr, 0, 0, choice.attitude,
             "not estimated: it costs more than half of the run; output.error_estimate = true asks for it"};
-  bodies::Sweeps const sweeps = choice.order == 2 ? bodies::Sweeps::to_half_the_digits : bodies::Sweeps::to_rounding;
+  bodies::Sweeps const sweeps =
+      choice.order == 2 ? bodies::Sweeps::to_half_the_digits : bodies::Sweeps::to_rounding;
   return companions(
       [&](long multiple) {
         return stepped_motion_n(choice, start, static_cast<double>(multiple) * step, sweeps);

@@ -49,7 +49,8 @@ std::unique_ptr<TurningBody> free_motion(RigidBodyScene const& scene) {
   bool const exact_flow = scene.choice.name == "variational";
   auto const steps = [=](bodies::FreeState const& start, double h) {
     bodies::FreeBody const body(inertia, start.body_momentum, start.attitude);
-    return exact_flow ? bodies::FreeSteps(body, h) : bodies::FreeSteps(body, h, body.moser_veselov_parameters(h, order));
+    return exact_flow ? bodies::FreeSteps(body, h)
+                      : bodies::FreeSteps(body, h, body.moser_veselov_parameters(h, order));
   };
   return stepped_motion(StepsFrom<bodies::FreeSteps>(steps), scene.start, scene.step);
 }

@@ -1,8 +1,8 @@
 // What a scene says of a rigid body in space, free or under a torque, and the motion that it asks for.
 #pragma once
 
-#include "program/systems/method_input.hpp"
 #include "program/systems/bodies/torque_input.hpp"
+#include "program/systems/method_input.hpp"
 
 namespace actio::scene {
 
@@ -14,8 +14,8 @@ struct RigidBodyScene {
   std::vector<std::string> remarks;   ///< what was done to the input
   PrincipalInertia inertia;           ///< of the body
   std::optional<SceneTorque> torque;  ///< none: the body is free
-  bodies::FreeState start;                    ///< momentum and attitude
-  bodies::FreeBody free;                      ///< the body without its torque
+  bodies::FreeState start;            ///< momentum and attitude
+  bodies::FreeBody free;              ///< the body without its torque
   MethodChoice choice;                ///< of the method and its order
   double fastest,  ///< a bound of the angular velocity, or of what else the step is measured by, 1/time
       step;        ///< time

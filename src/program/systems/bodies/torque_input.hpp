@@ -49,8 +49,8 @@ class SceneTorque {
   void check_start(FormulaPotential const& potential, bodies::FreeState const& start) const;
   double pace_of(bodies::GravityGradient const& gradient, bodies::FreeState const& start) const;
   double pace_of(bodies::UniformGravity const& gravity, bodies::FreeState const& start) const;
-  double pace_of(bodies::PotentialTorque<FormulaPotential> const& potential, bodies::FreeState const& start, double until,
-                 std::vector<std::string>& remarks) const;
+  double pace_of(bodies::PotentialTorque<FormulaPotential> const& potential, bodies::FreeState const& start,
+                 double until, std::vector<std::string>& remarks) const;
 
   PrincipalInertia inertia_;
   Place place_;  // of the formula

@@ -74,8 +74,9 @@ void SceneTorque::check_start(FormulaPotential const& potential, bodies::FreeSta
                                          told(value), told(torque[0]), told(torque[1]), told(torque[2])));
 }
 
-double SceneTorque::pace_of(bodies::PotentialTorque<FormulaPotential> const& torque, bodies::FreeState const& start,
-                            double until, std::vector<std::string>& remarks) const {
+double SceneTorque::pace_of(bodies::PotentialTorque<FormulaPotential> const& torque,
+                            bodies::FreeState const& start, double until,
+                            std::vector<std::string>& remarks) const {
   check_start(torque.function(), start);
   Eigen::Matrix3d const inverse = inertia_.inverse_tensor();
   double const kinetic = kinetic_energy(inertia_, start.body_momentum),
@@ -113,9 +114,12 @@ double SceneTorque::pace_of(bodies::PotentialTorque<FormulaPotential> const& tor
   return std::max(moves, change.frequency());
 }
 
-double SceneTorque::pace(bodies::FreeState const& start, double until, std::vector<std::string>& remarks) const {
-  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&torque_)) return pace_of(*gradient, start);
-  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&torque_)) return pace_of(*gravity, start);
+double SceneTorque::pace(bodies::FreeState const& start, double until,
+                         std::vector<std::string>& remarks) const {
+  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&torque_))
+    return pace_of(*gradient, start);
+  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&torque_))
+    return pace_of(*gravity, start);
   return pace_of(std::get<bodies::PotentialTorque<FormulaPotential>>(torque_), start, until, remarks);
 }
 

@@ -43,7 +43,8 @@ class StepsOfTorque : public TorquedMotion {
       on_the_way.step();
       show(on_the_way);
     }
-    body_.emplace(inertia_, now_.body_momentum, now_.attitude, torque_, step, bodies::Splitting(body_->method()));
+    body_.emplace(inertia_, now_.body_momentum, now_.attitude, torque_, step,
+                  bodies::Splitting(body_->method()));
     auto counted = [made](auto&, auto&, long& steps) { steps = made; };
     body_->remember(counted);
     show(*body_);

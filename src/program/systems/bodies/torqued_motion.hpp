@@ -15,7 +15,8 @@
 namespace actio::scene {
 
 /// The torques that a scene may name.
-using AnyTorque = std::variant<bodies::GravityGradient, bodies::UniformGravity, bodies::PotentialTorque<FormulaPotential>>;
+using AnyTorque =
+    std::variant<bodies::GravityGradient, bodies::UniformGravity, bodies::PotentialTorque<FormulaPotential>>;
 
 /// A body under a torque, in steps.
 class TorquedMotion : public TurningBody {

@@ -5,13 +5,13 @@
 #include "actio/reduction/composition.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/system.hpp"
-#include "program/systems/method_input.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
 #include "program/systems/lagrangians/instruments.hpp"
 #include "program/systems/lagrangians/motion.hpp"
 #include "program/systems/lagrangians/pace.hpp"
 #include "program/systems/lagrangians/quantities.hpp"
 #include "program/systems/lagrangians/state.hpp"
+#include "program/systems/method_input.hpp"
 
 namespace actio::scene {
 namespace {

@@ -102,7 +102,8 @@ class GalerkinMotion : public ReducedMotion {
 }  // namespace
 
 std::unique_ptr<ReducedMotion> galerkin_motion(ReducedScheme const& scheme, double step,
-                                               systems::ReducedPoint const& start, std::vector<double> const& velocity,
+                                               systems::ReducedPoint const& start,
+                                               std::vector<double> const& velocity,
                                                Eigen::MatrixXd const& configuration) {
   return std::make_unique<GalerkinMotion>(scheme, step, start, velocity, configuration);
 }

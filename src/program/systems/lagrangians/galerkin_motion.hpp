@@ -11,7 +11,8 @@ namespace actio::scene {
 /// Steps of order 2 s, s the number of stages of the scheme. There are no carried vectors.
 /// @throws Error  where the first step cannot be made
 std::unique_ptr<ReducedMotion> galerkin_motion(ReducedScheme const& scheme, double step,
-                                               systems::ReducedPoint const& start, std::vector<double> const& velocity,
+                                               systems::ReducedPoint const& start,
+                                               std::vector<double> const& velocity,
                                                Eigen::MatrixXd const& configuration);
 
 }  // namespace actio::scene

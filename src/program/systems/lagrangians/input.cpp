@@ -70,7 +70,8 @@ std::map<std::string, double> read_parameters(SceneTable const& system,
 
 /// A vector as long as the matrices have rows; on a group of rigid motions one without its last component is
 /// a direction, which the motion only turns.
-Eigen::VectorXd padded(SceneTable const& table, std::string const& key, systems::MatrixAlgebra const& algebra) {
+Eigen::VectorXd padded(SceneTable const& table, std::string const& key,
+                       systems::MatrixAlgebra const& algebra) {
   auto numbers = table.numbers(key);
   auto const rows = static_cast<std::size_t>(algebra.size);
   bool const motions = algebra.name == "SE(2)" || algebra.name == "SE(3)";
@@ -227,7 +228,8 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   SceneTable system = file.section("system"), initial = file.section("initial");
   systems::MatrixAlgebra algebra = read_algebra(system);
   if (!system.has("side")) system.set("side", "left");
-  systems::Side const side = system.choice("side", "side", {"left", "right"}) == "left" ? systems::Side::left : systems::Side::right;
+  systems::Side const side =
+      system.choice("side", "side", {"left", "right"}) == "left" ? systems::Side::left : systems::Side::right;
   ReducedScene scene;
   scene.carried = read_carried(system, algebra);
   Tape l = read_lagrangian(file, algebra, scene.carried);
@@ -243,7 +245,8 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   scene.system = std::make_shared<systems::ReducedSystem const>(
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
   try {
-    scene.start.momentum = systems::LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
+    scene.start.momentum =
+        systems::LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
   } catch (NotFinite const&) {
     system.fail("lagrangian",
                 "lagrangian: at the start its value or one of its derivatives is no finite number");

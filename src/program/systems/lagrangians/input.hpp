@@ -21,9 +21,9 @@ struct CarriedVector {
 /// A system and its start, as a scene gives them.
 struct ReducedScene {
   std::shared_ptr<systems::ReducedSystem const> system;  ///< of the scene
-  std::vector<CarriedVector> carried;           ///< in the order of the scene
-  Eigen::MatrixXd configuration;                ///< at the start
-  std::vector<double> velocity;                 ///< at the start, 1/time
+  std::vector<CarriedVector> carried;                    ///< in the order of the scene
+  Eigen::MatrixXd configuration;                         ///< at the start
+  std::vector<double> velocity;                          ///< at the start, 1/time
   systems::ReducedPoint start;                           ///< momentum and vectors at the start
 };
 

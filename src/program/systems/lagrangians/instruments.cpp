@@ -42,8 +42,8 @@ class StepMap {
     systems::ChartMap const map(*scheme_.system, scheme_.fractions, velocity_);
     done.point = map(S(h), from, [&](S const& length, std::vector<S> const& v) {
       Matrix<S> const a = systems::hat_of_step(scheme_.system->algebra, length, v);
-      Element<G, S> const moved{group_,
-                                scheme_.system->chart == systems::Chart::cayley ? cayley(a) : matrix_exponential(a)};
+      Element<G, S> const moved{
+          group_, scheme_.system->chart == systems::Chart::cayley ? cayley(a) : matrix_exponential(a)};
       done.motion = scheme_.system->side == systems::Side::left ? done.motion * moved : moved * done.motion;
     });
     return done;

@@ -85,8 +85,8 @@ double length_between(std::vector<double> a, std::vector<double> const& b) {
 
 /// A scheme that preserves the bracket has an energy that hardly changes, or no solution near the motion.
 /// @throws OutsideDomain  where a step changes the energy by more than half of the sizes of its parts
-void require_like_energy(systems::ReducedSystem const& system, systems::ReducedPoint const& start, systems::ReducedPoint const& end,
-                         std::vector<double> velocity) {
+void require_like_energy(systems::ReducedSystem const& system, systems::ReducedPoint const& start,
+                         systems::ReducedPoint const& end, std::vector<double> velocity) {
   systems::LegendreVelocity legendre(system);
   double size = 0;
   auto const energy = [&](systems::ReducedPoint const& at) {

@@ -15,7 +15,7 @@ namespace actio::scene {
 /// A motion whose state is a momentum, carried vectors and, where it is followed, a configuration.
 class ReducedMotion : public Motion {
  public:
-  virtual systems::ReducedPoint const& point() const = 0;             ///< momentum and vectors now
+  virtual systems::ReducedPoint const& point() const = 0;    ///< momentum and vectors now
   virtual Eigen::MatrixXd const& configuration() const = 0;  ///< now; empty where it is not followed
   virtual std::vector<double> const& velocity() const = 0;   ///< near the one now, for searches
   /// So many steps; what fails is thrown as it is.
@@ -30,10 +30,10 @@ class ReducedMotion : public Motion {
 /// What is stepped: the scheme, and from where.
 struct ReducedScheme {
   std::shared_ptr<systems::ReducedSystem const> system;  ///< that is stepped
-  int stages = 0;                               ///< of Galerkin's method; 0: the natural chart
-  std::vector<double> fractions;                ///< of the substeps of the natural chart
-  bool with_configuration = true;               ///< whether configurations are reconstructed
-  std::string name = "natural chart";           ///< of the method, for messages
+  int stages = 0;                                        ///< of Galerkin's method; 0: the natural chart
+  std::vector<double> fractions;                         ///< of the substeps of the natural chart
+  bool with_configuration = true;                        ///< whether configurations are reconstructed
+  std::string name = "natural chart";                    ///< of the method, for messages
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made

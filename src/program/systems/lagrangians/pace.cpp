@@ -30,9 +30,11 @@ double fastest_rate(ReducedScene const& scene, double time) {
   double h = turns > 0 ? std::min(time, 0.05 / turns) : time;
   for (int k = 0; k < 200; ++k) try {
       Eigen::MatrixXd const tangent = systems::tangent_of(
-          [&](systems::ReducedPointOver<Moved<double>> const& x) { return map(Moved<double>(h), x); }, scene.start);
+          [&](systems::ReducedPointOver<Moved<double>> const& x) { return map(Moved<double>(h), x); },
+          scene.start);
       auto const n = tangent.rows();
-      double const radius = systems::eigenvalues_of(tangent - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff();
+      double const radius =
+          systems::eigenvalues_of(tangent - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff();
       auto const after = map(h, systems::ReducedPointOver<double>{scene.start.momentum, scene.start.vectors});
       std::vector<double> v_after = scene.velocity;
       systems::LegendreVelocity(system).solve(after.momentum, after.vectors, v_after);

@@ -124,7 +124,7 @@ std::vector<Quantity> named_quantities(SceneFile const& file) {
 /// Those of the scene: what the symmetry conserves depends on the side, and on whether a vector breaks it.
 std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& scene) {
   std::set<Feature> here{scene.system->side == systems::Side::left ? Feature::left_invariance
-                                                          : Feature::right_invariance};
+                                                                   : Feature::right_invariance};
   Tape const& l = scene.system->lagrangian;
   for (int i = scene.system->dimension(); i < l.inputs; ++i)
     if (l.depends_on(i)) here.insert(Feature::carried_vector);

@@ -11,15 +11,18 @@ using Shown = Quantity::Shown;
 
 /// Frames are drawn in the plane and in space.
 Shown of_configuration(systems::MatrixAlgebra const& algebra) {
-  if ((algebra.size == 2 || algebra.size == 3) && systems::is_of_rotations(algebra)) return Shown::as_rotation;
-  if ((algebra.size == 3 || algebra.size == 4) && systems::is_of_rigid_motions(algebra)) return Shown::as_motion;
+  if ((algebra.size == 2 || algebra.size == 3) && systems::is_of_rotations(algebra))
+    return Shown::as_rotation;
+  if ((algebra.size == 3 || algebra.size == 4) && systems::is_of_rigid_motions(algebra))
+    return Shown::as_motion;
   return Shown::by_curves;
 }
 
 /// A carried vector takes the momentum from its sphere. A sphere is drawn in space alone.
 Shown of_momenta(ReducedScene const& scene) {
   auto const& algebra = scene.system->algebra;
-  bool const sphere = algebra.dimension == 3 && scene.carried.empty() && systems::keeps_length_of_momenta(algebra);
+  bool const sphere =
+      algebra.dimension == 3 && scene.carried.empty() && systems::keeps_length_of_momenta(algebra);
   return sphere ? Shown::on_sphere : Shown::as_trajectory;
 }
 

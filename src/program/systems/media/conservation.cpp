@@ -52,7 +52,8 @@ std::set<Feature> features_of_loops(MediumMesh const& mesh, MediumCells<d> const
   std::set<std::size_t> fixed, forced;
   for (auto const& [side, does] : mesh.sides) {
     bool const force = loads.loads.tractions.contains(side) || loads.loads.pressures.contains(side),
-               moved = loads.sides.contains(side) && loads.sides.at(side).kind == media::BodySide<d>::Kind::moved;
+               moved =
+                   loads.sides.contains(side) && loads.sides.at(side).kind == media::BodySide<d>::Kind::moved;
     if (force || moved || does == "fixed")
       for (std::size_t const node : nodes_of_side(mesh, cells, side))
         (does == "fixed" ? fixed : forced).insert(node);

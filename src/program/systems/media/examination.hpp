@@ -32,9 +32,9 @@ ExaminedStart<d> examined_start(SceneFile const& file, MediumStart& start, Mediu
 /// @return what is no fault and still not what one would expect: a motion that begins with a push
 /// @throws SceneError  where they are not so, with what was found and what would do
 template <int d>
-std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, media::BodyMesh const& body,
-                                        MediumLoads<d> const& loads, ExaminedStart<d> const& start,
-                                        double until);
+std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh,
+                                        media::BodyMesh const& body, MediumLoads<d> const& loads,
+                                        ExaminedStart<d> const& start, double until);
 
 /// The nodes of a side.
 template <int d>

@@ -4,10 +4,12 @@
 
 namespace actio::scene {
 
-std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, media::FastBox2d const& box, double density) {
+std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, media::FastBox2d const& box,
+                                        double density) {
   return fluid_on_fast_road(material, box, density);
 }
-std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, media::FastBox2d const& box, double density) {
+std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, media::FastBox2d const& box,
+                                        double density) {
   return solid_on_fast_road(material, box, density);
 }
 

@@ -5,10 +5,12 @@
 
 namespace actio::scene {
 
-std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, media::FastBox3d const& box, double density) {
+std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, media::FastBox3d const& box,
+                                        double density) {
   return fluid_on_fast_road(material, box, density);
 }
-std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, media::FastBox3d const& box, double density) {
+std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, media::FastBox3d const& box,
+                                        double density) {
   return solid_on_fast_road(material, box, density);
 }
 

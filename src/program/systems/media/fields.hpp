@@ -10,24 +10,24 @@ namespace actio::scene {
 /// A medium as its fields are computed.
 template <int d>
 struct MediumView {
-  using Place = std::array<double, d>;          ///< a point, or a vector
-  MediumMotion<d> const* motion = nullptr;      ///< what moves
-  std::shared_ptr<media::StoredEnergy<d> const> law;   ///< of the material
-  std::function<double(Place const&)> density;  ///< mass per reference volume at X
+  using Place = std::array<double, d>;                ///< a point, or a vector
+  MediumMotion<d> const* motion = nullptr;            ///< what moves
+  std::shared_ptr<media::StoredEnergy<d> const> law;  ///< of the material
+  std::function<double(Place const&)> density;        ///< mass per reference volume at X
 };
 
 /// One deformation gradient of a cell.
 template <int d>
 struct PointOfCell {
-  std::size_t cell;                               ///< which cell
-  int point;                                      ///< of the cell
-  double volume;                                  ///< the reference volume that it stands for
-  double density;                                 ///< mass per reference volume
-  double weight;                                  ///< of W, per reference volume
-  Matrix<double, d, d> F;                         ///< the deformation gradient
-  Matrix<double, d, d> H;                         ///< that of the displacement, F - 1
-  Matrix<double, d, d> inverse;                   ///< of the reference edges
-  double jacobian;                                ///< det F
+  std::size_t cell;                                      ///< which cell
+  int point;                                             ///< of the cell
+  double volume;                                         ///< the reference volume that it stands for
+  double density;                                        ///< mass per reference volume
+  double weight;                                         ///< of W, per reference volume
+  Matrix<double, d, d> F;                                ///< the deformation gradient
+  Matrix<double, d, d> H;                                ///< that of the displacement, F - 1
+  Matrix<double, d, d> inverse;                          ///< of the reference edges
+  double jacobian;                                       ///< det F
   media::CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
 };
 

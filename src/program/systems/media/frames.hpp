@@ -9,8 +9,8 @@
 #pragma once
 
 #include "program/output/hdf5_frames.hpp"
-#include "program/systems/media/fields.hpp"
 #include "program/registry/units.hpp"
+#include "program/systems/media/fields.hpp"
 
 namespace actio::scene {
 

@@ -18,7 +18,8 @@ inline unsigned char vtk_type(media::BodyMesh::Shape shape) {
 }
 /// The corner of a cell that VTK counts as number k: around the faces of box-like ones.
 inline std::size_t vtk_corner(media::BodyMesh::Shape shape, std::size_t k) {
-  bool const boxlike = shape == media::BodyMesh::Shape::quadrilateral || shape == media::BodyMesh::Shape::hexahedron;
+  bool const boxlike =
+      shape == media::BodyMesh::Shape::quadrilateral || shape == media::BodyMesh::Shape::hexahedron;
   return boxlike ? k ^ (k >> 1 & 1) : k;
 }
 

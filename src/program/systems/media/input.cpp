@@ -141,7 +141,8 @@ std::vector<std::string> side_names(MediumMesh const& mesh) {
   else if (mesh.shape == "box")
     for (int k = 0; k < mesh.dimension; ++k)
       for (int end = 0; end < 2; ++end)
-        if (!mesh.periodic[static_cast<std::size_t>(k)]) out.emplace_back(actio::media::detail::side_names[k][end]);
+        if (!mesh.periodic[static_cast<std::size_t>(k)])
+          out.emplace_back(actio::media::detail::side_names[k][end]);
   if (mesh.inner > 0) out.emplace_back("inner");
   if (mesh.outer > 0) out.emplace_back("outer");
   return out;
@@ -193,9 +194,9 @@ media::BodyMesh MediumMesh::make() const {
   if (shape == "box") return media::box_mesh(lower, upper, cells, periodic);
   std::array<int, 2> const n{cells[0], cells[1]};
   media::BodyMesh mesh = shape == "disc"      ? media::disc_mesh(outer, n)
-                  : shape == "annulus" ? media::annulus_mesh(inner, outer, n)
-                  : shape == "ball"    ? media::ball_mesh(outer, n)
-                                       : media::shell_mesh(inner, outer, n);
+                         : shape == "annulus" ? media::annulus_mesh(inner, outer, n)
+                         : shape == "ball"    ? media::ball_mesh(outer, n)
+                                              : media::shell_mesh(inner, outer, n);
   return mesh;
 }
 

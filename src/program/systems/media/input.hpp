@@ -16,16 +16,16 @@ namespace actio::scene {
 
 /// `[system.mesh]`: a body in its reference space.
 struct MediumMesh {
-  std::string shape;                     ///< box, disc, annulus, ball, shell or file
-  int dimension = 2;                     ///< of the body
-  std::vector<double> lower;             ///< corner of a box, length
-  std::vector<double> upper;             ///< the corner across, length
-  std::vector<int> cells;                ///< of a box along each direction; of the others across and along
-  std::vector<bool> periodic;            ///< of a box, along each direction
-  double inner = 0;                      ///< radius of an annulus or a shell inside, length
-  double outer = 0;                      ///< radius of a round body outside, length
+  std::string shape;           ///< box, disc, annulus, ball, shell or file
+  int dimension = 2;           ///< of the body
+  std::vector<double> lower;   ///< corner of a box, length
+  std::vector<double> upper;   ///< the corner across, length
+  std::vector<int> cells;      ///< of a box along each direction; of the others across and along
+  std::vector<bool> periodic;  ///< of a box, along each direction
+  double inner = 0;            ///< radius of an annulus or a shell inside, length
+  double outer = 0;            ///< radius of a round body outside, length
   std::shared_ptr<media::BodyMesh const> read;  ///< from a file; null of the others
-  std::map<std::string, std::string> sides;  ///< what each side does: "free", "fixed", "sliding"
+  std::map<std::string, std::string> sides;     ///< what each side does: "free", "fixed", "sliding"
 
   /// How many cells there will be, and nodes, those of round bodies from above.
   double cell_count() const;

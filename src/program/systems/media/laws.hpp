@@ -41,8 +41,8 @@ struct GasLaw {
   /// U from \f$\log J\f$, without loss where that is small and U is zero at J = 1.
   double energy_beyond(double log) const {
     if (B == 0) return K / (gamma - 1) * std::exp((1 - gamma) * log);
-    return K / (gamma - 1) * media::exponential_beyond_line((1 - gamma) * log) + B * media::exponential_beyond_line(log) +
-           (B - K) * log;
+    return K / (gamma - 1) * media::exponential_beyond_line((1 - gamma) * log) +
+           B * media::exponential_beyond_line(log) + (B - K) * log;
   }
   /// \f$U'\f$, likewise.
   double slope_beyond(double log) const { return (B - K) - K * std::expm1(-gamma * log); }

@@ -186,9 +186,9 @@ class MotionExamination {
 }  // namespace
 
 template <int d>
-std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh, media::BodyMesh const& body,
-                                        MediumLoads<d> const& loads, ExaminedStart<d> const& start,
-                                        double until) {
+std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const& mesh,
+                                        media::BodyMesh const& body, MediumLoads<d> const& loads,
+                                        ExaminedStart<d> const& start, double until) {
   examine_forces<d>(file, mesh, loads);
   auto told = MotionExamination<d>(file, body, loads, start, until).run();
   examine_potentials<d>(file, mesh, body, loads, start.places);
@@ -196,13 +196,16 @@ std::vector<std::string> examined_loads(SceneFile const& file, MediumMesh const&
 }
 
 /// Along a line.
-template std::vector<std::string> examined_loads<1>(SceneFile const&, MediumMesh const&, media::BodyMesh const&,
-                                                    MediumLoads<1> const&, ExaminedStart<1> const&, double);
+template std::vector<std::string> examined_loads<1>(SceneFile const&, MediumMesh const&,
+                                                    media::BodyMesh const&, MediumLoads<1> const&,
+                                                    ExaminedStart<1> const&, double);
 /// In the plane.
-template std::vector<std::string> examined_loads<2>(SceneFile const&, MediumMesh const&, media::BodyMesh const&,
-                                                    MediumLoads<2> const&, ExaminedStart<2> const&, double);
+template std::vector<std::string> examined_loads<2>(SceneFile const&, MediumMesh const&,
+                                                    media::BodyMesh const&, MediumLoads<2> const&,
+                                                    ExaminedStart<2> const&, double);
 /// In space.
-template std::vector<std::string> examined_loads<3>(SceneFile const&, MediumMesh const&, media::BodyMesh const&,
-                                                    MediumLoads<3> const&, ExaminedStart<3> const&, double);
+template std::vector<std::string> examined_loads<3>(SceneFile const&, MediumMesh const&,
+                                                    media::BodyMesh const&, MediumLoads<3> const&,
+                                                    ExaminedStart<3> const&, double);
 
 }  // namespace actio::scene

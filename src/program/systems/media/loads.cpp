@@ -78,7 +78,7 @@ media::SpacePotential<d> read_potential(SceneTable const& table, std::string con
 /// A motion of a side, formulas in X, Y, Z and t.
 template <int d>
 media::PrescribedMotion<d> read_motion(SceneTable const& table, std::string const& side,
-                                std::vector<LoadInTime>& in_time) {
+                                       std::vector<LoadInTime>& in_time) {
   using Place = std::array<double, d>;
   auto variables = first_names({"X", "Y", "Z"}, d);
   variables.emplace_back("t");

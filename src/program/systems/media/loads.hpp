@@ -20,8 +20,8 @@ struct LoadInTime {
 /// What the sides of a body do, those that are moved among them, and its loads.
 template <int d>
 struct MediumLoads {
-  media::BodySides<d> sides;                    ///< by their names
-  media::BodyLoads<d> loads;                    ///< what acts on it
+  media::BodySides<d> sides;             ///< by their names
+  media::BodyLoads<d> loads;             ///< what acts on it
   bool gravity = false;                  ///< whether the first potential is that of gravity
   std::vector<LoadInTime> in_time = {};  ///< those that depend on time
 

@@ -187,11 +187,13 @@ std::shared_ptr<media::StoredEnergy<d> const> stored_energy_of(Material const& m
   auto const& c = material.constants;
   if (name == "polytropic_gas") return media::stored_energy<d>(media::isentropic_gas(c[0], c[1]));
   if (name == "shallow_water") return media::stored_energy<d>(media::isentropic_gas(c[0] / 2, 2));
-  if (name == "tait") return media::stored_energy<d>(media::per_volume(media::FastFluid{GasLaw{c[0], c[1], c[0]}}));
+  if (name == "tait")
+    return media::stored_energy<d>(media::per_volume(media::FastFluid{GasLaw{c[0], c[1], c[0]}}));
   if (name == "saint_venant_kirchhoff")
     return media::stored_energy<d>(media::per_volume(media::FastStVenantKirchhoff{c[0], c[1]}));
   if (name == "neo_hookean")
-    return media::stored_energy<d>(media::per_volume(media::FastNeoHookean{c[0], media::QuadraticLaw{c[0], c[1]}}));
+    return media::stored_energy<d>(
+        media::per_volume(media::FastNeoHookean{c[0], media::QuadraticLaw{c[0], c[1]}}));
   return media::stored_energy<d>(
       media::per_volume(MooneyRivlinOfGradient{MooneyRivlin{c[0], c[1], LogarithmicVolume<double>{c[2]}}}));
 }

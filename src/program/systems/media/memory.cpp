@@ -99,9 +99,10 @@ double bytes_on_plain_road(Counted const& body, MediumMesh const& mesh, Request 
     held += (does != "free" ? 1 : 0) / std::max(1.0, static_cast<double>(mesh.sides.size()));
   // A body has so many nodes on its sides.
   double const surface = 2 * body.d * std::pow(body.nodes, 1 - 1 / body.d);
-  double const cell = 32 + 4 * body.corners + (body.around ? 8 + body.corners : 0) +
-                      8 * body.points * (body.d * body.d + 2) + (viscous ? 8 : 0) +
-                      (body.corners == 8 && mesh.shape != "box" ? sizeof(media::CornerCorrection<double, 3>) : 0);
+  double const cell =
+      32 + 4 * body.corners + (body.around ? 8 + body.corners : 0) + 8 * body.points * (body.d * body.d + 2) +
+      (viscous ? 8 : 0) +
+      (body.corners == 8 && mesh.shape != "box" ? sizeof(media::CornerCorrection<double, 3>) : 0);
   double const kept = 24 * body.nodes + cell * body.cells + 8 * body.nodes +
                       (24 + held * (32 + 8 * (body.d + body.d * body.d))) * surface +
                       (13 + (viscous ? 2 : 0)) * body.vector +

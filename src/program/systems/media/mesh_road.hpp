@@ -23,13 +23,13 @@ class MotionOnMesh : public MediumMotion<d> {
 /// What the plain road steps.
 template <int d>
 struct MeshRoad {
-  media::BodyMesh mesh;                       ///< of the body; the motion takes it
-  Material material;                   ///< of the body
-  std::shared_ptr<MediumStart> start;  ///< how it begins
-  MediumLoads<d> loads;                ///< what acts on it
-  int order = 2;                       ///< of the steps: 2 or 4
+  media::BodyMesh mesh;                              ///< of the body; the motion takes it
+  Material material;                                 ///< of the body
+  std::shared_ptr<MediumStart> start;                ///< how it begins
+  MediumLoads<d> loads;                              ///< what acts on it
+  int order = 2;                                     ///< of the steps: 2 or 4
   media::Conserve conserve = media::Conserve::form;  ///< what they keep
-  media::ArtificialViscosity viscosity = {};  ///< what spreads shocks
+  media::ArtificialViscosity viscosity = {};         ///< what spreads shocks
 
   /// The motion, which has no step before it is begun with one.
   std::unique_ptr<MotionOnMesh<d>> motion();

@@ -13,9 +13,9 @@ std::vector<Method> medium_methods();
 
 /// `[method]` without the step.
 struct MediumMethod {
-  int order = 2;                       ///< of the steps: 2 or 4
+  int order = 2;                                     ///< of the steps: 2 or 4
   media::Conserve conserve = media::Conserve::form;  ///< what they keep
-  media::ArtificialViscosity viscosity = {};  ///< what spreads shocks
+  media::ArtificialViscosity viscosity = {};         ///< what spreads shocks
   /// Whether steps are those of the fast road.
   bool plain() const { return order == 2 && conserve == media::Conserve::form && !viscosity.any(); }
 };

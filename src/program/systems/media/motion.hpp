@@ -19,7 +19,7 @@ class MediumCells {
     std::array<unsigned char, 8> wraps{};  ///< of the corners
   };
   virtual ~MediumCells() = default;
-  virtual media::BodyMesh::Shape shape() const = 0;               ///< of every cell
+  virtual media::BodyMesh::Shape shape() const = 0;        ///< of every cell
   virtual std::size_t nodes() const = 0;                   ///< how many there are
   virtual std::size_t cells() const = 0;                   ///< how many there are
   virtual Place reference(std::size_t node) const = 0;     ///< X of a node, length
@@ -132,7 +132,7 @@ class MediumMotion : public Motion {
   virtual std::vector<Place> places() const = 0;      ///< of the nodes, length
   virtual std::vector<Place> velocities() const = 0;  ///< of the nodes, length/time
   virtual double mass(std::size_t node) const = 0;    ///< of a node
-  virtual media::BodyEnergies energies() const = 0;          ///< now
+  virtual media::BodyEnergies energies() const = 0;   ///< now
   virtual double dissipated() const { return 0; }     ///< by viscosity, energy
 
  private:

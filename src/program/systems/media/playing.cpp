@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "program/output/series_reader.hpp"
+#include "program/registry/units.hpp"
 #include "program/systems/media/grid.hpp"
 #include "program/systems/media/snapshots.hpp"
-#include "program/registry/units.hpp"
 
 namespace actio::scene {
 namespace {

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include "program/run/checkpoint.hpp"
 #include "program/base/number_table.hpp"
+#include "program/base/whole_file.hpp"
+#include "program/registry/units.hpp"
+#include "program/run/checkpoint.hpp"
 #include "program/systems/media/frames.hpp"
 #include "program/systems/media/grid.hpp"
 #include "program/systems/media/playing.hpp"
 #include "program/systems/media/vtu_file.hpp"
-#include "program/registry/units.hpp"
-#include "program/base/whole_file.hpp"
 
 namespace actio::scene {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "program/base/memory.hpp"
 #include "program/systems/media/conservation.hpp"
 #include "program/systems/media/crossing.hpp"
 #include "program/systems/media/examination.hpp"
@@ -14,7 +15,6 @@
 #include "program/systems/media/method.hpp"
 #include "program/systems/media/quantities.hpp"
 #include "program/systems/media/snapshots.hpp"
-#include "program/base/memory.hpp"
 
 namespace actio::scene {
 namespace {

@@ -93,8 +93,8 @@ class WallWatch {
     return true;
   }
 
-  void examine(media::SpacePotential<d> const& potential, std::size_t node, Place const& x0, Known const& first,
-               Place const& x1, Known const& last, double step, double time) const {
+  void examine(media::SpacePotential<d> const& potential, std::size_t node, Place const& x0,
+               Known const& first, Place const& x1, Known const& last, double step, double time) const {
     auto const along = [&](Place const& g) {
       double sum = 0;
       for (int a = 0; a < d; ++a) sum += g[a] * (x1[a] - x0[a]);

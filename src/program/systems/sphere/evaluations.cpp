@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/systems/sphere/powers.hpp"
-#include "program/systems/sphere/quantities.hpp"
 #include "actio/vorticity/canonical_splitting.hpp"
 #include "actio/vorticity/sphere_invariants.hpp"
+#include "program/systems/sphere/powers.hpp"
+#include "program/systems/sphere/quantities.hpp"
 
 namespace actio::scene {
 namespace {
@@ -18,8 +18,9 @@ void define_quadratic_invariants(QuantityGraph& graph, VorticityMotion const& mo
   graph.define("energy", {""}, [&motion, flow](auto, double* energy) {
     *energy = sphere::vorticity_energy(flow->stream, motion.vorticity_but_for_rotation());
   });
-  graph.define("enstrophy", {""},
-               [&motion](auto, double* out) { *out = sphere::enstrophy(motion.vorticity_but_for_rotation()); });
+  graph.define("enstrophy", {""}, [&motion](auto, double* out) {
+    *out = sphere::enstrophy(motion.vorticity_but_for_rotation());
+  });
   // The root of the integral of the square of a coordinate, times that of the vorticity: no flow has more. It
   // is that of the flow, beside which the momentum of the sphere's own rotation may be large; but not so
   // small that the rounding of that is all there is to see.

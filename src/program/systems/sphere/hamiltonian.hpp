@@ -6,8 +6,8 @@
 // the sphere does follow from the stream function.
 #pragma once
 
-#include "program/registry/system.hpp"
 #include "actio/vorticity/matrix_harmonics.hpp"
+#include "program/registry/system.hpp"
 
 namespace actio::scene {
 

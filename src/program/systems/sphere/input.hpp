@@ -10,12 +10,12 @@ namespace actio::scene {
 
 /// A flow at the start.
 struct VorticityStart {
-  int n = 0;                      ///< N
-  SphereHamiltonian hamiltonian;  ///< of the flow
-  double rotation = 0;            ///< of the sphere, 1/time
-  sphere::SphereHarmonics relative;       ///< the vorticity relative to the sphere
-  sphere::SkewHermitian<> matrix;         ///< the same as a matrix
-  std::string key;                ///< of [initial] that says it
+  int n = 0;                         ///< N
+  SphereHamiltonian hamiltonian;     ///< of the flow
+  double rotation = 0;               ///< of the sphere, 1/time
+  sphere::SphereHarmonics relative;  ///< the vorticity relative to the sphere
+  sphere::SkewHermitian<> matrix;    ///< the same as a matrix
+  std::string key;                   ///< of [initial] that says it
 };
 
 /// `system.N`.

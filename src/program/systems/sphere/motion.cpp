@@ -21,11 +21,13 @@ namespace {
 /// slowly: in a frame at rest a step has no correction that would keep the angular momentum along the axis.
 /// @param fast  a rate, 1/time
 sphere::TurningFrame frame_about_pole(sphere::QuantizedSphere const& sphere, SphereStream const& stream,
-                              sphere::SkewHermitian<> const& w, double fast) {
+                                      sphere::SkewHermitian<> const& w, double fast) {
   sphere::TurningFrame frame;
-  sphere::SkewHermitian<> const turned = frame.turn(sphere, w), moves = sphere::commutator(stream.solve(w), w);
+  sphere::SkewHermitian<> const turned = frame.turn(sphere, w),
+                                moves = sphere::commutator(stream.solve(w), w);
   double const size = sphere::inner_product(turned, turned);
-  if (size > 1e-26 * sphere::inner_product(w, w)) frame.rate = -sphere::inner_product(moves, turned) / (sphere.hbar() * size);
+  if (size > 1e-26 * sphere::inner_product(w, w))
+    frame.rate = -sphere::inner_product(moves, turned) / (sphere.hbar() * size);
   if (frame.rate == 0 && sphere::norm(moves) > 0) frame.rate = 1e-9 * fast;
   return frame;
 }
@@ -52,7 +54,8 @@ template void remember_matrix(CheckpointStream&, sphere::SkewHermitian<double>&,
 
 StateDistance VorticityMotion::distance(Motion const& other) const {
   auto const w = vorticity_but_for_rotation();
-  return {0, sphere::norm(w - dynamic_cast<VorticityMotion const&>(other).vorticity_but_for_rotation()), sphere::norm(w)};
+  return {0, sphere::norm(w - dynamic_cast<VorticityMotion const&>(other).vorticity_but_for_rotation()),
+          sphere::norm(w)};
 }
 
 SphereStream::SphereStream(int n, SphereHamiltonian const& hamiltonian)
@@ -109,7 +112,8 @@ void SphereFlow::take_apart(sphere::SkewHermitian<> const& relative, sphere::Con
     apart.upright = {std::atan2(sine, axis[2]), axis.cross(pole) / sine};
   else if (axis[2] < 0)
     apart.upright.angle() = M_PI;
-  if (apart.upright.angle() != 0) rest = sphere::Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
+  if (apart.upright.angle() != 0)
+    rest = sphere::Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
   apart.flow = std::move(rest);
   apart.background = {b, conserved == sphere::Conserved::lie_poisson ? 0 : calmest_stream(b)};
   // Beside bX the stream function of all has -bX/(2 + gamma), which the frame takes away but for its part.
@@ -152,7 +156,8 @@ std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow co
     return std::make_unique<SteppedVorticity<Step, Stream>>(std::move(flow), scheme, step);
   };
   if (flow->hamiltonian.layer())
-    return with.template operator()<sphere::VorticityStep<sphere::HelmholtzStream>, sphere::HelmholtzStream>();
+    return with
+        .template operator()<sphere::VorticityStep<sphere::HelmholtzStream>, sphere::HelmholtzStream>();
   if (scheme.to_rounding || flow->apart.is_there())
     return with.template operator()<sphere::VorticityStep<>, sphere::SphereLaplacian>();
   return with.template operator()<sphere::FastVorticityStep<>, sphere::SphereLaplacian>();

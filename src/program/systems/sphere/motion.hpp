@@ -6,8 +6,8 @@
 // angle that is the rate times the time, multiplied and never accumulated.
 #pragma once
 
-#include "program/registry/simulation.hpp"
 #include "actio/vorticity/skew_hermitian.hpp"
+#include "program/registry/simulation.hpp"
 
 #include <Eigen/Core>
 

@@ -38,11 +38,13 @@ class CommutingProducts {
 
 Eigen::VectorXd vorticity_casimirs(sphere::Products const& products, sphere::SkewHermitian<> const& w) {
   CommutingProducts product(products, w.size());
-  sphere::SkewHermitian<> const square = product(w, w), cube = product(square, w), fourth = product(square, square);
+  sphere::SkewHermitian<> const square = product(w, w), cube = product(square, w),
+                                fourth = product(square, square);
   // Tr(X Y) = <X, Y>.
   Eigen::VectorXd casimirs(7);
-  casimirs << sphere::inner_product(w, w), sphere::inner_product(w, square), sphere::inner_product(square, square),
-      sphere::inner_product(square, cube), sphere::inner_product(cube, cube), sphere::inner_product(cube, fourth),
+  casimirs << sphere::inner_product(w, w), sphere::inner_product(w, square),
+      sphere::inner_product(square, square), sphere::inner_product(square, cube),
+      sphere::inner_product(cube, cube), sphere::inner_product(cube, fourth),
       sphere::inner_product(fourth, fourth);
   return sphere::QuantizedSphere(static_cast<int>(w.size())).area_element() * casimirs;
 }
@@ -63,7 +65,8 @@ Eigen::VectorXd vorticity_eigenvalues(sphere::SkewHermitian<> const& w) {
         return Eigen::Map<Eigen::MatrixXd const, 0, Stride>(part.data() + at, count, count,
                                                             Stride(fold * n, fold));
       };
-      all.segment(found, count) = sphere::vorticity_values(sphere::SkewHermitian<>(block(w.real), block(w.imaginary)));
+      all.segment(found, count) =
+          sphere::vorticity_values(sphere::SkewHermitian<>(block(w.real), block(w.imaginary)));
       found += count;
     }
   }

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <thread>
 
-#include "program/base/blas_library.hpp"
 #include "actio/vorticity/bracket_blocks.hpp"
+#include "program/base/blas_library.hpp"
 
 namespace actio::scene {
 namespace {
@@ -26,7 +26,8 @@ int threads_for(int n) {
 
 }  // namespace
 
-sphere::Products products_of_flow(sphere::SkewHermitian<> const& absolute, std::vector<std::string>& remarks) {
+sphere::Products products_of_flow(sphere::SkewHermitian<> const& absolute,
+                                  std::vector<std::string>& remarks) {
   int const n = static_cast<int>(absolute.size()), fold = sphere::symmetry_of(absolute);
   int const size = fold > 1 ? (n + fold - 1) / fold : n;
   sphere::Products products = sphere::eigen_products();

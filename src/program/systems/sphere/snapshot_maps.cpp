@@ -6,13 +6,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "program/systems/sphere/input.hpp"
-#include "program/registry/units.hpp"
 #include "actio/vorticity/sphere_transform.hpp"
 #include "actio/vorticity/symbols.hpp"
 #include "book/plot.hpp"
 #include "book/png.hpp"
 #include "book/svg.hpp"
+#include "program/registry/units.hpp"
+#include "program/systems/sphere/input.hpp"
 
 namespace actio::scene {
 namespace {
@@ -57,15 +57,17 @@ Maps maps_of(Scene const& scene, std::string const& folder, long most, int rows)
   if (maps.of == 0) return maps;
   int const n = read_matrix_size(scene.file.section("system")), columns = 2 * rows;
   SceneTable const output = scene.file.section("output");
-  sphere::Symbol const symbol =
-      output.has("symbol") && output.text("symbol") == "weyl" ? sphere::Symbol::weyl : sphere::Symbol::berezin;
+  sphere::Symbol const symbol = output.has("symbol") && output.text("symbol") == "weyl"
+                                    ? sphere::Symbol::weyl
+                                    : sphere::Symbol::berezin;
   sphere::SphereGrid const grid = sphere::SphereGrid::uniform(rows, columns);
   std::vector<sphere::GridField> fields;
   long const count = std::min(maps.of, most);
   for (long k = 0; k < count; ++k) {
     long const number = count == 1 ? 0 : (k * (maps.of - 1) + (count - 1) / 2) / (count - 1);
     maps.times.push_back(scene.snapshots->time(number));
-    fields.push_back(sphere::values_on(grid, sphere::symbol_of(read_harmonics_file(file(number), n), symbol)));
+    fields.push_back(
+        sphere::values_on(grid, sphere::symbol_of(read_harmonics_file(file(number), n), symbol)));
     maps.largest = std::max(maps.largest, fields.back().cwiseAbs().maxCoeff());
   }
   double const scale = maps.largest > 0 ? 127 / maps.largest : 0;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "program/run/checkpoint.hpp"
 #include "program/base/number_table.hpp"
-#include "program/systems/sphere/input.hpp"
 #include "program/registry/units.hpp"
+#include "program/run/checkpoint.hpp"
+#include "program/systems/sphere/input.hpp"
 
 namespace actio::scene {
 namespace {
@@ -200,7 +200,8 @@ class VorticitySnapshots : public SnapshotWriter {
     if (netcdf_ || asks("u") || asks("v")) return all_fields(f);
     sphere::FlowFields out;
     if (asks("streamfunction")) {
-      auto both = sphere::values_on(grid_, {f, sphere::stream_function(file_.hamiltonian.laplacian_of_psi(f))});
+      auto both =
+          sphere::values_on(grid_, {f, sphere::stream_function(file_.hamiltonian.laplacian_of_psi(f))});
       out.vorticity = std::move(both[0]), out.streamfunction = std::move(both[1]);
     } else {
       out.vorticity = sphere::values_on(grid_, f);

@@ -4,11 +4,11 @@
 
 #include <memory>
 
+#include "actio/vorticity/sphere_flow.hpp"
+#include "actio/vorticity/symbols.hpp"
 #include "program/registry/system.hpp"
 #include "program/systems/sphere/hamiltonian.hpp"
 #include "program/systems/sphere/motion.hpp"
-#include "actio/vorticity/sphere_flow.hpp"
-#include "actio/vorticity/symbols.hpp"
 
 namespace actio::scene {
 
@@ -29,7 +29,7 @@ std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
 struct FieldsFile {
   std::string title;              ///< of the scene
   std::string time_unit;          ///< "s", "h", ...; empty where it is not known
-  sphere::Symbol symbol;                  ///< of the fields
+  sphere::Symbol symbol;          ///< of the fields
   SphereHamiltonian hamiltonian;  ///< by which a vorticity has a stream function
 
   /// Makes a file without a time.

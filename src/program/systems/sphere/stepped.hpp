@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/systems/sphere/steps.hpp"
 #include "actio/vorticity/sphere_invariants.hpp"
+#include "program/systems/sphere/steps.hpp"
 
 namespace actio::scene {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <variant>
 
-#include "program/systems/sphere/hamiltonian.hpp"
-#include "program/systems/sphere/motion.hpp"
 #include "actio/vorticity/fast_vorticity_step.hpp"
 #include "actio/vorticity/helmholtz_stream.hpp"
+#include "program/systems/sphere/hamiltonian.hpp"
+#include "program/systems/sphere/motion.hpp"
 
 namespace actio::scene {
 
@@ -30,7 +30,7 @@ class SphereStream {
 
 /// How a flow is stepped.
 struct SphereScheme {
-  sphere::Conserved conserved;            ///< beside the spectrum
+  sphere::Conserved conserved;    ///< beside the spectrum
   bool to_rounding;               ///< whether the equation of a step is solved in double precision throughout
   std::vector<double> fractions;  ///< of a step, those of the substeps
 
@@ -53,14 +53,14 @@ struct ApartFromPlanet {
 
 /// A flow, the frame that it is stepped in, and the frame that it is told in.
 struct SphereFlow {
-  sphere::QuantizedSphere sphere;         ///< of the matrices
-  SphereHamiltonian hamiltonian;  ///< of the flow
-  SphereStream stream;            ///< that of the Hamiltonian
-  double rotation;                ///< of the sphere, 1/time
-  sphere::SkewHermitian<> start;          ///< the absolute vorticity
-  sphere::TurningFrame frame;             ///< in which it is stepped
-  ApartFromPlanet apart;          ///< what is stepped in the place of it, where the sphere turns fast
-  sphere::Products products;              ///< of the matrices of a step
+  sphere::QuantizedSphere sphere;  ///< of the matrices
+  SphereHamiltonian hamiltonian;   ///< of the flow
+  SphereStream stream;             ///< that of the Hamiltonian
+  double rotation;                 ///< of the sphere, 1/time
+  sphere::SkewHermitian<> start;   ///< the absolute vorticity
+  sphere::TurningFrame frame;      ///< in which it is stepped
+  ApartFromPlanet apart;           ///< what is stepped in the place of it, where the sphere turns fast
+  sphere::Products products;       ///< of the matrices of a step
 
   /// The frame turns about the angular momentum, at the rate at which the flow changes least. For the
   /// energy-Casimir form on a sphere that rotates it turns about the pole: that form keeps the energy of the
@@ -68,8 +68,9 @@ struct SphereFlow {
   /// to keep energy and enstrophy relative to the sphere.
   /// @param relative  the vorticity relative to the sphere
   /// @param remarks   what a user might want to know of it
-  SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, sphere::SkewHermitian<> const& relative,
-             sphere::Conserved conserved, std::vector<std::string>& remarks);
+  SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere,
+             sphere::SkewHermitian<> const& relative, sphere::Conserved conserved,
+             std::vector<std::string>& remarks);
 
   /// From so many times the vorticity of the rest on, what turns as a whole is kept apart. In their sum a
   /// step in single precision rounds the flow as many times as much; and it would not hold energy and

@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "actio/reduction/composition.hpp"
+#include "actio/vorticity/resolution.hpp"
+#include "program/base/memory.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
 #include "program/systems/method_input.hpp"
-#include "program/systems/sphere/snapshot_maps.hpp"
 #include "program/systems/sphere/input.hpp"
-#include "program/base/memory.hpp"
 #include "program/systems/sphere/memory.hpp"
 #include "program/systems/sphere/quantities.hpp"
+#include "program/systems/sphere/snapshot_maps.hpp"
 #include "program/systems/sphere/snapshots.hpp"
-#include "actio/vorticity/resolution.hpp"
 
 namespace actio::scene {
 namespace {
@@ -80,8 +80,8 @@ void require_memory(SceneTable const& system, SphereScheme const& scheme,
 }
 
 /// Squares and cubes of the numbers, and what else was asked for, are numbers.
-void require_size(SceneTable const& initial, VorticityStart const& start, sphere::SkewHermitian<> const& absolute,
-                  bool casimirs) {
+void require_size(SceneTable const& initial, VorticityStart const& start,
+                  sphere::SkewHermitian<> const& absolute, bool casimirs) {
   double const largest =
       std::max(absolute.real.cwiseAbs().maxCoeff(), absolute.imaginary.cwiseAbs().maxCoeff());
   double const most = casimirs ? largest_norm_for_casimirs / start.n : 1e90, least = 1e-90;
@@ -178,7 +178,8 @@ Simulation prepare(Request const& request) {
 
   Simulation simulation(with_conserved("vorticity_sphere", vorticity_quantities()));
   VorticityStart start = read_vorticity_start(request.file, simulation.remarks);
-  require_size(initial, start, start.matrix + sphere::planetary_vorticity(sphere::QuantizedSphere(start.n), start.rotation),
+  require_size(initial, start,
+               start.matrix + sphere::planetary_vorticity(sphere::QuantizedSphere(start.n), start.rotation),
                asked("casimirs"));
   auto const flow = std::make_shared<SphereFlow const>(start.hamiltonian, start.rotation, start.matrix,
                                                        scheme.conserved, simulation.remarks);
