@@ -121,9 +121,6 @@ struct SpannedGroup {
   };
   std::shared_ptr<Data const> data;
 
-  // Everything below is compiled wherever this header is read: plain loops, since each matrix expression over
-  // whole numbers costs a tenth of a second there.
-
   static int largest_entry(WholeMatrix const& e) {
     int largest = 0;
     for (Index i = 0; i < e.size(); ++i) largest = std::max(largest, std::abs(e(i)));

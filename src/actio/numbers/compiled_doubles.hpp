@@ -9,6 +9,7 @@ namespace actio::detail {
 
 using ThreeSlopes = Dual<double, 3>;
 
+/// @cond
 // With `extern` for ACTIO_TEMPLATE these are declared, without it they are compiled.
 #define ACTIO_COMPILED_ELIMINATION(S, size, columns) \
   ACTIO_TEMPLATE void eliminate(Matrix<S, size, size>&, MatrixView<S, size, columns>, char const*);
@@ -25,5 +26,6 @@ using ThreeSlopes = Dual<double, 3>;
 #define ACTIO_TEMPLATE extern template
 ACTIO_COMPILED_DOUBLES
 #undef ACTIO_TEMPLATE
+/// @endcond
 
 }  // namespace actio::detail

@@ -19,14 +19,17 @@ using dec100 =
 using rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
+/// Numbers of Boost.Multiprecision are plain; the rational ones are exact.
 template <class Backend>
 struct NumberTraits<boost::multiprecision::number<Backend, boost::multiprecision::et_off>> {
-  static constexpr bool plain = true, exact = std::same_as<Backend, boost::multiprecision::gmp_rational>;
+  static constexpr bool plain = true;  ///< extended by nothing
+  static constexpr bool exact = std::same_as<Backend, boost::multiprecision::gmp_rational>;  ///< without rounding
 };
 
 /// The root of a rational number p/q where p and q are squares.
 template <>
 struct ExactRoot<rational> {
+  /// The root, or nothing where x is no square.
   static std::optional<rational> of(rational const& x) {
     using boost::multiprecision::mpz_int;
     if (x < 0) return {};

@@ -35,7 +35,8 @@ concept ChosenAtRunTime = requires {
 /// arithmetic has no rounding at all.
 template <class S>
 struct NumberTraits {
-  static constexpr bool plain = std::is_arithmetic_v<S>, exact = false;
+  static constexpr bool plain = std::is_arithmetic_v<S>;  ///< extended by nothing
+  static constexpr bool exact = false;                    ///< without rounding
 };
 
 /// A plain number: extended by nothing.

@@ -6,8 +6,6 @@ namespace detail {
 
 double spin_against_inertia(Vector<double> const& lambda, Matrix<double> const& m, double t) {
   double const s = std::exp(t);
-  // Plain loops: this is no template, so every unit that includes the header compiles it, and Eigen's product
-  // of matrices takes the compiler half a second.
   Index const n = lambda.size();
   // [longest_step]
   Vector<double> w(n);
