@@ -50,7 +50,7 @@ export function housePlan(house) {
   const boxes = [...house.values()].map(({ name }) => {
     const { x, y } = place.get(name);
     const box = `<rect x="${x - wide / 2}" y="${y - high / 2}" width="${wide}" height="${high}" rx="5"/>`;
-    return `${box}<text x="${x}" y="${y + 5}">${name}</text>`;
+    return `${box}<text x="${x}" y="${y + 5}">${path.basename(name)}</text>`;
   });
   const view = `viewBox="0 0 ${width} ${step * floors.length}" role="img" aria-label="The folders and what they use"`;
   return `<figure class="house-plan"><svg ${view}>
