@@ -20,6 +20,8 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
   if(CCACHE)
     list(APPEND CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
   endif()
+  # The core is declared before.
+  set_target_properties(actio_core PROPERTIES CXX_COMPILER_LAUNCHER "${CMAKE_CXX_COMPILER_LAUNCHER}")
 endif()
 
 # GCC collects no garbage before it holds two gigabytes, which is more than a unit may take. That saves 4 % of
