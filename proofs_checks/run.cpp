@@ -339,8 +339,8 @@ void forget_reports(Options const& options, std::set<std::string> const& written
   }
 }
 
-/// The statements as JSON, each on a line of its own, in the order of their sources: which of these are compiled
-/// together changes nothing.
+/// The statements as JSON, each on a line of its own, in the order of their sources: which of these are
+/// compiled together changes nothing.
 std::string listed() {
   std::string list;
   auto all = checks::all_checks();

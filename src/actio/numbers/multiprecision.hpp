@@ -23,7 +23,8 @@ using rational =
 template <class Backend>
 struct NumberTraits<boost::multiprecision::number<Backend, boost::multiprecision::et_off>> {
   static constexpr bool plain = true;  ///< extended by nothing
-  static constexpr bool exact = std::same_as<Backend, boost::multiprecision::gmp_rational>;  ///< without rounding
+  /// Without rounding.
+  static constexpr bool exact = std::same_as<Backend, boost::multiprecision::gmp_rational>;
 };
 
 /// The root of a rational number p/q where p and q are squares.
