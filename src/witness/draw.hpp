@@ -1,11 +1,10 @@
 // Random numbers, vectors and elements of groups: the same on every machine and, up to rounding, over every
 // scalar.
 //
-// A number is k/65537 with k uniform in -65536, ..., 65536. Over the rationals these are exactly the
-// fractions that the probability of a false zero is counted with (131073 equally likely numbers); in floating
-// point they are the same fractions, and since 65537 is an odd prime they fill all digits, so that rounding
-// is not hidden by short numbers. No distribution of the standard library is used: their algorithms differ
-// from one implementation to the next.
+// A number is k/65537 with k uniform in -65536, ..., 65536 (131073 equally likely numbers), in floating point
+// the number next to it: since 65537 is an odd prime these fill all digits, so that rounding is not hidden by
+// short numbers. A Number over the rationals and over a prime field has a set of its own (Number::drawn). No
+// distribution of the standard library is used: their algorithms differ from one implementation to the next.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +19,8 @@ struct Draw {
   static constexpr long denominator = 65537;
   static constexpr long numerators = 131073;  ///< how many numbers are equally likely
 
-  explicit Draw(std::uint64_t seed) : generator(seed) {}
+  /// @param fractions  whether a scalar that has a set of its own to draw from is drawn as the others are
+  explicit Draw(std::uint64_t seed, bool fractions = false) : generator(seed), fractions_(fractions) {}
 
   /// A whole number in 0, ..., count - 1, each equally likely.
   std::uint64_t below(std::uint64_t count) {
@@ -36,9 +36,8 @@ struct Draw {
   template <Scalar S>
   S number() {
     if constexpr (ChosenAtRunTime<Base<S>>)
-      return S(Base<S>::drawn(*this));
-    else
-      return ratio<S>(static_cast<long>(below(numerators)) - (denominator - 1), denominator);
+      if (!fractions_) return S(Base<S>::drawn(*this));
+    return ratio<S>(static_cast<long>(below(numerators)) - (denominator - 1), denominator);
   }
 
   /// n numbers in (-1, 1).
@@ -68,6 +67,14 @@ struct Draw {
 
  private:
   std::mt19937_64 generator;
+  bool fractions_;
+};
+
+/// Draws of the fractions k/65537 over every scalar. Draw takes sixty-fourths of a Number over the rationals:
+/// now and then two of them are equal, or one is -1, 0 or 1, and a test that divides by their difference
+/// fails.
+struct FineDraw : Draw {
+  explicit FineDraw(std::uint64_t seed) : Draw(seed, true) {}
 };
 
 }  // namespace actio

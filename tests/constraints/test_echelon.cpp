@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/constraints/multiplier_theorem.hpp"
-#include "fine_draw.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -32,7 +32,7 @@ int rank_of(Table<Q> m) {
   return rank;
 }
 /// A product of two factors with small fractions, of a rank at most that of their common side.
-Table<Q> product(testing::FineDraw& draw, int rows, int common, int columns) {
+Table<Q> product(FineDraw& draw, int rows, int common, int columns) {
   Table<Q> m = Table<Q>::Zero(rows, columns);
   for (int n = 0; n < common; ++n) {
     Vector<Q> const left = draw.vector<Q, Vector<Q>>(rows), right = draw.vector<Q, Vector<Q>>(columns);
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_SUITE(echelon_forms)
 
 BOOST_AUTO_TEST_CASE(rank_and_kernel_are_those_of_plain_elimination) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(29);
+  FineDraw draw(29);
   for (auto const& [rows, common, columns] :
        {std::array{2, 2, 5}, {3, 2, 5}, {4, 3, 4}, {5, 2, 3}, {5, 5, 3}, {4, 4, 7}, {1, 1, 1}, {3, 0, 2}}) {
     Table<Q> const m = product(draw, rows, common, columns);

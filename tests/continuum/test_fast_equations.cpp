@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/continuum/elastic_equation.hpp"
-#include "fine_draw.hpp"
 #include "refused.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -13,7 +13,7 @@ namespace {
 
 /// A second jet near that of the body at rest, of no section.
 template <class S, int n>
-SecondJet<S, n, n> second_jet_near_rest(testing::FineDraw& draw) {
+SecondJet<S, n, n> second_jet_near_rest(FineDraw& draw) {
   SecondJet<S, n, n> j;
   j.x = draw.vector<S, Event<S, n>>(n + 1);
   j.y = draw.vector<S, Matrix<S, n, 1>>(n);
@@ -38,7 +38,7 @@ struct Fibres {
 
 template <class S, int n, class Energy>
 void agree(Energy const& energy, char const* name) {
-  testing::FineDraw draw(20 + n);
+  FineDraw draw(20 + n);
   Continuum const medium{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{ratio<S>(13, 10)}, energy};
   for (int sample = 0; sample < 5; ++sample) {
     auto const j = second_jet_near_rest<S, n>(draw);
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(they_are_exactly_over_the_rationals) {
 }
 
 BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused) {
-  testing::FineDraw draw(3);
+  FineDraw draw(3);
   auto j = second_jet_near_rest<double, 3>(draw);
   Continuum const solid{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{},
                         OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}}};

@@ -6,7 +6,7 @@
 
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
-#include "fine_draw.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -19,7 +19,7 @@ using Square = Matrix<S, n, n>;
 
 /// A second jet near that of the body at rest, of no section.
 template <class S, int n>
-SecondJet<S, n, n> any_second_jet(testing::FineDraw& draw) {
+SecondJet<S, n, n> any_second_jet(FineDraw& draw) {
   SecondJet<S, n, n> j;
   S const size = ratio<S>(1, 5);
   j.x = draw.vector<S, Event<S, n>>(n + 1);
@@ -79,7 +79,7 @@ Number gap(A const& a, B const& b, SecondJet<Number, n, n> const& j) {
 
 BOOST_AUTO_TEST_CASE(a_flat_space_as_a_type_as_a_matrix_and_as_a_function_are_one) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(1);
+  FineDraw draw(1);
   using S = Number;
   auto const j = any_second_jet<S, 2>(draw);
   LinearDensity<S, 2> const rho{S(3), {ratio<S>(1, 5), ratio<S>(-1, 7)}};
@@ -157,7 +157,7 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
   BOOST_TEST(size(first_piola_kirchhoff_stress(body, strained<S, n>(one))) <= bound);
   BOOST_TEST(size(cauchy_stress(body, strained<S, n>(one))) <= bound);
 
-  testing::FineDraw draw(3);
+  FineDraw draw(3);
   for (int sample = 0; sample < 4; ++sample) {
     // The derivative of the stress at rest along H is Hooke's stress of the symmetric part of H.
     Square<S, n> H, A;
@@ -252,7 +252,7 @@ inline constexpr bool actio::is_barotropic<StifferAlong> = true;
 
 BOOST_AUTO_TEST_CASE(a_fluid_whose_law_differs_from_particle_to_particle_has_a_pressure) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(8);
+  FineDraw draw(8);
   using S = Number;
   auto const j = any_second_jet<S, 2>(draw);
   Jet<S, 2, 2> const& first = j;
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(a_fluid_whose_law_differs_from_particle_to_particle_has_a_p
 
 BOOST_AUTO_TEST_CASE(a_fluid_stays_at_rest_and_its_stress_is_its_pressure) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(5);
+  FineDraw draw(5);
   using S = Number;
   auto const j = any_second_jet<S, 2>(draw);
   Jet<S, 2, 2> const& first = j;

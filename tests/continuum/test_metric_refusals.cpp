@@ -21,7 +21,7 @@ Square symmetric(double a, double b, double c, double d, double e, double f) {
   g << a, b, c, b, d, e, c, e, f;
   return g;
 }
-void refused(Square const& g, double measured, double bound, char const* words) {
+void is_refused(Square const& g, double measured, double bound, char const* words) {
   auto const e = caught<NotAMetric>([&] { require_metric(g, place, "metric"); });
   BOOST_TEST(std::abs(e.measured - measured) <= 8 * eps * std::abs(measured), e.what());
   BOOST_TEST(e.bound == bound, e.what());
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_gap_across_the_diagonal_is_measured_by_the_largest_entry)
     for (double const unit : {1.0, 0x1p-60, 0x1p60}) {
       Square g = good;
       g(i, j) += 0.5;
-      refused(unit * g, 0.5 / 8, 64 * eps, "symmetric");
+      is_refused(unit * g, 0.5 / 8, 64 * eps, "symmetric");
     }
     // Rounding counts for nothing.
     Square g = good;
@@ -53,12 +53,12 @@ BOOST_AUTO_TEST_CASE(a_gap_across_the_diagonal_is_measured_by_the_largest_entry)
 
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_not_positive_is_refused_with_the_first_pivot_that_is_none) {
   char const* const words = "positive definite";
-  refused(symmetric(-4, 1, 0, 8, 2, 5), -4, 64 * eps * 8, words);
-  refused(symmetric(0, 1, 0, 8, 2, 5), 0, 64 * eps * 8, words);
+  is_refused(symmetric(-4, 1, 0, 8, 2, 5), -4, 64 * eps * 8, words);
+  is_refused(symmetric(0, 1, 0, 8, 2, 5), 0, 64 * eps * 8, words);
   // 3 - 4^2/4 = -1.
-  refused(symmetric(4, 4, 2, 3, 2, 5), -1, 64 * eps * 5, words);
+  is_refused(symmetric(4, 4, 2, 3, 2, 5), -1, 64 * eps * 5, words);
   // 4 - 6^2/12 = 1 and 2 - 6 6/12 = -1, then 3 - 6^2/12 - 1 = -1.
-  refused(symmetric(12, 6, 6, 4, 2, 3), -1, 64 * eps * 12, words);
+  is_refused(symmetric(12, 6, 6, 4, 2, 3), -1, 64 * eps * 12, words);
   // A pivot is rounding up to 64 units in the last place of the largest entry.
   CHECK_REFUSED(require_metric(symmetric(1, 0, 0, 4, 0, 63 * 4 * eps), place, "metric"), NotAMetric);
   BOOST_CHECK_NO_THROW(require_metric(symmetric(1, 0, 0, 4, 0, 65 * 4 * eps), place, "metric"));

@@ -8,8 +8,8 @@
 #include "actio/fast_body/space/compensated_half_turn.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
-#include "fine_draw.hpp"
 #include "refused.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -30,7 +30,7 @@ struct RationalMotion {
   Three<Number> I, before, after;
   Number amount, kappa;
 
-  explicit RationalMotion(testing::FineDraw& draw) {
+  explicit RationalMotion(FineDraw& draw) {
     auto const turn = draw.element<Number>(SO<3>{}, Number(1)).value;
     Number const s = draw.number<Number>(), w = draw.number<Number>(), whole = 1 + s * s, K = 2 * s / whole;
     amount = (1 - s * s) / whole;
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_SUITE(half_turn)
 
 BOOST_AUTO_TEST_CASE(the_twist_of_a_relative_motion_solves_its_equation_exactly) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(testing::seed);
+  FineDraw draw(testing::seed);
   for (int repeat = 0; repeat < 40; ++repeat) {
     RationalMotion const motion(draw);
     Three<Number> const &u = motion.before, j = motion.j();
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(the_twist_of_a_relative_motion_solves_its_equation_exactly)
 
 BOOST_AUTO_TEST_CASE(the_half_turn_takes_the_momentum_before_to_that_after_exactly) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(testing::seed + 1);
+  FineDraw draw(testing::seed + 1);
   for (int repeat = 0; repeat < 40; ++repeat) {
     RationalMotion const motion(draw);
     Three<Number> const j = motion.j();

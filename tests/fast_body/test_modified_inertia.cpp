@@ -6,7 +6,7 @@
 #include "actio/fast_body/space/exact_flow.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
 #include "actio/numbers/multiprecision.hpp"
-#include "fine_draw.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -33,7 +33,7 @@ struct PrintedTerms {
   }
 };
 
-Three<Number> rational_direction(testing::FineDraw& draw) {
+Three<Number> rational_direction(FineDraw& draw) {
   Number const a = draw.number<Number>(), b = draw.number<Number>(), whole = 1 + a * a + b * b;
   return {2 * a / whole, 2 * b / whole, (1 - a * a - b * b) / whole};
 }
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_SUITE(modified_inertia_of_a_step)
 
 BOOST_AUTO_TEST_CASE(the_first_terms_are_those_of_hairer_and_vilmart_exactly) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(testing::seed);
+  FineDraw draw(testing::seed);
   for (int repeat = 0; repeat < 20; ++repeat) {
     Three<Number> I;
     for (auto& x : I) x = 2 + draw.number<Number>();

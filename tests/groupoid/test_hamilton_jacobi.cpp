@@ -6,8 +6,8 @@
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/natural_chart.hpp"
-#include "fine_draw.hpp"
 #include "refused.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 #include "witness/reference_solution.hpp"
 
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(for_a_sphere_the_discrete_lagrangian_of_the_natural_chart_i
 BOOST_AUTO_TEST_CASE(odd_terms_vanish_and_the_first_even_one_is_the_square_of_the_acceleration) {
   WithArithmetic const exactly(Arithmetic::rationals());
   // Over the rationals, on the affine group of the line, with a linear term.
-  testing::FineDraw draw(3);
+  FineDraw draw(3);
   Aff1 const group;
   using Matrix2 = Matrix<Number, 2, 2>;
   using Vector2 = Matrix<Number, 2, 1>;

@@ -1,5 +1,5 @@
-#include "fine_draw.hpp"
 #include "laws_of_more_groups.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
@@ -37,7 +37,7 @@ Q symplectic_defect(Square const& a) {
 
 /// The largest defect among retractions, their products and their inverses.
 Q defect_of_retractions(Any const& group, Q (*defect)(Square const&)) {
-  testing::FineDraw draw(11);
+  FineDraw draw(11);
   Q worst(0);
   for (int k = 0; k < 3; ++k) {
     Square const g = draw.element<Q>(group).value, h = draw.element<Q>(group).value;
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(retractions_stay_in_the_group_over_the_rationals) {
   BOOST_TEST((defect_of_retractions(Any(DirectProduct{SL<>(2), SL<>(3)}), special_linear_defect) == 0));
 
   // Cayley's transform alone leaves SL(3) and SU(3), but not their larger relatives.
-  testing::FineDraw draw(11);
+  FineDraw draw(11);
   auto const v = draw.velocity<Q>(SL<>(3)).coordinates, w = draw.velocity<Q>(SU<>(3)).coordinates;
   BOOST_TEST((special_linear_defect(cayley(SL<>(3).hat(v))) != 0));
   BOOST_TEST((special_unitary_defect(cayley(SU<>(3).hat(w))) != 0));

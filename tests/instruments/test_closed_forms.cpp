@@ -8,8 +8,8 @@
 #include "actio/instruments/reversibility_defect.hpp"
 #include "actio/instruments/symplectic_defect.hpp"
 #include "actio/variational/momentum_map.hpp"
-#include "fine_draw.hpp"
 #include "small_maps.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;

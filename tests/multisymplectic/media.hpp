@@ -37,9 +37,8 @@ auto bent_cube() {
 }
 
 /// A field with components in (-1, 1) at every node of the first two levels.
-/// @param draw  a Draw or a FineDraw
-template <class S, int N, int n, class Source>
-media::DiscreteSection<S, n, N> drawn_start(media::SpaceTimeMesh<S, n> const& mesh, Source& draw) {
+template <class S, int N, int n>
+media::DiscreteSection<S, n, N> drawn_start(media::SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
   media::DiscreteSection<S, n, N> V;
   V.levels.resize(2);
   for (auto& level : V.levels)
@@ -54,8 +53,8 @@ media::DiscreteSection<S, n, N> drawn_start(media::SpaceTimeMesh<S, n> const& me
 
 /// The identity on the first two levels, disturbed at every node: a part of the mesh width away, with
 /// velocities of about one that differ by an eighth.
-template <class S, int n, class Source>
-media::DiscreteSection<S, n, n> disturbed_identity(media::SpaceTimeMesh<S, n> const& mesh, Source& draw) {
+template <class S, int n>
+media::DiscreteSection<S, n, n> disturbed_identity(media::SpaceTimeMesh<S, n> const& mesh, Draw& draw) {
   auto section = media::restricted(
       mesh, []<class T>(Matrix<T, n + 1, 1> const& x) { return Matrix<T, n, 1>(x.template tail<n>()); }, 2);
   auto const away = drawn_start<S, n>(mesh, draw);

@@ -3,8 +3,8 @@
 
 #include "actio/jets/action.hpp"
 #include "actio/noether/equivariance.hpp"
-#include "fine_draw.hpp"
 #include "media.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;

@@ -2,8 +2,8 @@
 // fifty digits.
 #include <boost/test/unit_test.hpp>
 
-#include "fine_draw.hpp"
 #include "media.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "fine_draw.hpp"
 #include "media.hpp"
 #include "refused.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/multisymplectic/discrete_stress.hpp"
-#include "fine_draw.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(every_medium_has_the_energy_of_its_formula_and_the_stresses
 // By the sum over permutations.
 BOOST_AUTO_TEST_CASE(determinants_and_cofactors_are_those_of_the_definition) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(5);
+  FineDraw draw(5);
   using Q = Number;
   Matrix<Q, 3, 3> F;
   for (int i = 0; i < 9; ++i) F.data()[i] = draw.number<Q>();

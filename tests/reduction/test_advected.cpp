@@ -9,9 +9,9 @@
 #include "actio/reduction/advected.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/stabiliser_momentum.hpp"
-#include "fine_draw.hpp"
 #include "group_from_basis.hpp"
 #include "refused.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 #include "witness/reference_solution.hpp"
 
@@ -33,7 +33,7 @@ std::vector<SpannedGroup> groups() {
 struct CubicLagrangian {
   Matrix<Number, Dynamic, Dynamic> u, v;
   Column<Number> w;
-  CubicLagrangian(testing::FineDraw& draw, int n) : u(n, n), v(n, n), w(draw.vector<Number>(n)) {
+  CubicLagrangian(FineDraw& draw, int n) : u(n, n), v(n, n), w(draw.vector<Number>(n)) {
     for (int i = 0; i < n; ++i) u.col(i) = draw.vector<Number>(n), v.col(i) = draw.vector<Number>(n);
   }
   template <class E, class T>
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_SUITE(advected)
 
 BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(11);
+  FineDraw draw(11);
   for (auto const& group : groups()) {
     CubicLagrangian const l(draw, group.matrix_size());
     auto const g0 = draw.element<Number>(group), g1 = draw.element<Number>(group),
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
 
 BOOST_AUTO_TEST_CASE(what_fixes_the_vector_has_the_same_momentum_at_both_ends_of_a_step_exactly) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(12);
+  FineDraw draw(12);
   for (auto const& group : groups()) BOOST_TEST_CONTEXT(group.name()) {
       CubicLagrangian const l(draw, group.matrix_size());
       auto const f = draw.element<Number>(group);
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(what_fixes_the_vector_has_the_same_momentum_at_both_ends_of
 BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exactly) {
   WithArithmetic const exactly(Arithmetic::rationals());
   // G with shifts by covectors, as matrices ((g^-T, v), (0, 1)): a step is the action of k = f (1, dl/da).
-  testing::FineDraw draw(16);
+  FineDraw draw(16);
   for (auto const& group : groups()) BOOST_TEST_CONTEXT(group.name()) {
       int const n = group.matrix_size(), d = group.dimension();
       std::vector<SpannedGroup::WholeMatrix> basis(d + n, SpannedGroup::WholeMatrix::Zero(n + 1, n + 1));

@@ -19,7 +19,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Refused with these figures.
 template <class Call>
-void refused(Call const& call, double measured, double bound) {
+void is_refused(Call const& call, double measured, double bound) {
   auto const e = caught<OutsideDomain>(call);
   BOOST_TEST(e.measured == measured, e.what());
   BOOST_TEST(e.bound == bound, e.what());
@@ -107,25 +107,26 @@ BOOST_AUTO_TEST_CASE(vectors_that_are_no_numbers_start_no_motion) {
 }
 
 BOOST_AUTO_TEST_CASE(orders_degrees_and_steps_are_refused_with_what_they_are) {
-  for (int const order : {0, 1, -2}) refused([&] { symmetric_composition<double>(order); }, order, 2);
-  for (int const order : {3, 5, 7, 9, 10}) refused([&] { symmetric_composition<double>(order); }, order, 8);
+  for (int const order : {0, 1, -2}) is_refused([&] { symmetric_composition<double>(order); }, order, 2);
+  for (int const order : {3, 5, 7, 9, 10})
+    is_refused([&] { symmetric_composition<double>(order); }, order, 8);
   for (int const order : {2, 4, 6, 8}) {
     auto const fractions = symmetric_composition<double>(order);
     BOOST_TEST(fractions.size() == static_cast<std::size_t>(std::lround(std::pow(5, order / 2 - 1))));
   }
-  refused([] { PolynomialPath<double>(0); }, 0, 1);
-  refused([] { PolynomialPath<double>(-3); }, -3, 1);
-  refused([] { PolynomialPath<double>(9); }, 9, 8);
+  is_refused([] { PolynomialPath<double>(0); }, 0, 1);
+  is_refused([] { PolynomialPath<double>(-3); }, -3, 1);
+  is_refused([] { PolynomialPath<double>(9); }, 9, 8);
   BOOST_TEST(PolynomialPath<double>(8).degree() == 8);
-  refused([] { detail::nonzero_step(0.0); }, 0, 0);
+  is_refused([] { detail::nonzero_step(0.0); }, 0, 0);
   BOOST_TEST(caught<OutsideDomain>([] { detail::nonzero_step(-HUGE_VAL); }).measured == -HUGE_VAL);
   BOOST_TEST(detail::nonzero_step(-0.25) == -0.25);
 }
 
 BOOST_AUTO_TEST_CASE(fractions_must_add_up_to_one_within_their_rounding) {
   using List = std::vector<double>;
-  refused([] { detail::fractions_of_a_step(List{0.5, 0.25}); }, 0.75, 1);
-  refused([] { detail::fractions_of_a_step(List{}); }, 0, 1);
+  is_refused([] { detail::fractions_of_a_step(List{0.5, 0.25}); }, 0.75, 1);
+  is_refused([] { detail::fractions_of_a_step(List{}); }, 0, 1);
   // Eight units in the last place for each unit of length, back and forth.
   auto const apart = [](double size, double by) {
     return [=] { detail::fractions_of_a_step(List{size, 1 - size + by}); };
@@ -141,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_path_far_outside_of_the_chart_is_refused_with_its_size) {
   Matrix<double> w(2, 2);
   w << 0, 900, -300, 0;
   Vector<double> const v = Vector<double, 2>(1, 2);
-  refused([&] { detail::iex_times(w, v); }, 900, 2 * M_PI);
+  is_refused([&] { detail::iex_times(w, v); }, 900, 2 * M_PI);
   // iex(w) v = (e^w - 1)/w v; for a turn by 1/2 it is (sin 1/2, 1 - cos 1/2)/(1/2) of (1, 0).
   w << 0, -0.5, 0.5, 0;
   Vector<double> const turned = detail::iex_times(w, Vector<double>(Vector<double, 2>(1, 0)));

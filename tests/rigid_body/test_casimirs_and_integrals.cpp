@@ -7,9 +7,9 @@
 #include "actio/rigid_body/isospectral.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/multiplier.hpp"
-#include "fine_draw.hpp"
 #include "random_bodies.hpp"
 #include "refused.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_SUITE(casimirs_and_integrals)
 
 BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
   WithArithmetic const exactly(Arithmetic::rationals());
-  testing::FineDraw draw(1);
+  FineDraw draw(1);
   for (int n = 2; n <= 7; ++n) {
     SO<Dynamic> group;
     group.n = n;

@@ -7,7 +7,7 @@
 #include "actio/groups/special_linear.hpp"
 #include "actio/variational/action.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
-#include "fine_draw.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -19,7 +19,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 /// The form of Kirillov and Kostant by its definition: two tangent vectors whose generators are known.
 template <class G>
 void is_exact_on(G const& group) {
-  testing::FineDraw draw(17);
+  FineDraw draw(17);
   for (int sample = 0; sample < 3; ++sample) {
     auto const mu = draw.momentum<Number>(group);
     auto const one = draw.velocity<Number>(group), two = draw.velocity<Number>(group);

@@ -1,9 +1,9 @@
 // What a step changes energy and angular momentum by, and the numbers by which its displacement is moved
 // along the orbit against it: a Newton step in each round of the fixed point.
 //
-// A moves along X_0 = C = [A, Wt] and X_j = [iS_j, Wt], which are the commutators of eps(P - Q) and iS_j with
-// Wt: the changes of the invariants are <eps(P - Q), C> and <iS_j, C>, their derivatives in the factors minus
-// the inner products of the X.
+// A changes by multiples of X_0 = C = [A, Wt] and X_j = [iS_j, Wt], which are the commutators of eps(P - Q)
+// and iS_j with Wt: the changes of the invariants are <eps(P - Q), C> and <iS_j, C>, their derivatives in the
+// factors minus the inner products of the X.
 //
 // Where a sphere turns fast, the X of the turns about the horizontal axes are longer than the others by its
 // rotation over the flow. Beside them the others, by which energy and angular momentum along the axis are
