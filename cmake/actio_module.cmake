@@ -16,9 +16,9 @@ function(actio_module name)
 endfunction()
 
 # actio_units(BYTES SOURCE...): SOURCE... are compiled folder by folder, as many at a time as BYTES of text
-# hold: what several of them include is read once, from nothing in a third of the time. Not those that say of
-# themselves, in a line of their own, that they are `// In a unit of its own`: they take long as they are. The
-# target's UNITY_BUILD says whether. With ONCE REGEX first, a unit holds at most one source with such a line.
+# hold: what several of them include is read once. Not those that say of themselves, in a line of their own,
+# that they are `// In a unit of its own`: they take long as they are. The target's UNITY_BUILD says whether.
+# With ONCE REGEX first, a unit holds at most one source with such a line.
 function(actio_units bytes)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "ONCE" "")
   set(number 0)
