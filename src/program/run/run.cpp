@@ -179,21 +179,20 @@ class Run {
     if (options_.watch) options_.watch(position_.fraction(), position_.time());
     if (now - last_checkpoint_ < std::chrono::duration<double>(options_.checkpoint_interval)) return;
     checkpoint();
-    if (Clock::now() < next_exports_) return;
+    if (in_memory() || Clock::now() < next_exports_) return;
+    auto const began = Clock::now();
     try {
       export_files(false);
     } catch (FileError const&) {
       // At the end they are made once more, and it is told if they still cannot be.
     }
+    next_exports_ = Clock::now() + std::max(interval_of_exports(), 50 * (Clock::now() - began));
   }
 
-  /// Files of other formats are made of the plain ones: thirty checkpoints apart, and for a fiftieth of the
-  /// time at most.
+  /// Files of other formats are made of the plain ones: thirty checkpoints apart or more, fifty times as long
+  /// as it takes.
   void export_files(bool at_end) {
-    auto const began = Clock::now();
-    next_exports_ = began + interval_of_exports();
     make_exports(scene_, folder_, scene_.formats, {options_.durable, at_end});
-    next_exports_ = std::max(next_exports_, Clock::now() + 50 * (Clock::now() - began));
   }
   Clock::duration interval_of_exports() const {
     return std::chrono::duration_cast<Clock::duration>(

@@ -113,15 +113,15 @@ class MediumSnapshots : public SnapshotWriter {
   }
   MediumFrame<d> read(std::string const& folder, long number) const {
     auto const found = numbers(folder, number, 2);
-    auto const points = [](std::vector<double> const& all) {
-      std::vector<Place> out(all.size() / d);
-      for (std::size_t k = 0; k < all.size(); ++k) out[k / d][k % d] = all[k];
+    auto const points = [](std::vector<double> const& in_a_row) {
+      std::vector<Place> out(in_a_row.size() / d);
+      for (std::size_t k = 0; k < in_a_row.size(); ++k) out[k / d][k % d] = in_a_row[k];
       return out;
     };
     return {points(found[0]), points(found[1])};
   }
 
-  static constexpr std::size_t all = 99;
+  static constexpr std::size_t all = ~std::size_t{0};
   static constexpr char const* series_file = "snapshots/series.pvd";
   /// Those that are there, and made of what their tables hold, stay as they are.
   void make_grids(std::string const& folder, std::span<double const> times, bool durable) const {
