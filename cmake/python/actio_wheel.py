@@ -219,7 +219,8 @@ prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = built(config_settings)
-    files = {f"actio/{path.name}": path.read_bytes() for path in [*sources(), module(package)]}
+    compiled = [module(package), *sorted(package.glob("libactio_*.so"))]
+    files = {f"actio/{path.name}": path.read_bytes() for path in [*sources(), *compiled]}
     return packed(wheel_directory, files)
 
 

@@ -37,6 +37,13 @@ struct PlotArguments {
 /// Draws the pictures of a run that is there.
 int plot(PlotArguments const& arguments);
 
+struct ExportArguments {
+  std::string folder, formats;  ///< formats: with commas between; empty: those of the scene
+  bool quiet = false;
+};
+/// Makes files of other formats out of the plain ones of a run that is there.
+int export_run(ExportArguments const& arguments);
+
 struct SweepArguments {
   std::string scene, out;
   std::string resume;             ///< the folder of a sweep that goes on; the scene is not given then

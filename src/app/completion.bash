@@ -12,6 +12,7 @@ _actio_options() { # PART
   case $1 in
     run) echo "--out --set --unset --quiet --dry-run --plots --force --help" ;;
     resume) echo "--until --step --jobs --plots --quiet --help" ;;
+    export) echo "--formats --quiet --help" ;;
     plot) echo "--quiet --help" ;;
     sweep) echo "--over --out --set --unset --jobs --quiet --dry-run --plots --force --help" ;;
     new) echo "--body --out --help" ;;
@@ -48,6 +49,7 @@ _actio() {
     case $before in
       --out) _actio_files "$word" ""; return ;;
       --body) _actio_reply "$word" < <(_actio_names "$program" bodies); return ;;
+      --formats) _actio_reply "$word" < <(printf '%s\n' hdf5 netcdf vtu); return ;;
       --set | --unset | --over | --jobs | --until | --step) return ;;
     esac
   fi
@@ -57,7 +59,7 @@ _actio() {
     return
   fi
   if ((COMP_CWORD == 1)); then
-    _actio_reply "$word" < <(printf '%s\n' run resume plot sweep new list show check)
+    _actio_reply "$word" < <(printf '%s\n' run resume plot export sweep new list show check)
     return
   fi
   case $part in
@@ -67,7 +69,7 @@ _actio() {
       [[ -z $word || $word == */* ]] || _actio_reply "$word" < <(_actio_names "$program" scenes)
       ;;
     new) _actio_reply "$word" < <(_actio_names "$program" systems scenes bodies) ;;
-    resume | plot) _actio_files "$word" "" ;;
+    resume | plot | export) _actio_files "$word" "" ;;
     list) _actio_reply "$word" < <(printf '%s\n' systems groups methods quantities bodies materials keys scenes) ;;
     show) _actio_reply "$word" < <(_actio_names "$program" systems groups methods quantities bodies materials keys scenes) ;;
     check) _actio_reply "$word" < <("$program" check --list 2>/dev/null | cut -d ' ' -f 1) ;;

@@ -105,6 +105,23 @@ void add_plot(CLI::App& command, app::PlotArguments& plot, Action& action) {
   part->add_flag("--quiet", plot.quiet, "no progress")->disable_flag_override();
 }
 
+void add_export(CLI::App& command, app::ExportArguments& made, Action& action) {
+  auto* const part = add_part(
+      command, "export", "make files of a run for other programs: finished, interrupted, or going on",
+      "Example: actio export apophis --formats hdf5\n\n"
+      "They are made of series.csv and snapshots/*.csv, whole, and take the place of those that are there.",
+      action, [&made] { return app::export_run(made); });
+  part->add_option("DIR", made.folder, "the folder of the run")
+      ->required()
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_option("--formats", made.formats,
+                   "hdf5, netcdf, vtu, as the system has them (actio show output.formats), with commas "
+                   "between; otherwise those that the scene asks for")
+      ->type_name("FORMAT,...")
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_flag("--quiet", made.quiet, "no progress")->disable_flag_override();
+}
+
 void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
   auto* const part = add_part(command, "sweep", "run a scene for each of many values, into one table",
                               "Example: actio sweep apophis.toml --over method.step=0.1,0.2,0.4", action,
@@ -209,8 +226,8 @@ int answer(CLI::App& command, Action const& action, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // The folder of a run is locked as a whole, and nobody else's look at a file in it stops the run. Files in
-  // NetCDF are made by a library that has no other way to be told so.
+  // The folder of a run is locked as a whole, and not every file system has locks for the libraries that make
+  // its files.
   ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
   CLI::App command{
       "Mechanics on Lie groups, step by step, from one action principle: scenes, run and looked at", "actio"};
@@ -229,12 +246,14 @@ int main(int argc, char** argv) {
   app::RunArguments run;
   app::ResumeArguments resume;
   app::PlotArguments plot;
+  app::ExportArguments exported;
   app::SweepArguments sweep;
   app::NewArguments made;
   Questions asked;
   add_run(command, run, action);
   add_resume(command, resume, action);
   add_plot(command, plot, action);
+  add_export(command, exported, action);
   add_sweep(command, sweep, action);
   add_new(command, made, action);
   add_questions(command, asked, action);

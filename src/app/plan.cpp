@@ -1,6 +1,7 @@
 // actio run --dry-run: what a run of the scene would do, and what it would not.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "actio/numbers/nearest_name.hpp"
@@ -67,15 +68,18 @@ void tell_quantities(Scene const& scene) {
   tell("skipped", skipped.empty() ? "nothing" : listed(skipped));
 }
 
+bool asks_for_hdf5(Scene const& scene) {
+  return std::find(scene.formats.begin(), scene.formats.end(), "hdf5") != scene.formats.end();
+}
+
 std::string files_of(Scene const& scene, RunArguments const& arguments, Estimate const& taken) {
   std::vector<std::string> files;
   std::size_t const columns = 1 + scene.simulation.quantities.row_size();
   std::string const shape =
       plural(scene.schedule.rows(), "row") + " of " + plural(static_cast<long>(columns), "column");
-  for (auto const& format : scene.formats)
-    if (format == "csv" || format == "hdf5")
-      files.push_back(fmt::format("{} ({}, about {})", format == "csv" ? "series.csv" : "series.h5", shape,
-                                  size_text(format == "csv" ? taken.csv : taken.hdf5)));
+  files.push_back(fmt::format("series.csv ({}, about {})", shape, size_text(taken.csv)));
+  if (asks_for_hdf5(scene))
+    files.push_back(fmt::format("series.h5 ({}, about {})", shape, size_text(taken.hdf5)));
   files.insert(files.end(), {"summary.json", "scene.toml", "checkpoint"});
   if (scene.snapshots)
     files.push_back("snapshots/ (" + plural(scene.snapshots->rows(), "snapshot") +
@@ -105,9 +109,8 @@ double free_space(std::string const& out) {
 void tell_disk(Scene const& scene, Estimate const& taken, std::string const& out) {
   double const free = free_space(out);
   if (free < 0) return;
-  double needed = taken.snapshots;
-  for (auto const& format : scene.formats)
-    needed += format == "csv" ? taken.csv : format == "hdf5" ? taken.hdf5 : 0;
+  // While a file is made anew the one that was there is there as well.
+  double const needed = taken.snapshots + taken.csv + (asks_for_hdf5(scene) ? 2 * taken.hdf5 : 0);
   tell("disk", size_text(free) + " free");
   if (needed > free)
     tell("remark", fmt::format("the disk has room for {}, and the files take about {}: fewer rows "

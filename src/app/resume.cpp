@@ -9,6 +9,7 @@
 #include "app/run_to_end.hpp"
 #include "program/base/progress.hpp"
 #include "program/run/checkpoint.hpp"
+#include "program/run/exports.hpp"
 #include "program/run/run_files.hpp"
 
 namespace actio::app {
@@ -31,11 +32,17 @@ int after_the_end(Scene const& scene, std::string const& folder, bool quiet) {
   if (scene.snapshots && scene.simulation.snapshots)
     if (auto const gone = missing_snapshots(scene, folder, scene.snapshots->rows()); gone.count > 0)
       say(stderr, gone.told + "\n");
-  for (auto const& name : files_of_table(scene))
-    if (!std::filesystem::exists(folder + "/" + name))
-      throw FileError(folder + "/" + name +
-                      ": is not there any more, and the run is finished; a run of its scene.toml into "
-                      "another folder writes it again");
+  if (!std::filesystem::exists(folder + "/series.csv"))
+    throw FileError(
+        folder +
+        "/series.csv: is not there any more, and the run is finished; a run of its scene.toml into "
+        "another folder writes it again");
+  for (auto const& format : scene.formats)
+    for (auto const& name : files_of_export(scene, format, 0))
+      if (!std::filesystem::exists(folder + "/" + name)) {
+        make_exports(scene, folder, {format});
+        say(stderr, folder + "/" + name + " was missing, and is made again\n");
+      }
   bool const missing = scene.plots && !drawn(folder);
   if (missing) draw(scene, folder, quiet);
   if (!quiet)

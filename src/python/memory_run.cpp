@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "program/base/memory.hpp"
-#include "program/output/series.hpp"
+#include "program/output/hdf5_series.hpp"
 #include "program/output/series_reader.hpp"
 #include "program/pictures/pictures.hpp"
 #include "program/registry/units.hpp"
@@ -69,11 +69,10 @@ std::string text_of(std::string const& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// No more rows than a table of this size can hold: a number in CSV takes two bytes at least, in HDF5 eight.
+/// No more rows than a table of this size can hold: a number takes two bytes at least.
 double most_rows(std::string const& folder, std::size_t columns) {
   std::error_code none;
-  double numbers = static_cast<double>(fs::file_size(folder + "/series.csv", none)) / 2;
-  if (none) numbers = static_cast<double>(fs::file_size(folder + "/series.h5", none)) / 8;
+  double const numbers = static_cast<double>(fs::file_size(folder + "/series.csv", none)) / 2;
   return none ? 0 : std::ceil(numbers / static_cast<double>(columns));
 }
 
@@ -157,11 +156,13 @@ void save_run(std::string const& text, std::span<double const> table, std::strin
   std::size_t const width = 1 + scene.simulation.quantities.row_size();
   RunFolder const made = RunFolder::create(folder, false, files_of_run(scene));
   SeriesHead const head = series_head(scene, text, static_cast<long>(table.size() / width));
-  for (auto const& format : scene.formats) {
-    auto const series = open_series(folder, format, head, false);
+  {
+    auto const series = open_series(folder, head, false);
     for (std::size_t at = 0; at + width <= table.size(); at += width) series->add(table.subspan(at, width));
     series->sync();
   }
+  if (std::find(scene.formats.begin(), scene.formats.end(), "hdf5") != scene.formats.end())
+    make_hdf5_series(folder, head, true);
   write_whole_file(folder + "/summary.json", summary);
   write_whole_file(folder + "/scene.toml", text);
   if (pictures) draw_pictures(scene, folder, true);

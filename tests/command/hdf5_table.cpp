@@ -84,7 +84,7 @@ struct OpenFile {
 
 }  // namespace
 
-Hdf5Table read_hdf5(std::string const& path, bool writing) {
+Hdf5Table read_hdf5(std::string const& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Hdf5Table table;
   std::vector<DataSet> sets;
@@ -94,11 +94,9 @@ Hdf5Table read_hdf5(std::string const& path, bool writing) {
     for (auto const& name : names_in(file.id)) sets.push_back(read_data_set(file.id, name));
   }
 
-  std::size_t rows = sets.at(0).extent.at(0);
+  std::size_t const rows = sets.at(0).extent.at(0);
   for (auto const& set : sets) {
-    if (!writing && set.extent[0] != rows)
-      throw std::runtime_error("HDF5: " + set.name + " has another number of rows");
-    rows = std::min<std::size_t>(rows, set.extent[0]);
+    if (set.extent[0] != rows) throw std::runtime_error("HDF5: " + set.name + " has another number of rows");
     table.extents[set.name] = set.extent, table.attributes[set.name] = set.attributes;
   }
   table.rows.resize(rows);

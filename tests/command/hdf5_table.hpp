@@ -16,10 +16,8 @@ struct Hdf5Table : Table {
   std::map<std::string, std::map<std::string, std::string>> attributes;
 };
 /// Reads it strictly, as any ordinary reader does: opened for reading and nothing else.
-/// @param writing  whether it is open for writing, or its writer was killed: rows are then counted up to the
-///                 shortest data set
-/// @throws std::runtime_error  where it cannot be read
-Hdf5Table read_hdf5(std::string const& path, bool writing = false);
+/// @throws std::runtime_error  where it cannot be read, or its data sets differ in length
+Hdf5Table read_hdf5(std::string const& path);
 /// The numbers of one data set, the last index first.
 /// @param extent  where its extent is written; null: nowhere
 /// @throws std::runtime_error  where it cannot be read

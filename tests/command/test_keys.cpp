@@ -187,9 +187,8 @@ BOOST_AUTO_TEST_CASE(words_that_are_allowed_are_those_that_are_taken) {
             for (auto const& order : method["orders"])
               if (order == word) values["method.name"] = method["name"].dump();
         values[key["key"]] = has(key["expects"], "list") ? "[" + quoted + "]" : number ? text : quoted;
-        // A format of snapshots stands beside one of the rows, where there are snapshots.
-        if (text == "netcdf" || text == "vtu")
-          values[key["key"]] = "[\"csv\", " + quoted + "]", values["output.snapshots"] = "[]";
+        // A format of snapshots, where there are snapshots.
+        if (text == "netcdf" || text == "vtu") values["output.snapshots"] = "[]";
         // A layer has a radius.
         if (text == "quasi_geostrophic") values["system.deformation"] = "0.3";
         auto const outcome = actio({"run", folder.write("scene.toml", scene_of(values)), "--dry-run"});

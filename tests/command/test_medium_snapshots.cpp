@@ -169,8 +169,9 @@ BOOST_AUTO_TEST_CASE(the_list_of_grids_has_each_with_its_time_after_a_resumption
 BOOST_AUTO_TEST_CASE(snapshots_that_were_removed_are_named_when_a_run_goes_on) {
   Folder const folder;
   run_in(folder, sheared());
-  std::filesystem::remove(folder / "out/snapshots/000001.vtu");
-  std::string const says = "snapshots/000001.vtu is not in " + folder / "out any more; a run of the scene";
+  for (char const* const ending : {".csv", ".vtu"})
+    std::filesystem::remove(folder / "out/snapshots/000001" + ending);
+  std::string const says = "snapshots/000001.csv is not in " + folder / "out any more; a run of the scene";
   auto const finished = actio({"resume", folder / "out"});
   BOOST_TEST((finished.status == 0 && finished.err.find(says) == 0u), finished.err);
   auto const longer = actio({"resume", folder / "out", "--until", "0.4"});
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(snapshots_that_were_removed_are_named_when_a_run_goes_on) {
              list);
   for (int k = 0; k < 5; ++k)
     std::filesystem::remove(folder / ("out/snapshots/00000" + std::to_string(k) + ".csv"));
-  BOOST_TEST(actio({"resume", folder / "out"}).err.find(" and 3 others are not in ") != std::string::npos);
+  BOOST_TEST(actio({"resume", folder / "out"}).err.find(" and 2 others are not in ") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(frames_in_hdf5_are_the_tables_one_after_the_other) {
@@ -226,13 +227,6 @@ BOOST_AUTO_TEST_CASE(frames_in_hdf5_are_the_tables_one_after_the_other) {
           0.5 * (corner(c, k, 0) * corner(c, (k + 1) % 4, 1) - corner(c, k, 1) * corner(c, (k + 1) % 4, 0));
     BOOST_TEST(std::abs(area - 0.5 / 32) <= 1e-15);
   }
-  // Without "csv" they stand alone.
-  Folder const alone;
-  scene.output.replace(scene.output.find("\"csv\", "), 7, "");
-  auto const outcome = actio({"run", alone.write("medium.toml", scene.text()), "--out", alone / "out"});
-  BOOST_TEST_REQUIRE(outcome.status == 0, outcome.err);
-  BOOST_TEST(!std::filesystem::exists(alone / "out/snapshots/000000.csv"));
-  BOOST_TEST((read_hdf5_numbers(alone / "out/snapshots/frames.h5", "place") == place));
 }
 
 BOOST_AUTO_TEST_CASE(frames_of_a_run_that_was_killed_are_those_of_an_unbroken_one) {
@@ -245,31 +239,27 @@ BOOST_AUTO_TEST_CASE(frames_of_a_run_that_was_killed_are_those_of_an_unbroken_on
   BOOST_REQUIRE(actio({"run", file, "--out", whole, "--quiet"}).status == 0);
   auto const all = read_hdf5_numbers(whole + "/snapshots/frames.h5", "place");
   BOOST_REQUIRE(all.size() == 601u * 32 * 2);
-  // Killed when it has so many frames; what is there is whole, and the beginning of all of them.
+  // Killed when it has so many snapshots; the frames that are there are whole, and the beginning of all.
   std::size_t left = 0;
   for (int const kill_at : {20, 200, 350}) {
     std::string const begin = left == 0 ? "run " + file + " --out " + out : "resume " + out;
-    shell("export ACTIO_CHECKPOINT_SECONDS=0.02; $ACTIO " + begin + " --quiet & run=$!; while [ $(cat " +
-          out + "/snapshots/times.csv 2>/dev/null | wc -l) -lt " + std::to_string(kill_at) +
-          " ] && kill -0 $run; do sleep 0.002; done; kill -9 $run; wait $run");
+    shell("export ACTIO_CHECKPOINT_SECONDS=0.001; $ACTIO " + begin + " --quiet & run=$!; while [ $(cat " +
+          out + "/snapshots/times.csv 2>/dev/null | wc -l) -lt " + std::to_string(kill_at) + " -o ! -e " +
+          frames + " ] && kill -0 $run; do sleep 0.002; done; kill -9 $run; wait $run");
     auto const time = read_hdf5_numbers(frames, "time"), place = read_hdf5_numbers(frames, "place");
-    BOOST_TEST(time.size() + 1 >= static_cast<std::size_t>(kill_at));
-    BOOST_TEST(place.size() >= 64 * time.size());
-    BOOST_TEST((std::equal(place.begin(), place.begin() + static_cast<long>(64 * time.size()), all.begin())));
+    BOOST_TEST(time.size() >= left);
+    BOOST_TEST(place.size() == 64 * time.size());
+    BOOST_TEST((std::equal(place.begin(), place.end(), all.begin())));
     left = time.size();
+    BOOST_TEST_REQUIRE(left > 0u);
   }
-  BOOST_TEST(left < 601u);  // or nothing was killed
   auto const resumed = actio({"resume", out, "--quiet"});
   BOOST_TEST_REQUIRE(resumed.status == 0, resumed.err);
-  // Where a chunk lies in the file depends on when the run was killed; what it holds does not.
-  for (char const* const set : {"time", "place", "velocity", "pressure"})
-    BOOST_TEST((read_hdf5_numbers(frames, set) == read_hdf5_numbers(whole + "/snapshots/frames.h5", set)),
-               set);
-  // A file that was cut since is refused.
+  BOOST_TEST((contents(frames) == contents(whole + "/snapshots/frames.h5")));
+  // A file that was damaged since is made anew.
   std::filesystem::resize_file(frames, std::filesystem::file_size(frames) / 2);
-  auto const refused = actio({"resume", out, "--until", "61"});
-  BOOST_TEST(refused.status == 4);
-  BOOST_TEST(refused.err.find(frames + ": cannot be opened: truncated file") == 0u, refused.err);
+  BOOST_TEST(actio({"resume", out, "--until", "61"}).status == 0);
+  BOOST_TEST(read_hdf5_numbers(frames, "time").size() == 611u);
 }
 
 BOOST_AUTO_TEST_CASE(the_reader_of_vtk_opens_them) {

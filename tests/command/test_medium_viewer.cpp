@@ -39,9 +39,9 @@ std::string told_by_page(Folder const& folder) {
 
 BOOST_AUTO_TEST_SUITE(medium_viewer)
 
-BOOST_AUTO_TEST_CASE(tables_and_frames_are_played_alike) {
+BOOST_AUTO_TEST_CASE(snapshots_are_played_whatever_is_made_of_them) {
   std::vector<std::string> played;
-  for (char const* const formats : {"[\"csv\"]", "[\"hdf5\"]", "[\"csv\", \"hdf5\", \"vtu\"]"}) {
+  for (char const* const formats : {"[\"csv\"]", "[\"hdf5\", \"vtu\"]"}) {
     Folder const folder;
     Medium scene = swinging_disc();
     scene.output += std::string("formats = ") + formats + "\n";

@@ -120,7 +120,9 @@ BOOST_AUTO_TEST_CASE(who_looks_while_the_run_goes_on_finds_whole_files_with_ever
   Folder const folder;
   std::string const scene = folder.write("sphere.toml", flow("3000").text()), out = folder / "out",
                     fields = out + "/snapshots/fields.nc";
+  ::setenv("ACTIO_CHECKPOINT_SECONDS", "0.001", 1);  // files are made anew thirty checkpoints apart
   Process run({"run", scene, "--out", out, "--quiet"});
+  ::unsetenv("ACTIO_CHECKPOINT_SECONDS");
   BOOST_REQUIRE(appears(fields));
   std::size_t last = 0, looks = 0;
   for (; looks < 25; ++looks) {
@@ -135,6 +137,8 @@ BOOST_AUTO_TEST_CASE(who_looks_while_the_run_goes_on_finds_whole_files_with_ever
   sleep_for(0.5);
   std::string const then{std::istreambuf_iterator<char>(held), {}};
   BOOST_TEST((before.size() == then.size() || contents(fields).size() > then.size()));
+  // Files that were made are made again when they are taken away.
+  fs::remove(fields), fs::remove(out + "/series.h5");
   run.send(SIGINT);
   BOOST_TEST(run.wait().status == 130);
   std::string const times = contents(out + "/snapshots/times.csv");
@@ -150,17 +154,14 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_taken_away_ends_the_run_which_says_which_and
   std::string const sphere = flow("3000").text();
   for (auto const& [text, file, says, resumes, then] :
        std::vector<Taken>{{sphere, "series.csv", "was removed", 4, "is not there any more"},
-                          {sphere, "series.h5", "was removed", 4, "is not there any more"},
                           {sphere, "snapshots/times.csv", "was removed", 4, "is not there any more"},
                           {sphere, "snapshots/000001.harmonics.csv", "not in", 4, "cannot be read"},
                           {sphere, "snapshots/000001.csv", "not in", 130, ""},
-                          {fluid, "snapshots/frames.h5", "not in", 4, "is not there any more"},
-                          {fluid, "snapshots/000001.vtu", "not in", 130, ""},
-                          {fluid, "snapshots/series.pvd", "not in", 130, ""}}) {
+                          {fluid, "snapshots/000001.csv", "not in", 4, "cannot be read"}}) {
     Folder const folder;
     std::string const scene = folder.write("scene.toml", text), out = folder / "out";
     Process run({"run", scene, "--out", out, "--quiet"});
-    BOOST_REQUIRE(appears(out + "/snapshots/000002" + (text == sphere ? ".csv" : ".vtu")));
+    BOOST_REQUIRE(appears(out + "/snapshots/000002.csv"));
     sleep_for(0.1);
     fs::remove(out + "/" + file);
     auto const ended = run.wait();

@@ -283,20 +283,6 @@ BOOST_AUTO_TEST_CASE(the_page_shows_the_drift_of_the_summary) {
   BOOST_TEST(drift > 1e-12);  // or nothing would have been compared
 }
 
-BOOST_AUTO_TEST_CASE(a_series_in_hdf5_has_the_same_pictures) {
-  command::Folder const folder;
-  std::string const scene = folder.write("apophis.toml", command::apophis());
-  BOOST_TEST(command::actio({"run", scene, "--plots", "--out", folder / "csv"}).status == 0);
-  auto const outcome = command::actio(
-      {"run", scene, "--plots", "--out", folder / "hdf5", "--set", "output.formats=[\"hdf5\"]"});
-  BOOST_TEST_REQUIRE(outcome.status == 0, outcome.err);
-  BOOST_TEST(!std::filesystem::exists(folder / "hdf5/series.csv"));
-  for (char const* const name : {"body_momentum.svg", "energy.svg", "drift_energy.svg", "polhode.svg"})
-    BOOST_TEST(command::contents(folder / ("csv/plots/" + std::string(name))) ==
-                   command::contents(folder / ("hdf5/plots/" + std::string(name))),
-               name);
-}
-
 BOOST_AUTO_TEST_CASE(a_million_rows_take_no_more_memory_than_a_tenth_of_them) {
   command::Folder const folder;
   std::string const scene = folder.write("apophis.toml", command::apophis());

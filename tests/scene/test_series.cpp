@@ -1,5 +1,5 @@
-// Tables on disk: in two formats, written by a thread of their own, cut back, or left by a writer that was
-// killed.
+// Tables on disk: written by a thread of their own, cut back, or left by a writer that was killed; and a
+// table in HDF5 that is made of one.
 #include <boost/test/unit_test.hpp>
 
 #include <sys/wait.h>
@@ -8,13 +8,13 @@
 #include <bit>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <thread>
 
 #include "hdf5_table.hpp"
-#include "program/output/series.hpp"
+#include "program/output/hdf5_series.hpp"
 #include "refused.hpp"
 
 using namespace actio::scene;
@@ -51,18 +51,13 @@ void add_rows(Series& series, long from, long to) {
   for (long k = from; k < to; ++k) series.add(row(k));
 }
 
-/// The rows of a table; of CSV those that are whole.
-std::vector<std::vector<double>> rows_in(std::string const& folder, std::string const& format,
-                                         bool writing = false) {
-  if (format == "hdf5") return command::read_hdf5(folder + "/series.h5", writing).rows;
+/// The rows of a table that are whole.
+std::vector<std::vector<double>> rows_in(std::string const& folder) {
   return command::read_csv(folder + "/series.csv").rows;
 }
 bool are_first_rows(std::vector<std::vector<double>> const& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    // A table in HDF5 is read in the order of names: energy, place, t.
-    auto expected = row(static_cast<long>(k)), found = rows[k];
-    std::sort(expected.begin(), expected.end()), std::sort(found.begin(), found.end());
-    if (expected != found) return false;
+    if (rows[k] != row(static_cast<long>(k))) return false;
   }
   return true;
 }
@@ -135,61 +130,84 @@ BOOST_AUTO_TEST_CASE(every_number_reads_back_as_it_was) {
   while (numbers.size() < 20000)
     if (double const x = std::bit_cast<double>(random()); std::isfinite(x)) numbers.push_back(x);
   Folder const folder;
-  for (std::string const format : {"csv", "hdf5"}) {
-    auto const series = open_series(folder / "", format, {"", "", "", {}, 0}, false);
+  SeriesHead const times{"", "", "", {}, 0};
+  {
+    auto const series = open_series(folder / "", times, false);
     for (double const x : numbers) series->add(std::span(&x, 1));
-    series->flush();
-    auto const rows = rows_in(folder / "", format, true);
+  }
+  make_hdf5_series(folder / "", times, false);
+  for (auto const& rows : {rows_in(folder / ""), command::read_hdf5(folder / "series.h5").rows}) {
     BOOST_TEST(rows.size() == numbers.size());
     bool same = true;
     for (std::size_t i = 0; i < numbers.size(); ++i)
       same = same && std::bit_cast<std::uint64_t>(rows[i][0]) == std::bit_cast<std::uint64_t>(numbers[i]);
-    BOOST_TEST(same, format);
+    BOOST_TEST(same);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_table_in_hdf5_takes_the_place_of_the_former_one_and_nothing_is_left_where_it_cannot) {
+  Folder const folder;
+  auto const series = open_series(folder / "", head(), false);
+  for (long const rows : {0L, 20000L}) {  // none, and more than a chunk has
+    add_rows(*series, 0, rows), series->flush();
+    std::vector<double> seen;
+    make_hdf5_series(folder / "", head(), true, [&](double done) { seen.push_back(done); });
+    auto const table = command::read_hdf5(folder / "series.h5");
+    BOOST_TEST(table.rows.size() == static_cast<std::size_t>(rows));
+    BOOST_TEST(table.columns.size() == columns);
+    if (rows == 0) continue;
+    BOOST_TEST(table["t"] == command::read_csv(folder / "series.csv")["t"], boost::test_tools::per_element());
+    BOOST_TEST(seen.size() > 1u);
+    BOOST_TEST(seen.back() == 1);
+  }
+  std::string const before = command::contents(folder / "series.h5");
+  std::ofstream(folder / "series.csv", std::ios::app) << "1,2,no number\n";
+  CHECK_REFUSED(make_hdf5_series(folder / "", head(), false), FileError);
+  BOOST_TEST((command::contents(folder / "series.h5") == before));
+  BOOST_TEST(!std::filesystem::exists(folder / "series.h5.part"));
+  std::filesystem::remove(folder / "series.csv");
+  CHECK_REFUSED(make_hdf5_series(folder / "", head(), false), FileError);
+  CHECK_REFUSED(make_hdf5_series(folder / "none", head(), false), FileError);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_is_cut_back_to_what_it_remembers_and_goes_on) {
-  for (std::string const format : {"csv", "hdf5"}) {
-    Folder const folder;
-    CheckpointStream stream;
-    {
-      auto const series = open_series(folder / "", format, head(), false);
-      add_rows(*series, 0, 1234);
-      series->sync();
-      series->remember(stream);
-      add_rows(*series, 1234, 9000);
-    }
-    BOOST_TEST(rows_in(folder / "", format).size() == 9000u);
-    {
-      auto const series = open_series(folder / "", format, head(), true);
-      CheckpointStream back(stream.bytes());
-      series->remember(back);
-      series->flush();
-      BOOST_TEST(rows_in(folder / "", format, true).size() == 1234u);
-      add_rows(*series, 1234, 5000);
-    }
-    auto const rows = rows_in(folder / "", format);
-    BOOST_TEST(rows.size() == 5000u);
-    BOOST_TEST(are_first_rows(rows));
+  Folder const folder;
+  CheckpointStream stream;
+  {
+    auto const series = open_series(folder / "", head(), false);
+    add_rows(*series, 0, 1234);
+    series->sync();
+    series->remember(stream);
+    add_rows(*series, 1234, 9000);
   }
+  BOOST_TEST(rows_in(folder / "").size() == 9000u);
+  {
+    auto const series = open_series(folder / "", head(), true);
+    CheckpointStream back(stream.bytes());
+    series->remember(back);
+    series->flush();
+    BOOST_TEST(rows_in(folder / "").size() == 1234u);
+    add_rows(*series, 1234, 5000);
+  }
+  auto const rows = rows_in(folder / "");
+  BOOST_TEST(rows.size() == 5000u);
+  BOOST_TEST(are_first_rows(rows));
 }
 
 BOOST_AUTO_TEST_CASE(a_table_that_lost_rows_since_is_refused) {
-  for (std::string const format : {"csv", "hdf5"}) {
-    Folder const folder;
-    CheckpointStream stream, few;
-    for (auto [to, into] : {std::pair{500L, &stream}, std::pair{100L, &few}}) {
-      auto const series = open_series(folder / "", format, head(), false);
-      add_rows(*series, 0, to);
-      series->sync();
-      series->remember(*into);
-    }
-    auto const series = open_series(folder / "", format, head(), true);
-    CheckpointStream back(stream.bytes());
-    BOOST_CHECK_EXCEPTION(series->remember(back), FileError, [](FileError const& error) {
-      return std::string(error.what()).ends_with("; it was cut since");
-    });
+  Folder const folder;
+  CheckpointStream stream, few;
+  for (auto [to, into] : {std::pair{500L, &stream}, std::pair{100L, &few}}) {
+    auto const series = open_series(folder / "", head(), false);
+    add_rows(*series, 0, to);
+    series->sync();
+    series->remember(*into);
   }
+  auto const series = open_series(folder / "", head(), true);
+  CheckpointStream back(stream.bytes());
+  BOOST_CHECK_EXCEPTION(series->remember(back), FileError, [](FileError const& error) {
+    return std::string(error.what()).ends_with("; it was cut since");
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_device_without_room_is_said_and_every_later_call_says_so_again) {
@@ -197,13 +215,11 @@ BOOST_AUTO_TEST_CASE(a_device_without_room_is_said_and_every_later_call_says_so_
     return std::string(error.what()).ends_with("No space left on device");
   };
   BOOST_CHECK_EXCEPTION(csv_series("/dev/full", {"t"}, false), FileError, full);
-  for (std::string const format : {"csv", "hdf5"}) {
-    // Nothing is written through a link.
-    Folder const folder;
-    std::filesystem::create_symlink("elsewhere", folder / (format == "csv" ? "series.csv" : "series.h5"));
-    CHECK_REFUSED(open_series(folder / "", format, head(), false), FileError);
-    BOOST_TEST(!std::filesystem::exists(folder / "elsewhere"));
-  }
+  // Nothing is written through a link.
+  Folder const folder;
+  std::filesystem::create_symlink("elsewhere", folder / "series.csv");
+  CHECK_REFUSED(open_series(folder / "", head(), false), FileError);
+  BOOST_TEST(!std::filesystem::exists(folder / "elsewhere"));
   // A file that was there when the disk filled up.
   std::unique_ptr<Series> const series = in_background(csv_series("/dev/full", {"t"}, true));
   add_rows(*series, 0, 10);
@@ -217,9 +233,8 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_no_table_is_refused) {
   Folder const folder;
   std::filesystem::create_directory(folder / "series.csv");
   CHECK_REFUSED(csv_series(folder / "series.csv", {"t"}, false), FileError);
-  CHECK_REFUSED(hdf5_series(folder / "series.csv", head(), false), FileError);
-  CHECK_REFUSED(hdf5_series(folder / "none/series.h5", head(), false), FileError);
-  CHECK_REFUSED(hdf5_series(folder / "series.h5", head(), true), FileError);
+  CHECK_REFUSED(csv_series(folder / "none/series.csv", {"t"}, false), FileError);
+  CHECK_REFUSED(csv_series(folder / "absent.csv", {"t"}, true), FileError);
 }
 
 BOOST_AUTO_TEST_CASE(rows_wait_for_a_slow_writer_in_bounded_memory_and_in_their_order) {
@@ -263,57 +278,47 @@ BOOST_AUTO_TEST_CASE(an_error_of_the_writer_comes_out_of_what_is_called_next) {
 
 BOOST_AUTO_TEST_CASE(what_a_killed_writer_leaves_is_a_beginning_and_can_be_gone_on_with) {
   std::mt19937 random(3);
-  for (std::string const format : {"csv", "hdf5"})
-    for (int round = 0; round < 12; ++round) {
-      Folder const folder;
-      // The child says what it remembers, as a run does in its checkpoint.
-      int remembered[2];
-      BOOST_REQUIRE(::pipe(remembered) == 0);
-      pid_t const child = ::fork();
-      if (child == 0) {
-        auto const series = open_series(folder / "", format, head(), false);
-        for (long k = 0;; k += 700) {
-          add_rows(*series, k, k + 700);
-          if (k % 2100 == 0) series->flush();
-          if (k % 9100 == 0) {
-            CheckpointStream stream;
-            series->sync();
-            series->remember(stream);
-            if (::write(remembered[1], stream.bytes().data(), stream.bytes().size()) < 0) ::_exit(1);
-          }
+  for (int round = 0; round < 12; ++round) {
+    Folder const folder;
+    // The child says what it remembers, as a run does in its checkpoint.
+    int remembered[2];
+    BOOST_REQUIRE(::pipe(remembered) == 0);
+    pid_t const child = ::fork();
+    if (child == 0) {
+      auto const series = open_series(folder / "", head(), false);
+      for (long k = 0;; k += 700) {
+        add_rows(*series, k, k + 700);
+        if (k % 2100 == 0) series->flush();
+        if (k % 9100 == 0) {
+          CheckpointStream stream;
+          series->sync();
+          series->remember(stream);
+          if (::write(remembered[1], stream.bytes().data(), stream.bytes().size()) < 0) ::_exit(1);
         }
       }
-      ::close(remembered[1]);
-      // Of HDF5 it is the rows, and a list of a sum for each of three data sets.
-      char first[64];
-      ssize_t const size = format == "csv" ? 8 : 8 + 8 + 3 * 4;
-      BOOST_REQUIRE(::read(remembered[0], first, size) == size);
-      std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
-      ::kill(child, SIGKILL);
-      ::waitpid(child, nullptr, 0);
-      std::string last(first, size);
-      for (char next[64]; ::read(remembered[0], next, size) == size;) last.assign(next, size);
-      ::close(remembered[0]);
-      if (format == "hdf5") {
-        auto const rows = rows_in(folder / "", format, true);
-        BOOST_TEST(rows.size() >= 700u);
-        BOOST_TEST(are_first_rows(rows));
-      }
-      std::uint64_t kept = 0;
-      {
-        auto const series = open_series(folder / "", format, head(), true);
-        CheckpointStream stream(last);
-        series->remember(stream);
-        if (format == "hdf5")
-          std::memcpy(&kept, last.data(), 8);
-        else
-          kept = rows_in(folder / "", format).size();
-        add_rows(*series, static_cast<long>(kept), static_cast<long>(kept) + 5000);
-      }
-      auto const rows = rows_in(folder / "", format);
-      BOOST_TEST(rows.size() == kept + 5000);
-      BOOST_TEST(are_first_rows(rows));
     }
+    ::close(remembered[1]);
+    constexpr ssize_t size = 8;
+    char next[size];
+    BOOST_REQUIRE(::read(remembered[0], next, size) == size);
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    std::string last(next, size);
+    while (::read(remembered[0], next, size) == size) last.assign(next, size);
+    ::close(remembered[0]);
+    std::size_t kept = 0;
+    {
+      auto const series = open_series(folder / "", head(), true);
+      CheckpointStream stream(last);
+      series->remember(stream);
+      kept = rows_in(folder / "").size();
+      add_rows(*series, static_cast<long>(kept), static_cast<long>(kept) + 5000);
+    }
+    auto const rows = rows_in(folder / "");
+    BOOST_TEST(rows.size() == kept + 5000);
+    BOOST_TEST(are_first_rows(rows));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -28,25 +28,26 @@ struct Counter : Motion {
   double time(double step) const { return static_cast<double>(steps) * step + ahead; }
 };
 
-/// Writes the time of the motion and that of the call; and one file with all of them.
+/// Writes the time of the motion and that of the call; in another format, one file with all of them.
 struct Writer : SnapshotWriter {
   Counter const& counter;
   double step;
   std::map<long, long>* written;
   Writer(Counter const& c, double h, std::map<long, long>* w) : counter(c), step(h), written(w) {}
   std::vector<std::string> files(long number) const override { return {snapshot_file(number, ".csv")}; }
-  std::vector<std::string> shared_files() const override { return {"snapshots/all"}; }
+  std::vector<std::string> files_in(std::string const& format, long) const override {
+    return format == "netcdf" ? std::vector<std::string>{"snapshots/all"} : std::vector<std::string>{};
+  }
   std::string line(double time) const { return std::to_string(time) + "\n"; }
-  void begin(std::string const& folder, std::span<double const> taken) override {
+  void make(std::string const& format, std::string const& folder, std::span<double const> times,
+            bool durable) const override {
     std::string all;
-    for (double const t : taken) all += line(t);
-    write_whole_file(folder + "/snapshots/all", all, false);
+    for (double const t : times) all += line(t);
+    if (format == "netcdf") write_whole_file(folder + "/snapshots/all", all, durable);
   }
   void write(std::string const& folder, long number, double time, bool durable) override {
     BOOST_TEST(std::abs(counter.time(step) - time) <= 1e-12);
     write_whole_file(folder + "/" + snapshot_file(number, ".csv"), line(time), durable);
-    write_whole_file(folder + "/snapshots/all", command::contents(folder + "/snapshots/all") + line(time),
-                     false);
     if (written) ++(*written)[number];
   }
   std::vector<SnapshotArray> coordinates() const override { return {}; }
@@ -126,7 +127,8 @@ BOOST_AUTO_TEST_CASE(they_are_at_their_times_beside_the_rows) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_was_cut_short_leaves_the_same_and_takes_none_twice) {
-  std::string const times = "until = 12\nat = [1, 2, 3.5]", output = "snapshots = []\nsnapshot_every = 0.75";
+  std::string const times = "until = 12\nat = [1, 2, 3.5]",
+                    output = "formats = [\"netcdf\"]\nsnapshots = []\nsnapshot_every = 0.75";
   Folder const whole;
   BOOST_REQUIRE((run(counting(times, output), whole, false).ending == Ending::done));
   auto const expected = files_in(whole);
@@ -187,7 +189,6 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_them_is_told) {
   tells("until = 2", "snapshots = []\nsnapshot_every = 1e-6", "at most 1000000 snapshots");
   tells("until = 2", "snapshots = [\"vorticty\"]", "unknown column 'vorticty'");
   tells("until = 2", "formats = [\"csv\", \"netcdf\"]", "netcdf is for snapshots");
-  tells("until = 2", "snapshots = []\nformats = [\"netcdf\"]", "the rows need csv or hdf5 beside it");
   tells("until = 2", "snapshots = []\nsymbol = \"husimi\"", "unknown symbol 'husimi'");
   BOOST_TEST(refusal(text_of("until = 2", "snapshots = []\nsnapshot_every = 0.5"), "snaps.toml") == "");
   // A system that has none.

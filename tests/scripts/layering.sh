@@ -6,6 +6,7 @@
 # chapters/CMakeLists.txt. A file may include its own module and whatever that reaches; a room of the program
 # its own, whatever that reaches, all of the library and src/book, which draws the pictures of runs; src/app,
 # the command, and src/python, the module for Python, every room and all of the library; src/book no module;
+# src/program/loaded, modules that the program loads, what files of arrays are and all of the library;
 # src/witness, for checks, tests and programs, numbers and groups. Includes that run in a circle are reported
 # as well. At the end a violation is planted in a copy, and must be found.
 set -euo pipefail
@@ -24,6 +25,7 @@ violations() (
       for (i = 2; i <= NF; ++i) printf " program/%s", $i
       print ""
     } END { print "module app USES library" all; print "module python USES library" all }'
+    printf 'module program/loaded USES library program/output\n'
     printf 'module witness USES groups\n'
     sed -nE 's/^actio_chapter\(([a-z0-9]+)(.*)\)$/chapter \1\2/p' chapters/CMakeLists.txt
     find src chapters -name '*.[hc]pp' | LC_ALL=C sort | xargs -r grep -noE '^ *# *include *"[^"]+"' /dev/null |

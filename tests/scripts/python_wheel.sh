@@ -25,20 +25,26 @@ pip install --config-settings "build-folder=$build" "$source" || fail "pip insta
 cd "$scratch"
 unset PYTHONPATH
 cat >try.py <<'TRY'
-import base64, hashlib, pathlib, sys
+import base64, hashlib, pathlib, sys, warnings
 from importlib import metadata
 import actio
 assert pathlib.Path(actio.__file__).is_relative_to(sys.prefix), actio.__file__
 assert pathlib.Path(actio.__file__).with_name("py.typed").exists()
 assert metadata.version("actio") == actio.__version__
 files = {str(file) for file in metadata.files("actio")}
-assert {"actio/__init__.py", "actio/_actio.pyi", "actio/py.typed"} <= files, files
+assert {"actio/__init__.py", "actio/_actio.pyi", "actio/py.typed", "actio/libactio_hdf5.so"} <= files, files
 for file in metadata.files("actio"):
     if file.hash:
         digest = hashlib.sha256(file.locate().read_bytes()).digest()
         assert base64.urlsafe_b64encode(digest).rstrip(b"=").decode() == file.hash.value, file
 scene = {"system": {"kind": "rigid_body", "body": "t_handle"}, "initial.angular_velocity": [10, 0.001, 0.01]}
-assert actio.run(scene, set={"run.until": 1, "output.quantities": ["energy"]}).rows == 2
+run = actio.run(scene, set={"run.until": 1, "output.quantities": ["energy"]})
+assert run.rows == 2
+# A module that it loads lies beside it.
+warnings.simplefilter("ignore")
+changes = {"run.until": 1, "output.quantities": ["energy"], "output.formats": ["hdf5"]}
+actio.run(scene, set=changes).save("saved")
+assert pathlib.Path("saved/series.h5").exists()
 print("installed", actio.__version__)
 TRY
 "$scratch/venv/bin/python" try.py

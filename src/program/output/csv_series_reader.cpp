@@ -76,11 +76,9 @@ class CsvSeriesReader : public SeriesReader {
 }  // namespace
 
 std::unique_ptr<SeriesReader> read_series(std::string const& folder, std::vector<ColumnGroup> const& groups) {
-  std::string const csv = folder + "/series.csv", hdf5 = folder + "/series.h5";
-  if (!std::filesystem::exists(csv) && std::filesystem::exists(hdf5)) return read_hdf5_series(hdf5, groups);
   std::vector<std::string> columns{"t"};
   for (auto const& group : groups) columns.insert(columns.end(), group.columns.begin(), group.columns.end());
-  return read_csv_series(csv, columns);
+  return read_csv_series(folder + "/series.csv", columns);
 }
 std::unique_ptr<SeriesReader> read_csv_series(std::string const& path,
                                               std::vector<std::string> const& columns) {

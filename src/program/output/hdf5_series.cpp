@@ -1,108 +1,71 @@
-// A data set for each quantity, in a file that any reader can open at any instant (hdf5_file.hpp), with a
-// checksum on every chunk of numbers (hdf5_last_chunks.hpp).
-#include "program/output/hdf5_last_chunks.hpp"
+#include "program/output/hdf5_series.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "program/output/array_file.hpp"
 #include "program/output/series_reader.hpp"
 
 namespace actio::scene {
 namespace {
 
-using hdf5::LastChunks, hdf5::SeriesFile, hdf5::Session;
+/// Rows of a chunk, the same for all data sets: about 64 kB of the widest, more where that would be few; a
+/// power of two, and no more than the run has.
+std::size_t rows_of_chunk(std::size_t widest, std::size_t expected) {
+  constexpr std::size_t numbers = 1 << 13, most = 1 << 17, few = 64;
+  std::size_t const rows = std::max(numbers / widest, std::min(few, most / widest));
+  return std::min(std::bit_floor(std::max<std::size_t>(1, rows)), std::bit_ceil(expected));
+}
 
-class Hdf5Series : public Series {
- public:
-  Hdf5Series(Session const& h5, std::string const& path, SeriesHead const& head, bool resume)
-      : file_(resume ? SeriesFile::find(h5, path, head) : SeriesFile::make(h5, path, head)),
-        last_(file_),
-        groups_(head.groups) {}
-  ~Hdf5Series() override {
-    if (!file_.has_failed() && !file_.is_open()) return;  // it was to be gone on with, and was not
-    Session const h5;
-    try {
-      if (!file_.has_failed()) seal(h5);
-      file_.close(h5);
-    } catch (FileError const&) {
-    }
+ArraySet set_of(ColumnGroup const& group) {
+  Quantity const& quantity = group.quantity;
+  ArraySet out{quantity.name, {{"row", 0}}};
+  for (std::size_t const n : group.shape()) out.axes.push_back({"", n});
+  out.attributes = {{"meaning", {quantity.meaning}},
+                    {"formula", {quantity.formula}},
+                    {"unit", {quantity.unit}},
+                    {"statement", {quantity.statement}},
+                    {"columns", group.columns, true}};
+  return out;
+}
+std::vector<ArraySet> sets_of(SeriesHead const& head) {
+  Quantity const time{"t", Quantity::Kind::scalar, "The time.", "t", head.time_unit, "", {}};
+  std::vector<ArraySet> out{set_of({time, {"t"}})};
+  std::size_t widest = 1;
+  for (auto const& group : head.groups)
+    out.push_back(set_of(group)), widest = std::max(widest, out.back().width());
+  std::size_t const rows = rows_of_chunk(widest, static_cast<std::size_t>(std::max(1L, head.rows)));
+  for (auto& set : out) {
+    set.chunk = {rows};
+    for (std::size_t k = 1; k < set.axes.size(); ++k) set.chunk.push_back(set.axes[k].length);
   }
-
-  void add(std::span<double const> row) override {
-    file_.rethrow();
-    last_.add(row);
-    if (++rows_ % file_.rows_of_chunk() != 0) return;
-    Session const h5;
-    last_.write(h5, rows_, LastChunks::Last::full);
-    if (last_.untold() > enough) tell(h5);
-  }
-  void flush() override {
-    file_.rethrow();
-    Session const h5;
-    file_.refuse_lost(h5);
-    if (told_ == rows_) return;
-    if (rows_ % file_.rows_of_chunk() != 0) last_.write(h5, rows_, LastChunks::Last::growing);
-    tell(h5);
-  }
-  void sync() override {
-    flush();
-    Session const h5;
-    file_.sync(h5);
-  }
-  void remember(CheckpointStream& stream) override {
-    file_.rethrow();
-    auto sums = last_.checksums();
-    stream(rows_, sums);
-    if (!stream.reading()) return;
-    read_back(sums);
-    Session const h5;
-    file_.open(h5);
-    last_.unseal(h5);
-    file_.close(h5);
-    file_.cut_back(h5, rows_);
-    file_.open(h5);
-    last_.expect_chunks();
-    told_ = rows_;
-  }
-
- private:
-  static constexpr std::size_t enough = 1 << 17;  // bytes that are not told of
-
-  /// Reads the rows that a checkpoint remembers, each chunk against its checksum; keeps those of the last
-  /// chunk.
-  void read_back(std::vector<std::uint32_t> const& sums) {
-    for (auto const& set : file_.sets())
-      if (set.extent[0] < rows_)
-        file_.refuse(file_.path() + ": has " + std::to_string(set.extent[0]) +
-                     " rows, where the checkpoint needs " + std::to_string(rows_) + "; it was cut since");
-    auto const reader = read_hdf5_series(file_.path(), groups_);
-    std::vector<double> row(file_.width());
-    std::size_t const whole = rows_ - rows_ % file_.rows_of_chunk();
-    for (std::size_t k = 0; k < rows_; ++k) {
-      if (!reader->next(row)) file_.refuse(file_.path() + ": ends too early");
-      if (k >= whole) last_.add(row);
-    }
-    auto const found = last_.checksums();
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (found[i] != sums[i]) file_.refuse(hdf5::damage(file_.path(), file_.sets()[i].name(), whole, rows_));
-  }
-  void tell(Session const& h5) { last_.tell(h5), told_ = rows_; }
-  /// The last chunk gets its checksum, for good.
-  void seal(Session const& h5) {
-    if (rows_ % file_.rows_of_chunk() != 0) {
-      last_.write(h5, rows_, LastChunks::Last::growing), tell(h5);
-      last_.write(h5, rows_, LastChunks::Last::full);
-    }
-    tell(h5);
-  }
-
-  SeriesFile file_;
-  LastChunks last_;
-  std::vector<ColumnGroup> groups_;
-  std::size_t rows_ = 0, told_ = 0;  // all of them, and those that the file tells of
-};
+  return out;
+}
 
 }  // namespace
 
-std::unique_ptr<Series> hdf5_series(std::string const& path, SeriesHead const& head, bool resume) {
-  Session const h5;
-  return std::make_unique<Hdf5Series>(h5, path, head, resume);
+void make_hdf5_series(std::string const& folder, SeriesHead const& head, bool durable,
+                      std::function<void(double)> const& see) {
+  auto const reader = read_series(folder, head.groups);
+  auto const sets = sets_of(head);
+  ArrayFile file(ArrayFile::Format::hdf5, folder + "/series.h5",
+                 {{"title", {head.title}},
+                  {"system", {head.system}},
+                  {"actio_version", {ACTIO_VERSION}},
+                  {"scene", {head.scene}}},
+                 sets);
+  std::vector<double> row(head.columns().size());
+  std::vector<std::vector<double>> chunks(sets.size());
+  std::size_t const at_once = sets.front().chunk.front();
+  for (std::size_t rows = 0, more = at_once; more == at_once; rows += more) {
+    for (more = 0; more < at_once && reader->next(row); ++more)
+      for (std::size_t k = 0, at = 0; k < sets.size(); at += sets[k++].width())
+        chunks[k].insert(chunks[k].end(), row.begin() + static_cast<long>(at),
+                         row.begin() + static_cast<long>(at + sets[k].width()));
+    for (std::size_t k = 0; k < sets.size() && more > 0; ++k) file.put(k, rows, chunks[k]), chunks[k].clear();
+    if (see) see(reader->fraction());
+  }
+  file.name(durable);
 }
 
 }  // namespace actio::scene

@@ -1,28 +1,12 @@
 // The table that a run leaves: a row per output instant, the time first.
 //
-// Two formats hold the same numbers, bit for bit. `series.csv` is a text with a header row. `series.h5` has a
-// data set for each quantity, rows along its first axis, and `t`; attributes tell unit, meaning, formula,
-// statement and the names of the columns, those of the file title, system, version and scene.
-//
-// Both can be read while the run goes on and whatever ended it, Ctrl-C, `kill -9` or a full disk, by any
-// reader:
-//
-//     h5ls series.h5,   h5py.File("series.h5", "r")
-//
+// `series.csv` is a text with a header row, and numbers with 17 significant digits: those that were computed,
+// bit for bit. It can be read while the run goes on and whatever ended it, Ctrl-C, `kill -9` or a full disk.
 // Rows are in the file half a second after they were computed at the latest, so that `kill -9` and a full
 // disk take no more than those of the last half second with them; a loss of power takes no more than those
 // since the last checkpoint, two seconds before. What is lost is computed again by `resume`.
 //
-// While an HDF5 file is written its data sets may differ in length by the rows that are on their way: the
-// shortest length counts. It is then followed by a hole, which takes no room on the disk but counts in the
-// length of the file, and which is gone at the end. A reader that has it open sees the rows of the time
-// when it was opened. To follow it, open it anew, or for following: h5py.File("series.h5", "r", swmr=True). A
-// reader that meets a write in its midst is told of a wrong checksum, and finds the file whole when it looks
-// again; a reader for following does so by itself. After the writer has ended, however it did, every look
-// succeeds.
-//
-// Every chunk of numbers has a checksum (Fletcher32). Readers refuse a chunk in which a bit was turned, and
-// so does `resume`, which reads all of them.
+// A table in HDF5 is made of it, whole (hdf5_series.hpp).
 #pragma once
 
 #include <memory>
@@ -60,21 +44,20 @@ struct SeriesHead {
   std::vector<ColumnGroup> groups;  ///< the columns after the time
   long rows = 0;                    ///< expected; a matter of speed alone
   std::string time_unit = "time";   ///< of `t`, as it is called
+
+  /// The names of all columns, the time first.
+  std::vector<std::string> columns() const;
 };
 
-/// The table `series.csv` or `series.h5` in a folder, written by a thread of its own where it is large; new,
-/// or there and cut back by `remember`.
-/// @param format  "csv" or "hdf5"
+/// The table `series.csv` in a folder, written by a thread of its own where it is large; new, or there and
+/// cut back by `remember`.
 /// @throws FileError
-std::unique_ptr<Series> open_series(std::string const& folder, std::string const& format,
-                                    SeriesHead const& head, bool resume);
+std::unique_ptr<Series> open_series(std::string const& folder, SeriesHead const& head, bool resume);
 
 /// A new table `path`, or one that is there and will be cut back by `remember`.
 /// @throws FileError
 std::unique_ptr<Series> csv_series(std::string const& path, std::vector<std::string> const& columns,
                                    bool resume);
-/// The same in HDF5.
-std::unique_ptr<Series> hdf5_series(std::string const& path, SeriesHead const& head, bool resume);
 
 /// The same table, with rows formatted and written by a thread of its own. No more than a few blocks of rows
 /// wait for it, however long the run; an error of the writer comes out of whatever is called next.

@@ -22,17 +22,14 @@ class SeriesReader {
   virtual double fraction() const = 0;
 };
 
-/// The table `series.csv` in a folder, or `series.h5` where that alone is there.
+/// The table `series.csv` in a folder.
 /// @param groups  the columns after the time
-/// @throws FileError  where neither is there, or cannot be read, or has other columns
+/// @throws FileError  where it is not there, or cannot be read, or has other columns
 std::unique_ptr<SeriesReader> read_series(std::string const& folder, std::vector<ColumnGroup> const& groups);
 
 /// The table `path` in comma-separated values.
 /// @param columns  that it has, the time first
 std::unique_ptr<SeriesReader> read_csv_series(std::string const& path,
                                               std::vector<std::string> const& columns);
-/// The table `path` in HDF5.
-std::unique_ptr<SeriesReader> read_hdf5_series(std::string const& path,
-                                               std::vector<ColumnGroup> const& groups);
 
 }  // namespace actio::scene

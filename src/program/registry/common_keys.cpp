@@ -137,8 +137,10 @@ std::vector<Parameter> keys_of_output(System const& system) {
        "What the rows hold, in this order after the time; nothing else is computed (actio list quantities).",
        "", "[" + in_quotes(quantities.back()) + "]", quantities},
       {"output.formats", "a list of texts", "[\"csv\"]",
-       "The files of the table: csv is series.csv, a text with 17 significant digits; hdf5 is series.h5, a "
-       "data set for each quantity with its unit, meaning and formula." +
+       "What there is for other programs besides the table series.csv, a text with 17 significant digits, "
+       "which every run writes: hdf5 is series.h5, a data set for each quantity with its unit, meaning and "
+       "formula. Such files are made of the plain ones, whole, when a run ends, once a minute while it goes "
+       "on, and by actio export." +
            meaning_of_formats(system),
        "", "[\"csv\", \"hdf5\"]", formats_of(system)},
       {"output.plots", "true or false", "false",

@@ -136,9 +136,6 @@ Scene Scene::read(SceneFile file) {
   if (system.snapshots)
     for (auto const& format : system.snapshots->formats) known_formats.push_back(format.name);
   auto const formats = output.choices("formats", "format", known_formats);
-  if (std::all_of(formats.begin(), formats.end(), [&](auto const& f) { return is_of_snapshots(f, system); }))
-    output.fail("formats", fmt::format("formats: {} holds snapshots; the rows need csv or hdf5 beside it",
-                                       listed(formats)));
   auto const snapshots = snapshots_of(output, system, formats);
   std::optional<Schedule> times;
   if (snapshots) schedule.meet(times.emplace(snapshot_times(output, schedule)));

@@ -6,7 +6,7 @@
 // A system says what its snapshots can hold (`SnapshotKind`, in its `System`), and sets up a writer where a
 // scene asks for them (`Simulation::snapshots`). When they are taken, and that a run that was cut short
 // leaves the same ones, is a matter of the run. A snapshot is written whole, and counts when `times.csv` has
-// its row; one that was cut short is written over.
+// its row; one that was cut short is written over. Other formats are made of these files.
 #pragma once
 
 #include <memory>
@@ -45,7 +45,7 @@ struct SnapshotArray {
   std::string meaning;               ///< in a few words
   std::vector<std::string> axes;     ///< "node", "component"
   std::vector<std::size_t> shape;    ///< along them
-  std::vector<double> numbers;       ///< the last axis fastest
+  std::vector<double> numbers{};     ///< the last axis fastest
   std::vector<std::string> names{};  ///< along the last axis, where they have some
   std::string unit{};                ///< empty where it is not known
   bool counts = false;               ///< whether they are whole numbers
@@ -57,24 +57,25 @@ class SnapshotWriter {
   virtual ~SnapshotWriter() = default;
   /// The files of one snapshot, with the folder within that of the run: "snapshots/000000.csv".
   virtual std::vector<std::string> files(long number) const = 0;
-  /// Files in which all of them share.
-  virtual std::vector<std::string> shared_files() const { return {}; }
+  /// The files that another format leaves of the first so many of them; none where it leaves nothing.
+  virtual std::vector<std::string> files_in(std::string const& format, long taken) const {
+    return (void)format, (void)taken, std::vector<std::string>{};
+  }
+  /// Makes these, each whole, out of the files of the snapshots.
+  /// @param folder   of the run
+  /// @param times    of the snapshots
+  /// @param durable  whether they are on the disk afterwards
+  /// @throws FileError
+  virtual void make(std::string const& format, std::string const& folder, std::span<double const> times,
+                    bool durable) const {
+    (void)format, (void)folder, (void)times, (void)durable;
+  }
   /// About how many bytes one of them takes on the disk; zero where that is not known.
   virtual double bytes_of_one() const { return 0; }
-  /// Makes the files in which they share ready for the next one, in a run that begins or goes on: they hold
-  /// those that were taken, and no others.
-  /// @param folder  of the run
-  /// @param taken   times of those that count
-  /// @throws FileError
-  virtual void begin(std::string const& folder, std::span<double const> taken) { (void)folder, (void)taken; }
   /// Writes one; files of that name are written over.
   /// @param durable  whether it is on the disk afterwards
   /// @throws FileError
   virtual void write(std::string const& folder, long number, double time, bool durable) = 0;
-  /// What was written is in the files in which all share, for others to see.
-  /// @param at_once  otherwise only where that is due: it takes no more than a small part of the time
-  /// @throws FileError
-  virtual void flush(std::string const& folder, bool at_once) { (void)folder, (void)at_once; }
   /// The places to which the numbers of every snapshot belong.
   virtual std::vector<SnapshotArray> coordinates() const = 0;
   /// What a snapshot of the state now holds: the numbers that `write` would write.

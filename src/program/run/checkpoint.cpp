@@ -16,7 +16,7 @@ namespace actio::scene {
 namespace {
 
 // Another version may make other digits of the same scene.
-constexpr std::string_view heading = "actio checkpoint 3, " ACTIO_VERSION "\n";
+constexpr std::string_view heading = "actio checkpoint 4, " ACTIO_VERSION "\n";
 /// What to do where a checkpoint is of no use.
 constexpr char const* way_out = "; without it the run starts anew: remove it, then actio resume does so";
 
@@ -53,7 +53,7 @@ std::string read_checkpoint(std::string const& path, std::optional<std::string> 
   if (!in) throw FileError(path + ": cannot be read");
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   std::size_t const start = heading.size() + 16;
-  if (!bytes.starts_with(heading.substr(0, heading.find("3,"))))
+  if (!bytes.starts_with(heading.substr(0, heading.find("4,"))))
     throw FileError(path + ": is damaged, or no checkpoint" + way_out);
   if (!bytes.starts_with(heading))
     throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION + way_out);

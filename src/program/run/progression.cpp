@@ -74,9 +74,11 @@ void check_snapshots(Taken const& taken, Scene const& scene, Place const& place)
 bool run_is_finished(Scene const& scene, std::string const& folder) {
   auto const [at, taken] = progression(scene, folder, scene.file.section("run").place("until"));
   bool const with_snapshots = scene.snapshots && scene.simulation.snapshots;
+  std::string const summary = folder + "/summary.json";
   return at.rows == scene.schedule.rows() &&
          (!with_snapshots || taken.snapshots == scene.snapshots->rows()) &&
-         std::filesystem::exists(folder + "/summary.json");
+         std::filesystem::exists(summary) &&
+         SceneFile::text_of(summary).find("\"status\": \"failed\"") == std::string::npos;
 }
 
 Scene extended(Scene const& scene, std::string const& folder, double until) {

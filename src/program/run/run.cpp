@@ -14,6 +14,7 @@
 #include "program/run/change_of_step.hpp"
 #include "program/run/checkpoint.hpp"
 #include "program/run/error_estimate.hpp"
+#include "program/run/exports.hpp"
 #include "program/run/run_output.hpp"
 #include "program/run/run_position.hpp"
 
@@ -176,7 +177,26 @@ class Run {
     progress_.show(now, position_.fraction(), position_.count(),
                    drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
     if (options_.watch) options_.watch(position_.fraction(), position_.time());
-    if (now - last_checkpoint_ >= std::chrono::duration<double>(options_.checkpoint_interval)) checkpoint();
+    if (now - last_checkpoint_ < std::chrono::duration<double>(options_.checkpoint_interval)) return;
+    checkpoint();
+    if (in_memory() || Clock::now() < next_exports_) return;
+    auto const began = Clock::now();
+    try {
+      export_files(false);
+    } catch (FileError const&) {
+      // At the end they are made once more, and it is told if they still cannot be.
+    }
+    next_exports_ = Clock::now() + std::max(interval_of_exports(), 50 * (Clock::now() - began));
+  }
+
+  /// Files of other formats are made of the plain ones: thirty checkpoints apart or more, fifty times as long
+  /// as it takes.
+  void export_files(bool at_end) {
+    make_exports(scene_, folder_, scene_.formats, {options_.durable, at_end});
+  }
+  Clock::duration interval_of_exports() const {
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(30 * options_.checkpoint_interval));
   }
 
   void checkpoint() {
@@ -255,13 +275,14 @@ class Run {
     if (!report.step_changes.empty())
       report.error.clear(), report.error_how = fmt::format("not estimated: the step was changed at t = {}",
                                                            report.step_changes.front().time);
-    report.summary = summary_json(scene_, report);
     // A run with snapshots may be beyond its last row, and has it from its checkpoint.
     if (!wrote_ && report.ending == Ending::done && !position_.with_snapshots()) evaluate_last_row();
     if (wrote_ || report.ending == Ending::done) report.last_row = row_;
-    // The tables are closed before the summary says that the run is finished: after a kill in between,
-    // `resume` closes them.
+    // All files are made before the summary says that the run is finished: after a kill in between, `resume`
+    // makes them.
     output_->close();
+    if (!in_memory() && report.ending != Ending::file_failed) attempt([&] { export_files(true); });
+    report.summary = summary_json(scene_, report);
     if (!in_memory())
       attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
   }
@@ -292,7 +313,8 @@ class Run {
   std::optional<RunOutput> output_;
   std::vector<double> row_;
   bool wrote_ = false;  // a row, in this process
-  Clock::time_point last_flush_ = Clock::now(), last_checkpoint_ = last_flush_;
+  Clock::time_point last_flush_ = Clock::now(), last_checkpoint_ = last_flush_,
+                    next_exports_ = last_flush_ + interval_of_exports();
 };
 
 }  // namespace

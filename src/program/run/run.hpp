@@ -87,8 +87,8 @@ RunReport run_with_other_step(Scene& scene, Scene& before, std::string const& fo
 /// @throws TooLarge  where the memory does not suffice for the table (memory_series.hpp)
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options = {});
 
-/// Whether the run in this folder has come to its end: all rows are in its checkpoint, and how it ended is
-/// told.
+/// Whether the run in this folder has come to its end: all rows are in its checkpoint, how it ended is told,
+/// and no file has failed.
 /// @throws FileError  where the checkpoint cannot be read, is damaged, or belongs to another scene
 bool run_is_finished(Scene const& scene, std::string const& folder);
 

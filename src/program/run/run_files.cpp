@@ -6,21 +6,14 @@
 #include <filesystem>
 
 #include "program/registry/units.hpp"
+#include "program/run/exports.hpp"
 #include "program/run/run.hpp"
 
 namespace actio::scene {
 
-std::vector<std::string> files_of_table(Scene const& scene) {
-  std::vector<std::string> out;
-  for (auto const& format : scene.formats)
-    if (format == "csv" || format == "hdf5") out.emplace_back(format == "csv" ? "series.csv" : "series.h5");
-  return out;
-}
-
 std::vector<std::string> files_of_snapshots(Scene const& scene) {
   std::vector<std::string> out{times_of_snapshots};
   SnapshotWriter const& writer = *scene.simulation.snapshots;
-  for (auto& name : writer.shared_files()) out.push_back(std::move(name));
   for (long k = 0; k < scene.snapshots->rows(); ++k)
     for (auto& name : writer.files(k)) out.push_back(name), out.push_back(std::move(name) + ".part");
   return out;
@@ -35,8 +28,6 @@ Missing missing_snapshots(Scene const& scene, std::string const& folder, long ta
       missing.push_back(std::move(name));
   };
   SnapshotWriter const& writer = *scene.simulation.snapshots;
-  for (auto& name : writer.shared_files())
-    if (!name.ends_with(".part")) look_for(name);
   for (long k = 0; k < taken; ++k)
     for (auto& name : writer.files(k)) look_for(name);
   if (count == 0) return {};
@@ -55,14 +46,13 @@ SeriesHead series_head(Scene const& scene, std::string const& written, long rows
 }
 
 std::vector<std::string> files_of_run(Scene const& scene) {
-  std::vector<std::string> out{"scene.toml",      "scene.toml.part", "checkpoint",
-                               "checkpoint.part", "summary.json",    "summary.json.part"};
-  for (auto& name : files_of_table(scene)) {
-    if (name == "series.h5") out.push_back(name + ".part");
-    out.push_back(std::move(name));
-  }
+  std::vector<std::string> out{"scene.toml",   "scene.toml.part",   "checkpoint", "checkpoint.part",
+                               "summary.json", "summary.json.part", "series.csv"};
   if (scene.snapshots && scene.simulation.snapshots)
     for (auto& name : files_of_snapshots(scene)) out.push_back(std::move(name));
+  for (auto const& format : scene.formats)
+    for (auto& name : files_of_export(scene, format, scene.snapshots ? scene.snapshots->rows() : 0))
+      out.push_back(name), out.push_back(std::move(name) + ".part");
   return out;
 }
 

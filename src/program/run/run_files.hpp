@@ -10,8 +10,6 @@ namespace actio::scene {
 
 /// The table of the times of the snapshots.
 inline constexpr char const* times_of_snapshots = "snapshots/times.csv";
-/// The table of the rows, in each of its formats.
-std::vector<std::string> files_of_table(Scene const& scene);
 /// The files of the snapshots, as the writer names them.
 std::vector<std::string> files_of_snapshots(Scene const& scene);
 /// Files that are not in a folder any more.

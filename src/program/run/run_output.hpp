@@ -22,8 +22,7 @@ class RunOutput {
       : scene_(scene), folder_(std::move(folder)), with_snapshots_(snapshots), told_(std::move(told)) {
     if (in_memory()) return;
     SeriesHead const head = series_head(scene, scene.file.written(), scene.schedule.rows());
-    for (auto const& format : scene.formats)
-      if (format == "csv" || format == "hdf5") series_.push_back(open_series(folder_, format, head, resume));
+    series_.push_back(open_series(folder_, head, resume));
     if (!snapshots) return;
     OwnFiles(folder_).claim(files_of_snapshots(scene));
     times_ = csv_series(folder_ + "/" + times_of_snapshots, {"snapshot", "t"}, resume);
@@ -33,13 +32,9 @@ class RunOutput {
     series_.push_back(memory_series(table, static_cast<std::size_t>(scene_.schedule.rows()), width));
   }
 
-  /// The first so many snapshots are there, and the next one will be taken.
-  /// @throws FileError
+  /// The first so many snapshots are there, or it is remarked that they are not; the next one will be taken.
   void begin_snapshots(long taken) {
     if (in_memory() || !with_snapshots_) return;
-    std::vector<double> times;
-    for (long k = 0; k < taken; ++k) times.push_back(scene_.snapshots->time(k));
-    scene_.simulation.snapshots->begin(folder_, times);
     auto const missing = missing_snapshots(scene_, folder_, taken);
     if (missing.count > 0) scene_.simulation.remarks.push_back(missing.told);
     missing_ = missing.count;
@@ -68,7 +63,6 @@ class RunOutput {
   /// Of the snapshots alone.
   void show_snapshots(long taken, bool at_once) {
     if (in_memory() || !with_snapshots_) return;
-    scene_.simulation.snapshots->flush(folder_, at_once);
     constexpr long few = 1000;  // are looked for in less than a hundredth of the time
     if (!at_once && taken > few) return;
     auto const missing = missing_snapshots(scene_, folder_, taken);

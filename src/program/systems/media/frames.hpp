@@ -5,10 +5,11 @@
 //
 // and of a periodic box `periods` (d) and `beyond` (cells, corners, d), the number of periods by which a
 // corner lies beyond the place of its node. The numbers are those of the tables, and corners are counted as
-// VTK counts them.
+// VTK counts them. Each frame has chunks of its own, compressed without loss, with a checksum.
 #pragma once
 
-#include "program/output/hdf5_frames.hpp"
+#include "program/output/array_file.hpp"
+#include "program/registry/snapshots.hpp"
 #include "program/registry/units.hpp"
 #include "program/systems/media/fields.hpp"
 
@@ -23,21 +24,35 @@ std::vector<std::string> stress_components(int d);
 template <int d>
 struct MediumFrames {
   using Place = std::array<double, d>;  ///< a point, or a vector
+  /// Numbers of each field, those of one node one after the other.
+  using Numbers = std::vector<std::vector<double>>;
+  /// What all frames have in common; its numbers are made when they are written.
+  struct Constant {
+    SnapshotArray array;                           ///< without them
+    std::function<std::vector<double>()> numbers;  ///< the last axis fastest
+    std::vector<ArrayAttribute> more = {};         ///< besides meaning and unit
+  };
 
-  /// The file in the folder of a run.
-  /// @param asked  what it holds besides places and velocities
+  /// Of the motion at one time, without their numbers.
+  /// @param asked  what a frame holds besides places and velocities
   /// @param units  of the scene
-  static Hdf5Frames in(std::string const& folder, MediumCells<d> const& cells,
-                       std::vector<std::string> const& asked, Units const& units);
-  /// What all frames have in common.
-  static std::vector<Hdf5Frames::Constant> constants(MediumCells<d> const& cells);
-  /// The numbers of one frame, field by field.
-  /// @param x, v    of the nodes; they and the fields outlive what is returned
-  /// @param fields  of each node, those of one node one after the other
-  static std::function<std::span<double const>(std::size_t)> one(std::vector<Place> const& x,
-                                                                 std::vector<Place> const& v,
-                                                                 std::vector<std::string> const& asked,
-                                                                 std::vector<double> const& fields);
+  static std::vector<SnapshotArray> fields(MediumCells<d> const& cells, std::vector<std::string> const& asked,
+                                           Units const& units);
+  static std::vector<Constant> constants(MediumCells<d> const& cells);  ///< of all frames
+
+  /// The numbers of one frame out of its table.
+  /// @param columns  that it has
+  /// @throws FileError
+  static Numbers read(std::string const& table, std::vector<std::string> const& columns,
+                      std::vector<SnapshotArray> const& fields);
+  /// Writes them all.
+  /// @param times  of the frames
+  /// @param frame  one of them
+  /// @throws FileError
+  static void make(std::string const& path, std::vector<ArrayAttribute> const& texts,
+                   MediumCells<d> const& cells, std::vector<SnapshotArray> const& fields,
+                   std::string const& time_unit, std::span<double const> times,
+                   std::function<Numbers(long)> const& frame, bool durable);
 };
 
 }  // namespace actio::scene

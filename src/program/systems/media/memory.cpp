@@ -39,10 +39,11 @@ struct Counted {
   }
 };
 
-/// Besides a list: a chunk of it as HDF5 has it (hdf5_frames.cpp), and compressed.
+/// Besides a list: a chunk of it as HDF5 has it (frames.cpp), and compressed.
 double bytes_of_chunk(double list) { return list > 0 ? 2 * list / std::ceil(list / 2097152) : 0; }
 
-/// What a snapshot takes while it is written: places, velocities, fields; its file is written in parts.
+/// What a snapshot takes while it is written, places, velocities and fields, or while its table is read and
+/// written in another format; files are written in parts.
 double bytes_of_snapshot(Counted const& body, SnapshotRequest const& snapshots) {
   int const d = static_cast<int>(body.d);
   double const columns = d == 1   ? field_size<1>(snapshots.columns)
@@ -50,18 +51,17 @@ double bytes_of_snapshot(Counted const& body, SnapshotRequest const& snapshots) 
                                   : field_size<3>(snapshots.columns);
   bool const stressed =
       std::find(snapshots.columns.begin(), snapshots.columns.end(), "stress") != snapshots.columns.end();
-  // While fields are summed there are the volumes that they are weighed by, and in frames those of one field
-  // once more.
   double const widest = 8 * body.nodes * (stressed ? d * (d + 1) / 2 : columns > 0 ? 1 : 0);
-  double most = 0;
-  if (snapshots.in("csv") || snapshots.in("hdf5")) most = 8 * (columns + 1) * body.nodes;
+  // While fields are summed there are the volumes that they are weighed by.
+  double most = 8 * (columns + 1) * body.nodes;
   if (snapshots.in("hdf5"))
-    most = std::max(most, 8 * columns * body.nodes + (snapshots.columns.size() > 1 ? widest : 0) +
-                              bytes_of_chunk(std::max(widest, body.vector)));
-  // The blocks of a grid are compressed where the library of frames has left room.
+    most = std::max(most, 8 * columns * body.nodes + bytes_of_chunk(std::max(widest, body.vector)));
+  // Places and velocities are there twice when they have been read. The blocks of a grid are compressed where
+  // the library of frames has left room.
   if (snapshots.in("vtu"))
-    most = std::max(most, 8 * (columns + 1) * body.cells +
-                              (snapshots.in("hdf5") ? 0 : 1.5e6 + std::min(80 * body.cells, 1.2e6)));
+    most = std::max({most, 2 * body.vector,
+                     8 * (columns + 1) * body.cells +
+                         (snapshots.in("hdf5") ? 0 : 1.5e6 + std::min(80 * body.cells, 1.2e6))});
   return 2 * body.vector + most;
 }
 

@@ -2,21 +2,11 @@
 
 #include <cmath>
 
-#include "program/output/series_reader.hpp"
 #include "program/registry/units.hpp"
 #include "program/systems/media/grid.hpp"
-#include "program/systems/media/snapshots.hpp"
 
 namespace actio::scene {
 namespace {
-
-/// Points out of numbers that stand in a row.
-template <int d>
-std::vector<std::array<double, d>> points_of(std::vector<double> const& numbers) {
-  std::vector<std::array<double, d>> out(numbers.size() / d);
-  for (std::size_t k = 0; k < numbers.size(); ++k) out[k / d][k % d] = numbers[k];
-  return out;
-}
 
 /// The cells as they are drawn: those of a line are a band.
 template <int d>
@@ -97,23 +87,6 @@ void add_frame(PlayedMedium& played, MediumView<d> const& medium, DrawnMesh cons
 }  // namespace
 
 template <int d>
-MediumFrame<d> MediumFrame<d>::in_hdf5(Hdf5Frames const& frames, std::size_t number) {
-  return {points_of<d>(frames.read("place", number)), points_of<d>(frames.read("velocity", number))};
-}
-template <int d>
-MediumFrame<d> MediumFrame<d>::in_table(std::string const& file, std::vector<std::string> const& asked) {
-  auto const columns = medium_columns(d, asked);
-  auto const reader = read_csv_series(file, columns);
-  MediumFrame<d> out;
-  for (std::vector<double> row(columns.size()); reader->next(row);) {
-    auto& x = out.places.emplace_back();
-    auto& v = out.velocities.emplace_back();
-    for (std::size_t a = 0; a < d; ++a) x[a] = row[d + a], v[a] = row[2 * d + a];
-  }
-  return out;
-}
-
-template <int d>
 std::shared_ptr<PlayedMedium const> play_medium(MediumView<d> const& medium, std::span<double const> times,
                                                 std::function<MediumFrame<d>(std::size_t)> const& read) {
   if (times.empty()) return nullptr;
@@ -132,9 +105,6 @@ std::shared_ptr<PlayedMedium const> play_medium(MediumView<d> const& medium, std
     std::size_t const number =
         size.frames > 1 ? (k * (times.size() - 1) + (size.frames - 1) / 2) / (size.frames - 1) : 0;
     MediumFrame<d> const frame = read(number);
-    if (frame.places.size() != medium.motion->cells().nodes())
-      throw FileError("snapshot " + std::to_string(number) + " has " + std::to_string(frame.places.size()) +
-                      " nodes, where the scene has " + std::to_string(medium.motion->cells().nodes()));
     played->times.push_back(times[number]);
     add_frame(*played, medium, mesh, frame);
   }
@@ -142,20 +112,14 @@ std::shared_ptr<PlayedMedium const> play_medium(MediumView<d> const& medium, std
 }
 
 /// Along a line.
-template struct MediumFrame<1>;
-/// \copydoc play_medium
 template std::shared_ptr<PlayedMedium const> play_medium(
     MediumView<1> const& medium, std::span<double const> times,
     std::function<MediumFrame<1>(std::size_t)> const& read);
 /// In the plane.
-template struct MediumFrame<2>;
-/// \copydoc play_medium
 template std::shared_ptr<PlayedMedium const> play_medium(
     MediumView<2> const& medium, std::span<double const> times,
     std::function<MediumFrame<2>(std::size_t)> const& read);
 /// In space.
-template struct MediumFrame<3>;
-/// \copydoc play_medium
 template std::shared_ptr<PlayedMedium const> play_medium(
     MediumView<3> const& medium, std::span<double const> times,
     std::function<MediumFrame<3>(std::size_t)> const& read);

@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "program/output/hdf5_frames.hpp"
 #include "program/pictures/played_medium.hpp"
 #include "program/systems/media/fields.hpp"
 
@@ -15,12 +14,6 @@ template <int d>
 struct MediumFrame {
   std::vector<std::array<double, d>> places;      ///< of the nodes, length
   std::vector<std::array<double, d>> velocities;  ///< of the nodes, length/time
-
-  /// One of the frames in HDF5.
-  static MediumFrame in_hdf5(Hdf5Frames const& frames, std::size_t number);
-  /// A snapshot that is a table.
-  /// @param asked  its columns besides places and velocities
-  static MediumFrame in_table(std::string const& file, std::vector<std::string> const& asked);
 };
 
 /// What is shown of snapshots at these times.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "program/base/number_table.hpp"
 #include "program/base/whole_file.hpp"
@@ -28,19 +27,15 @@ class MediumSnapshots : public SnapshotWriter {
         asked_(request.columns),
         vtu_(request.in("vtu")),
         hdf5_(request.in("hdf5")),
-        csv_(request.in("csv")),
         medium_(medium) {}
 
-  std::vector<std::string> files(long number) const override {
+  std::vector<std::string> files(long number) const override { return {snapshot_file(number, ".csv")}; }
+  std::vector<std::string> files_in(std::string const& format, long taken) const override {
     std::vector<std::string> out;
-    if (csv_) out.push_back(snapshot_file(number, ".csv"));
-    if (vtu_) out.push_back(snapshot_file(number, ".vtu"));
-    return out;
-  }
-  std::vector<std::string> shared_files() const override {
-    std::vector<std::string> out;
-    if (vtu_) out.emplace_back(series_file);
-    if (hdf5_) out.insert(out.end(), {frames_file, std::string(frames_file) + ".part"});
+    if (format == "hdf5") out.emplace_back(frames_file);
+    if (format != "vtu") return out;
+    out.emplace_back(series_file);
+    for (long k = 0; k < taken; ++k) out.push_back(snapshot_file(k, ".vtu"));
     return out;
   }
   double bytes_of_one() const override {
@@ -49,60 +44,52 @@ class MediumSnapshots : public SnapshotWriter {
                  fields = field_size<d>(asked_);
     // A number of a table has about 19 characters; zlib leaves of doubles that differ about all, and of what
     // counts corners little.
-    return (csv_ ? nodes * (3 * d + fields) * 19 : 0) + (vtu_ ? 8 * (nodes * 9 + all * fields) : 0) +
+    return nodes * (3 * d + fields) * 19 + (vtu_ ? 8 * (nodes * 9 + all * fields) : 0) +
            (hdf5_ ? 8 * nodes * (2 * d + fields) : 0);
   }
 
-  /// The list of grids is made anew: it may have been cut short, and grids removed.
-  void begin(std::string const& folder, std::span<double const> taken) override {
-    if (hdf5_ && taken.empty())
-      frames(folder).create(attributes(), MediumFrames<d>::constants(medium_.motion->cells()),
-                            read_units(scene_).time);
-    else if (hdf5_)
-      frames(folder).cut(taken.size());
-    if (!vtu_) return;
-    std::string text = pvd_beginning();
-    for (std::size_t k = 0; k < taken.size(); ++k) {
-      auto const number = static_cast<long>(k);
-      if (std::error_code none; std::filesystem::exists(folder + "/" + snapshot_file(number, ".vtu"), none))
-        text += pvd_entry(taken[k], file_in_series(number));
-    }
-    write_whole_file(folder + "/" + series_file, text + pvd_end(), false);
+  void make(std::string const& format, std::string const& folder, std::span<double const> times,
+            bool durable) const override {
+    if (format == "hdf5")
+      MediumFrames<d>::make(
+          folder + "/" + frames_file, attributes(), medium_.motion->cells(), arrays(),
+          read_units(scene_).time, times, [&](long k) { return numbers(folder, k, all); }, durable);
+    if (format == "vtu") make_grids(folder, times, durable);
   }
-  void write(std::string const& folder, long number, double time, bool durable) override {
+  void write(std::string const& folder, long number, double, bool durable) override {
     // Velocities first: they take more room while they are made.
     auto const v = medium_.motion->velocities();
     auto const x = medium_.motion->places();
-    if (csv_ || hdf5_) {
-      auto const fields = mean_fields(medium_, x, asked_, true);
-      if (csv_) write_table(folder + "/" + snapshot_file(number, ".csv"), x, v, fields, durable);
-      if (hdf5_)
-        frames(folder).add(static_cast<std::size_t>(number), time, MediumFrames<d>::one(x, v, asked_, fields),
-                           durable);
-    }
-    if (!vtu_) return;
-    write_grid(folder + "/" + snapshot_file(number, ".vtu"), x, v, time, durable);
-    add_to_series(folder + "/" + series_file, pvd_entry(time, file_in_series(number)));
+    auto const fields = mean_fields(medium_, x, asked_, true);
+    write_table(folder + "/" + snapshot_file(number, ".csv"), x, v, fields, durable);
   }
 
   std::vector<SnapshotArray> coordinates() const override {
     std::vector<SnapshotArray> out;
-    for (auto const& [field, values, attributes] : MediumFrames<d>::constants(medium_.motion->cells())) {
-      SnapshotArray& one = out.emplace_back(array_of(field));
-      std::visit([&](auto const& all) { one.numbers.assign(all.begin(), all.end()); }, values());
-      one.counts = field.name == "cells" || field.name == "beyond";
-      one.axes = field.name == "periods"     ? std::vector<std::string>{"axis"}
-                 : field.name == "reference" ? std::vector<std::string>{"node", "axis"}
-                                             : std::vector<std::string>{"cell", "corner", "axis"};
-      one.axes.resize(one.shape.size());
-    }
+    for (auto& constant : MediumFrames<d>::constants(medium_.motion->cells()))
+      out.push_back(std::move(constant.array)), out.back().numbers = constant.numbers();
     return out;
   }
   std::vector<SnapshotArray> fields() const override {
-    return fields_of({medium_.motion->places(), medium_.motion->velocities()});
+    auto const v = medium_.motion->velocities();
+    auto const x = medium_.motion->places();
+    auto const means = mean_fields(medium_, x, asked_, true);
+    auto out = arrays();
+    std::size_t const size = static_cast<std::size_t>(field_size<d>(asked_));
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      out[0].numbers.insert(out[0].numbers.end(), x[k].begin(), x[k].end());
+      out[1].numbers.insert(out[1].numbers.end(), v[k].begin(), v[k].end());
+      for (std::size_t i = 2, at = k * size; i < out.size(); ++i)
+        for (std::size_t n = std::max<std::size_t>(1, out[i].names.size()); n > 0; --n)
+          out[i].numbers.push_back(means[at++]);
+    }
+    return out;
   }
   std::vector<SnapshotArray> fields_in(std::string const& folder, long number) const override {
-    return fields_of(read(folder, number));
+    auto out = arrays();
+    auto found = numbers(folder, number, all);
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].numbers = std::move(found[k]);
+    return out;
   }
 
   std::shared_ptr<PlayedMedium const> played(std::string const& folder,
@@ -112,52 +99,55 @@ class MediumSnapshots : public SnapshotWriter {
   }
 
  private:
+  /// The fields, without their numbers.
+  std::vector<SnapshotArray> arrays() const {
+    return MediumFrames<d>::fields(medium_.motion->cells(), asked_, read_units(scene_));
+  }
+  /// Those of a snapshot that was written.
+  /// @param first  so many of them
+  typename MediumFrames<d>::Numbers numbers(std::string const& folder, long number, std::size_t first) const {
+    auto fields = arrays();
+    fields.resize(std::min(first, fields.size()));
+    return MediumFrames<d>::read(folder + "/" + snapshot_file(number, ".csv"), medium_columns(d, asked_),
+                                 fields);
+  }
   MediumFrame<d> read(std::string const& folder, long number) const {
-    if (hdf5_) return MediumFrame<d>::in_hdf5(frames(folder), static_cast<std::size_t>(number));
-    return MediumFrame<d>::in_table(folder + "/" + snapshot_file(number, ".csv"), asked_);
-  }
-  static SnapshotArray array_of(Hdf5Frames::Field const& field) {
-    SnapshotArray out;
-    out.name = field.name, out.meaning = field.meaning, out.unit = field.unit;
-    out.shape = field.shape, out.names = field.components;
-    return out;
-  }
-  /// Places and velocities determine all the others.
-  std::vector<SnapshotArray> fields_of(MediumFrame<d> const& frame) const {
-    auto const numbers = mean_fields(medium_, frame.places, asked_, true);
-    auto const one = MediumFrames<d>::one(frame.places, frame.velocities, asked_, numbers);
-    std::vector<SnapshotArray> out;
-    auto const all = frames("").fields();
-    for (std::size_t k = 0; k + 1 < all.size(); ++k) {
-      SnapshotArray& array = out.emplace_back(array_of(all[k]));
-      auto const found = one(k);
-      array.numbers.assign(found.begin(), found.end());
-      array.axes = {"node", array.names.empty() ? "axis" : "component"};
-      array.axes.resize(array.shape.size());
-    }
-    return out;
+    auto const found = numbers(folder, number, 2);
+    auto const points = [](std::vector<double> const& in_a_row) {
+      std::vector<Place> out(in_a_row.size() / d);
+      for (std::size_t k = 0; k < in_a_row.size(); ++k) out[k / d][k % d] = in_a_row[k];
+      return out;
+    };
+    return {points(found[0]), points(found[1])};
   }
 
+  static constexpr std::size_t all = ~std::size_t{0};
   static constexpr char const* series_file = "snapshots/series.pvd";
-  static std::string file_in_series(long number) {
-    return snapshot_file(number, ".vtu").substr(std::string("snapshots/").size());
+  /// Those that are there, and made of what their tables hold, stay as they are.
+  void make_grids(std::string const& folder, std::span<double const> times, bool durable) const {
+    namespace fs = std::filesystem;
+    std::string list = pvd_beginning();
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      auto const number = static_cast<long>(k);
+      std::string const table = folder + "/" + snapshot_file(number, ".csv"),
+                        grid = snapshot_file(number, ".vtu");
+      std::error_code gone, none;
+      auto const written = fs::last_write_time(table, gone),
+                 made = fs::last_write_time(folder + "/" + grid, none);
+      if (gone && none) continue;  // both were removed
+      if (none || (!gone && made < written)) {
+        MediumFrame<d> const frame = read(folder, number);
+        write_grid(folder + "/" + grid, frame.places, frame.velocities, times[k], durable);
+      }
+      list += pvd_entry(times[k], fs::path(grid).filename().string());
+    }
+    write_whole_file(folder + "/" + series_file, list + pvd_end(), durable);
   }
-  /// In the place of the end of the list, which comes behind again.
-  static void add_to_series(std::string const& path, std::string const& entry) {
-    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp(-static_cast<long>(pvd_end().size()), std::ios::end);
-    file << entry << pvd_end() << std::flush;
-    if (!file) throw FileError(path + ": cannot be written");
-  }
-
-  Hdf5Frames frames(std::string const& folder) const {
-    return MediumFrames<d>::in(folder, medium_.motion->cells(), asked_, read_units(scene_));
-  }
-  std::vector<std::pair<std::string, std::string>> attributes() const {
-    return {{"title", scene_.section("scene").text("title")},
-            {"system", scene_.section("system").text("kind")},
-            {"actio_version", ACTIO_VERSION},
-            {"scene", scene_.written()}};
+  std::vector<ArrayAttribute> attributes() const {
+    return {{"title", {scene_.section("scene").text("title")}},
+            {"system", {scene_.section("system").text("kind")}},
+            {"actio_version", {ACTIO_VERSION}},
+            {"scene", {scene_.written()}}};
   }
 
   /// A part of the table at a time is in memory.
@@ -232,7 +222,7 @@ class MediumSnapshots : public SnapshotWriter {
 
   SceneFile scene_;
   std::vector<std::string> asked_;
-  bool vtu_, hdf5_, csv_;
+  bool vtu_, hdf5_;
   MediumView<d> medium_;
 };
 
@@ -260,8 +250,7 @@ SnapshotKind medium_snapshots(bool fluid) {
                      "grids for ParaView in snapshots/000000.vtu, ... with the fields in each cell, and "
                      "snapshots/series.pvd, which lists them with their times"}},
                    "all of them in one file snapshots/frames.h5, with time, place, velocity and what was "
-                   "asked for of each frame and node, and reference and cells; tables are written beside "
-                   "it where csv is among the formats"};
+                   "asked for of each frame and node, and reference and cells"};
   if (!fluid)
     out.columns.push_back({"stress", "Cauchy's, its components xx, xy, yy or xx, xy, xz, yy, yz, zz"});
   return out;

@@ -1,9 +1,7 @@
 #include "program/systems/sphere/snapshots.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
 
 #include "program/base/number_table.hpp"
 #include "program/registry/units.hpp"
@@ -56,9 +54,8 @@ class VorticitySnapshots : public SnapshotWriter {
     if (csv_) out.push_back(snapshot_file(number, ".csv"));
     return out;
   }
-  std::vector<std::string> shared_files() const override {
-    return netcdf_ ? std::vector<std::string>{fields_file, std::string(fields_file) + ".part"}
-                   : std::vector<std::string>{};
+  std::vector<std::string> files_in(std::string const& format, long) const override {
+    return format == "netcdf" ? std::vector<std::string>{fields_file} : std::vector<std::string>{};
   }
 
   double bytes_of_one() const override {
@@ -72,32 +69,14 @@ class VorticitySnapshots : public SnapshotWriter {
     return bytes;
   }
 
-  /// The file that all share is made anew: it may have been cut short, and the harmonics hold all of it.
-  void begin(std::string const& folder, std::span<double const> taken) override {
-    if (!netcdf_) return;
-    std::string const path = unseen(folder);
-    std::filesystem::remove(path);
-    file_.create(path, grid_, n_);
-    for (std::size_t k = 0; k < taken.size(); ++k) {
-      long const number = static_cast<long>(k);
-      sphere::SphereHarmonics const f =
-          read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_);
-      file_.add(path, number, taken[k], all_fields(sphere::symbol_of(f, file_.symbol)), f);
-    }
-    behind_ = true;
-    flush(folder, true);
-  }
-
-  /// Readers have the file open for as long as they like, and may lock it. So nothing is written into the one
-  /// that they see: a copy gets what is new, and then its name. A copy takes as long as the file is large,
-  /// and is made for a twentieth of the time at most.
-  void flush(std::string const& folder, bool at_once) override {
-    if (!behind_ || (!at_once && Clock::now() < due_)) return;
-    std::error_code error;
-    std::filesystem::rename(unseen(folder), folder + "/" + fields_file, error);
-    if (error) throw FileError(folder + "/" + fields_file + ": cannot be written: " + error.message());
-    behind_ = false;
-    due_ = Clock::now() + 20 * copying_;
+  void make(std::string const& format, std::string const& folder, std::span<double const> times,
+            bool durable) const override {
+    if (format != "netcdf") return;
+    auto const frame = [&](long number) {
+      auto const f = read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_);
+      return FieldsFile::Frame{all_fields(sphere::symbol_of(f, file_.symbol)), f};
+    };
+    file_.make(folder + "/" + fields_file, grid_, n_, times, frame, durable);
   }
 
   std::vector<SnapshotArray> coordinates() const override {
@@ -117,38 +96,19 @@ class VorticitySnapshots : public SnapshotWriter {
     return arrays_of(read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_));
   }
 
-  void write(std::string const& folder, long number, double time, bool durable) override {
+  void write(std::string const& folder, long number, double, bool durable) override {
     sphere::SphereHarmonics const f = harmonics_now();
     write_whole_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), table_of_harmonics(f), durable);
+    if (!csv_) return;
     sphere::FlowFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
-    if (csv_) {
-      std::vector<sphere::GridField const*> columns;
-      for (auto const& name : names_) columns.push_back(&field_of(fields, name));
-      write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, names_, columns),
-                       durable);
-    }
-    if (!netcdf_) return;
-    copy_what_is_seen(folder);
-    file_.add(unseen(folder), number, time, fields, f);
-    behind_ = true;
-    flush(folder, false);
+    std::vector<sphere::GridField const*> columns;
+    for (auto const& name : names_) columns.push_back(&field_of(fields, name));
+    write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, names_, columns),
+                     durable);
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   static constexpr char const* fields_file = "snapshots/fields.nc";
-
-  /// The file that the next snapshot is added to.
-  static std::string unseen(std::string const& folder) { return folder + "/" + fields_file + ".part"; }
-  void copy_what_is_seen(std::string const& folder) {
-    if (behind_) return;
-    auto const began = Clock::now();
-    std::error_code error;
-    std::filesystem::remove(unseen(folder), error);
-    std::filesystem::copy_file(folder + "/" + fields_file, unseen(folder), error);
-    if (error) throw FileError(folder + "/" + fields_file + ": cannot be copied: " + error.message());
-    copying_ = Clock::now() - began;
-  }
 
   sphere::SphereHarmonics harmonics_now() const {
     sphere::SphereHarmonics f = sphere::harmonics_of(motion_.vorticity_at_output());
@@ -215,9 +175,6 @@ class VorticitySnapshots : public SnapshotWriter {
   VorticityMotion const& motion_;
   FieldsFile file_;
   sphere::SphereGrid grid_;
-  bool behind_ = false;           // whether what is seen has fewer snapshots
-  Clock::duration copying_ = {};  // what the last copy took
-  Clock::time_point due_ = {};    // when the next one is due
 };
 
 }  // namespace

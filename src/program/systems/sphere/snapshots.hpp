@@ -2,6 +2,7 @@
 // made of, and all of them in one file for who works with fields of the atmosphere.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "actio/vorticity/sphere_flow.hpp"
@@ -27,20 +28,22 @@ std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
 
 /// Fields as NetCDF-4, after the conventions CF-1.10.
 struct FieldsFile {
+  /// What belongs to one time.
+  struct Frame {
+    sphere::FlowFields fields;          ///< on the grid
+    sphere::SphereHarmonics harmonics;  ///< of the matrix
+  };
   std::string title;              ///< of the scene
   std::string time_unit;          ///< "s", "h", ...; empty where it is not known
   sphere::Symbol symbol;          ///< of the fields
   SphereHamiltonian hamiltonian;  ///< by which a vorticity has a stream function
 
-  /// Makes a file without a time.
+  /// Makes the file, whole.
+  /// @param degrees  of the harmonics
+  /// @param frame    what belongs to the time with a number
   /// @throws FileError
-  void create(std::string const& path, sphere::SphereGrid const& grid, int degrees) const;
-  /// One time more.
-  /// @param number     how many there are
-  /// @param harmonics  of the matrix
-  /// @throws FileError
-  void add(std::string const& path, long number, double time, sphere::FlowFields const& fields,
-           sphere::SphereHarmonics const& harmonics) const;
+  void make(std::string const& path, sphere::SphereGrid const& grid, int degrees,
+            std::span<double const> times, std::function<Frame(long)> const& frame, bool durable) const;
 };
 
 }  // namespace actio::scene
