@@ -88,12 +88,8 @@ std::optional<Box> fast_box(MediumMesh const& mesh) {
     box.spacing[a] = (mesh.upper[a] - mesh.lower[a]) / mesh.cells[a];
     for (int end = 0; end < 2; ++end) {
       std::string const name = actio::media::detail::side_names[a][end];
-      std::string const does = mesh.periodic[a] ? "periodic" : mesh.sides.at(name);
       box.ends(static_cast<int>(a))[static_cast<std::size_t>(end)] =
-          does == "periodic"  ? media::FastSide::periodic
-          : does == "fixed"   ? media::FastSide::fixed
-          : does == "sliding" ? media::FastSide::sliding
-                              : media::FastSide::free;
+          mesh.periodic[a] ? media::Side::periodic : mesh.sides.at(name);
     }
   }
   return box;

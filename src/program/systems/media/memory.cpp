@@ -96,7 +96,7 @@ double bytes_on_plain_road(Counted const& body, MediumMesh const& mesh, Request 
              walls = !request.file.section("system.obstacle").keys().empty();
   double held = 0;
   for (auto const& [name, does] : mesh.sides)
-    held += (does != "free" ? 1 : 0) / std::max(1.0, static_cast<double>(mesh.sides.size()));
+    held += (does != media::Side::free ? 1 : 0) / std::max(1.0, static_cast<double>(mesh.sides.size()));
   // A body has so many nodes on its sides.
   double const surface = 2 * body.d * std::pow(body.nodes, 1 - 1 / body.d);
   double const cell =

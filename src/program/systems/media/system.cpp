@@ -95,7 +95,7 @@ void tell_driven_sides(Simulation& simulation, std::set<Feature>& features, Medi
   for (auto const& [side, speed] : driven_sides<d>(mesh, cells, start)) {
     features.insert(Feature::driven_side);
     simulation.remarks.push_back(
-        mesh.sides.at(side) == "fixed"
+        mesh.sides.at(side) == media::Side::fixed
             ? fmt::format("side {} is fixed to the velocity that it has at the start, up to {:.6g}", side,
                           speed)
             : fmt::format("side {} slides, and keeps the velocity across it that it has at the start, {:.6g}",
