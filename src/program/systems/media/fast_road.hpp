@@ -107,17 +107,9 @@ class FastRoad {
   virtual std::unique_ptr<MediumMotion<d>> motion(double step, double longest,
                                                   std::shared_ptr<MediumStart> start) const = 0;
 };
-/// Of a fluid of the library in the plane. Null where the fast road does not know it.
-std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, media::FastBox2d const& box,
-                                        double density);
-/// Of a solid; likewise.
-std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, media::FastBox2d const& box,
-                                        double density);
-/// Of a fluid in space; likewise.
-std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, media::FastBox3d const& box,
-                                        double density);
-/// Of a solid in space; likewise.
-std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, media::FastBox3d const& box,
-                                        double density);
+/// Of a material in the plane. Null where the fast road does not know it.
+std::unique_ptr<FastRoad<2>> fast_road(Material const& material, media::FastBox2d const& box, double density);
+/// In space; likewise.
+std::unique_ptr<FastRoad<3>> fast_road(Material const& material, media::FastBox3d const& box, double density);
 
 }  // namespace actio::scene

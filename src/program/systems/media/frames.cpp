@@ -1,9 +1,6 @@
 #include "program/systems/media/frames.hpp"
 
-#include <algorithm>
-
 #include "program/systems/media/grid.hpp"
-#include "program/systems/media/snapshots.hpp"
 
 namespace actio::scene {
 namespace {
@@ -31,32 +28,16 @@ void for_corners(MediumCells<d> const& cells, Visit const& visit) {
 
 }  // namespace
 
-std::vector<std::string> stress_components(int d) {
-  std::vector<std::string> out;
-  for (int a = 0; a < d; ++a)
-    for (int b = a; b < d; ++b) out.push_back({"xyz"[a], "xyz"[b]});
-  return out;
-}
-
 template <int d>
 Hdf5Frames MediumFrames<d>::in(std::string const& folder, MediumCells<d> const& cells,
-                               std::vector<std::string> const& asked, Units const& units) {
+                               MediumFields<d> const& asked, Units const& units) {
   std::size_t const nodes = cells.nodes();
   std::vector<Hdf5Frames::Field> fields{
       {"place", "of the nodes", {nodes, d}, {}, units.in("length")},
       {"velocity", "of the nodes", {nodes, d}, {}, units.in("length/time")}};
-  std::string const per_volume = d == 1 ? "/length" : "/length^" + std::to_string(d);
-  auto const known = medium_snapshots(false).columns;
-  for (auto const& name : asked) {
-    auto const column =
-        std::find_if(known.begin(), known.end(), [&](auto const& c) { return c.name == name; });
-    std::string const unit = name == "jacobian"  ? "1"
-                             : name == "density" ? "mass" + per_volume
-                                                 : "energy" + per_volume;
-    fields.push_back({name, "means around the nodes: " + column->meaning, {nodes}, {}, units.in(unit)});
-    if (name != "stress") continue;
-    fields.back().components = stress_components(d);
-    fields.back().shape.push_back(fields.back().components.size());
+  for (auto const& [name, meaning, unit, stressed, write, components, of_solids] : asked) {
+    fields.push_back({name, "means around the nodes: " + meaning, {nodes}, components, units.in(unit)});
+    if (!components.empty()) fields.back().shape.push_back(components.size());
   }
   return {folder + "/" + frames_file, std::move(fields)};
 }
@@ -101,16 +82,16 @@ std::vector<Hdf5Frames::Constant> MediumFrames<d>::constants(MediumCells<d> cons
 }
 
 template <int d>
-std::function<std::span<double const>(std::size_t)> MediumFrames<d>::one(
-    std::vector<Place> const& x, std::vector<Place> const& v, std::vector<std::string> const& asked,
-    std::vector<double> const& fields) {
-  auto const size = static_cast<std::size_t>(field_size<d>(asked));
+std::function<std::span<double const>(std::size_t)> MediumFrames<d>::one(std::vector<Place> const& x,
+                                                                         std::vector<Place> const& v,
+                                                                         MediumFields<d> const& asked,
+                                                                         std::vector<double> const& fields) {
+  std::size_t const size = field_size(asked);
   return [&x, &v, &asked, &fields, size,
           one = std::vector<double>()](std::size_t field) mutable -> std::span<double const> {
     if (field < 2) return in_a_row(field == 0 ? x : v);
     std::size_t first = 0, wide = 0;
-    for (std::size_t k = 0; k + 2 <= field; ++k)
-      first += wide, wide = asked[k] == "stress" ? d * (d + 1) / 2 : 1;
+    for (std::size_t k = 0; k + 2 <= field; ++k) first += wide, wide = asked[k].width();
     if (wide == size) return fields;
     one.clear();
     one.reserve(x.size() * wide);

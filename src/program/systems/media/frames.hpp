@@ -16,8 +16,6 @@ namespace actio::scene {
 
 /// The file, in the folder of the run.
 inline constexpr char const* frames_file = "snapshots/frames.h5";
-/// The names of the components of a stress: "xx", "xy", "yy".
-std::vector<std::string> stress_components(int d);
 
 /// The snapshots of a medium as frames.
 template <int d>
@@ -27,8 +25,8 @@ struct MediumFrames {
   /// The file in the folder of a run.
   /// @param asked  what it holds besides places and velocities
   /// @param units  of the scene
-  static Hdf5Frames in(std::string const& folder, MediumCells<d> const& cells,
-                       std::vector<std::string> const& asked, Units const& units);
+  static Hdf5Frames in(std::string const& folder, MediumCells<d> const& cells, MediumFields<d> const& asked,
+                       Units const& units);
   /// What all frames have in common.
   static std::vector<Hdf5Frames::Constant> constants(MediumCells<d> const& cells);
   /// The numbers of one frame, field by field.
@@ -36,7 +34,7 @@ struct MediumFrames {
   /// @param fields  of each node, those of one node one after the other
   static std::function<std::span<double const>(std::size_t)> one(std::vector<Place> const& x,
                                                                  std::vector<Place> const& v,
-                                                                 std::vector<std::string> const& asked,
+                                                                 MediumFields<d> const& asked,
                                                                  std::vector<double> const& fields);
 };
 

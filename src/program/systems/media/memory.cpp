@@ -44,15 +44,17 @@ double bytes_of_chunk(double list) { return list > 0 ? 2 * list / std::ceil(list
 
 /// What a snapshot takes while it is written: places, velocities, fields; its file is written in parts.
 double bytes_of_snapshot(Counted const& body, SnapshotRequest const& snapshots) {
-  int const d = static_cast<int>(body.d);
-  double const columns = d == 1   ? field_size<1>(snapshots.columns)
-                         : d == 2 ? field_size<2>(snapshots.columns)
-                                  : field_size<3>(snapshots.columns);
-  bool const stressed =
-      std::find(snapshots.columns.begin(), snapshots.columns.end(), "stress") != snapshots.columns.end();
+  double columns = 0, of_widest = 0;
+  auto const count = [&]<int d>(MediumFields<d> const& fields) {
+    columns = static_cast<double>(field_size(fields));
+    for (auto const& field : fields) of_widest = std::max(of_widest, static_cast<double>(field.width()));
+  };
+  if (body.d == 1) count(fields_named<1>(snapshots.columns));
+  if (body.d == 2) count(fields_named<2>(snapshots.columns));
+  if (body.d == 3) count(fields_named<3>(snapshots.columns));
   // While fields are summed there are the volumes that they are weighed by, and in frames those of one field
   // once more.
-  double const widest = 8 * body.nodes * (stressed ? d * (d + 1) / 2 : columns > 0 ? 1 : 0);
+  double const widest = 8 * body.nodes * of_widest;
   double most = 0;
   if (snapshots.in("csv") || snapshots.in("hdf5")) most = 8 * (columns + 1) * body.nodes;
   if (snapshots.in("hdf5"))

@@ -20,7 +20,7 @@ struct MediumFrame {
   static MediumFrame in_hdf5(Hdf5Frames const& frames, std::size_t number);
   /// A snapshot that is a table.
   /// @param asked  its columns besides places and velocities
-  static MediumFrame in_table(std::string const& file, std::vector<std::string> const& asked);
+  static MediumFrame in_table(std::string const& file, MediumFields<d> const& asked);
 };
 
 /// What is shown of snapshots at these times.

@@ -106,14 +106,14 @@ void tell_driven_sides(Simulation& simulation, std::set<Feature>& features, Medi
 /// By fused steps, where the scene is one for them.
 /// @return whether it is
 template <class Box>
-bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh, bool fluid,
+bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh,
                   Material const& material, std::shared_ptr<MediumStart> const& start) {
   constexpr int d = Box::dimension;
   auto const box = fast_box<Box>(mesh);
   if (!box) return false;
   double rho = 0;
   start->density(std::array<double, d>{}, &rho);
-  auto const road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
+  auto const road = fast_road(material, *box, rho);
   if (!road) return false;
   simulation.bytes = require_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
@@ -210,8 +210,8 @@ void require_euclidean(SceneTable system) {
 /// The quantities of a scene: a circulation for each of its loops.
 std::vector<Quantity> quantities_of(bool fluid, SceneFile const& file) {
   auto all = medium_quantities(fluid);
-  for (auto& quantity : all)
-    if (quantity.name == "circulation" && !loop_names(file).empty()) quantity.kind = Quantity::Kind::list;
+  if (!loop_names(file).empty())
+    std::ranges::find(all, "circulation", &Quantity::name)->kind = Quantity::Kind::list;
   return all;
 }
 
@@ -235,8 +235,8 @@ Simulation prepare_medium(bool fluid, Request const& request) {
         "quantities: angular_momentum is that of bodies in the plane or in space");
   Simulation simulation(quantities_of(fluid, request.file));
   bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
-  if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, fluid, material, start) ||
-                      prepare_fast<media::FastBox3d>(simulation, request, mesh, fluid, material, start)))
+  if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, material, start) ||
+                      prepare_fast<media::FastBox3d>(simulation, request, mesh, material, start)))
     return simulation;
   simulation.bytes = require_memory(request.file, mesh, false, request);
   if (d == 1)
