@@ -12,13 +12,16 @@ namespace {
 template <class M>
 NamedMaterial record_of() {
   NamedMaterial out{M::name, M::meaning, M::formula, M::fluid, {}};
-  for (auto const& constant : M::constants()) out.constants.push_back(constant.said);
+  if constexpr (requires { M::said(); })
+    out.constants = M::said();
+  else
+    for (auto const& constant : M::constants()) out.constants.push_back(constant.said);
   return out;
 }
 
 /// Its numbers, each above its bound.
 template <class M>
-Material read(SceneTable const& table) {
+M read_numbers(SceneTable const& table) {
   M out;
   auto const constants = M::constants();
   std::vector<std::string> known{"name"};
@@ -33,13 +36,25 @@ Material read(SceneTable const& table) {
   return out;
 }
 
+/// One of the list, as the table has it.
+template <class M>
+M read(SceneTable const& table, int d) {
+  M out;
+  if constexpr (requires { M::read(table, d); })
+    out = M::read(table, d);
+  else
+    out = read_numbers<M>(table);
+  if constexpr (requires { out.require_stable(table, d); }) out.require_stable(table, d);
+  return out;
+}
+
 /// All of the list.
 template <class... M>
 std::vector<NamedMaterial> records_of(std::variant<M...> const&) { return {record_of<M>()...}; }
 /// The one of that name of the list.
 template <class... M>
-Material read_named(std::string const& name, SceneTable const& table, std::variant<M...> out) {
-  (void)((name == M::name && (out = read<M>(table), true)) || ...);
+Material read_named(std::string const& name, SceneTable const& table, int d, std::variant<M...> out) {
+  (void)((name == M::name && (out = read<M>(table, d), true)) || ...);
   return out;
 }
 
@@ -72,24 +87,27 @@ NamedMaterial const* find_material(std::string const& name) {
   return nullptr;
 }
 
-Material read_material(SceneTable const& system, bool fluid) {
+Material read_material(SceneTable const& system, bool fluid, int d) {
   if (!system.has("material"))
     system.fail("material", fmt::format("[system.material] is needed, with a name, one of {}, and its "
                                         "constants (actio list materials)",
                                         listed(names_of(fluid))));
-  SceneTable const table = system.inside("material");
+  SceneTable table = system.inside("material");
+  if (!fluid && !table.has("name") && table.has("energy")) table.set("name", materials::EnergyFormula::name);
   if (!table.has("name"))
     table.fail("name", fmt::format("[system.material] needs 'name', one of {}", listed(names_of(fluid))));
   refuse_of_other_kind(table, fluid);
-  return read_named(table.choice("name", "material", names_of(fluid), "actio list materials"), table,
+  return read_named(table.choice("name", "material", names_of(fluid), "actio list materials"), table, d,
                     Material());
 }
 
-void require_stable_material(SceneTable const& system, Material const& material, int d) {
-  std::visit(
-      [&](auto const& own) {
-        if constexpr (requires { own.require_stable(system, d); })
-          own.require_stable(system.inside("material"), d);
+std::vector<std::string> remarks_on(Material const& material, int d) {
+  return std::visit(
+      [&](auto const& own) -> std::vector<std::string> {
+        if constexpr (requires { own.remarks(d); })
+          return own.remarks(d);
+        else
+          return {};
       },
       material);
 }

@@ -8,12 +8,16 @@
 //     static constexpr bool pressure_of_density;       of a fluid: its pressure is a function of the density
 //     void require_stable(SceneTable const&, int d) const;             of a solid: refuses one that is not
 //     auto fast(auto const& roads) const;              its optimised form, where it has one (fast_media.hpp)
+//     static M read(SceneTable const&, int d);         instead of constants(), where it is more than numbers,
+//     static std::vector<MaterialConstant> said();     and what lists say of its keys
+//     std::vector<std::string> remarks(int d) const;   what a run tells of it, where it has something to tell
 #pragma once
 
 #include <memory>
 #include <variant>
 
 #include "actio/multisymplectic/stored_energies.hpp"
+#include "program/systems/media/energy_formula.hpp"
 #include "program/systems/media/fluids.hpp"
 #include "program/systems/media/solids.hpp"
 
@@ -25,17 +29,16 @@ using Material = std::variant<materials::PolytropicGas,         //
                               materials::Tait,                  //
                               materials::SaintVenantKirchhoff,  //
                               materials::NeoHookean,            //
-                              materials::MooneyRivlin>;
+                              materials::MooneyRivlin,          //
+                              materials::EnergyFormula>;
 
 /// `[system.material]`.
+/// @param d  dimension of the body
 /// @throws SceneError  where it is missing, no material of this kind of system, or a number is not as it
-///   should be
-Material read_material(SceneTable const& system, bool fluid);
-
-/// That a body of d dimensions at rest is stable: the shear modulus \f$\mu\f$ of a solid is positive, and
-/// Lame's first one more than \f$-2\mu/d\f$, so that a change of volume takes energy.
-/// @throws SceneError  where it is not, with the modulus and the bound
-void require_stable_material(SceneTable const& system, Material const& material, int d);
+///   should be; where a body of it is not stable at rest, with the modulus and the bound
+Material read_material(SceneTable const& system, bool fluid, int d);
+/// What a run tells of it.
+std::vector<std::string> remarks_on(Material const& material, int d);
 
 /// Whether it is one of fluids.
 bool is_fluid(Material const& material);

@@ -221,9 +221,8 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   SceneTable system = request.file.section("system");
   MediumMethod const method = read_medium_method(request.file);
   require_euclidean(system);
-  Material const material = read_material(system, fluid);
   MediumMesh const mesh = read_medium_mesh(request.file);
-  require_stable_material(system, material, mesh.dimension);
+  Material const material = read_material(system, fluid, mesh.dimension);
   auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
 
   int const d = mesh.dimension;
@@ -234,6 +233,7 @@ Simulation prepare_medium(bool fluid, Request const& request) {
         request.file.section("output").place("quantities", static_cast<std::size_t>(turns - asked.begin())),
         "quantities: angular_momentum is that of bodies in the plane or in space");
   Simulation simulation(quantities_of(fluid, request.file));
+  simulation.remarks = remarks_on(material, d);
   bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
   if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, material, start) ||
                       prepare_fast<media::FastBox3d>(simulation, request, mesh, material, start)))
