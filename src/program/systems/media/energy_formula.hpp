@@ -27,11 +27,18 @@ struct EnergyFormula {
             {"constants", "a table of the numbers that the formula has by names", 0, "{ mu = 1, kappa = 2 }",
              "1"}};
   }
-  static EnergyFormula read(SceneTable const& table, int d);
-  void require_stable(SceneTable const& table, int d) const;
-  std::vector<std::string> remarks(int d) const;
   auto stored() const { return media::per_volume(*this); }
   /// \endcond
+
+  /// The formula at `energy`, with the constants.
+  /// @throws SceneError  where it is none, is not smooth, or has a name that is not known; where a constant is
+  ///   not used
+  static EnergyFormula read(SceneTable const& table, int d);
+  /// That the second derivatives at C = 1 have a positive bulk modulus and positive shear moduli.
+  /// @throws SceneError  where they have not, with the modulus
+  void require_stable(SceneTable const& table, int d) const;
+  /// The moduli at rest, and the stress where there is one.
+  std::vector<std::string> remarks(int d) const;
 
   /// W and its derivatives by the inputs: I1, of a body in space I2, J, and C row by row from the diagonal
   /// on.

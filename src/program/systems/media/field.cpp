@@ -14,10 +14,10 @@ std::vector<std::string> symmetric_components(int d) {
 }  // namespace
 
 template <int d>
-MediumFields<d> const& medium_fields() {
+MediumFields<d> medium_fields() {
   using At = PointOfMedium<d>;
   std::string const per_volume = d == 1 ? "/length" : "/length^" + std::to_string(d);
-  static MediumFields<d> const all{
+  return {
       {"jacobian", "J, the volume over that of the reference", "1", false,
        [](At const& at, double* out) { *out = at.point.jacobian; }},
       {"pressure", "minus a d-th of the trace of Cauchy's stress", "energy" + per_volume, true,
@@ -37,7 +37,6 @@ MediumFields<d> const& medium_fields() {
        },
        symmetric_components(d), true},
   };
-  return all;
 }
 
 template <int d>
@@ -50,11 +49,11 @@ MediumFields<d> fields_named(std::vector<std::string> const& names) {
 }
 
 /// Along a line.
-template MediumFields<1> const& medium_fields<1>();
+template MediumFields<1> medium_fields<1>();
 /// In the plane.
-template MediumFields<2> const& medium_fields<2>();
+template MediumFields<2> medium_fields<2>();
 /// In space.
-template MediumFields<3> const& medium_fields<3>();
+template MediumFields<3> medium_fields<3>();
 /// \copydoc fields_named
 template MediumFields<1> fields_named<1>(std::vector<std::string> const&);
 /// \copydoc fields_named

@@ -59,7 +59,7 @@ using MediumFields = std::vector<MediumField<d>>;
 
 /// All that there are, in their order.
 template <int d>
-MediumFields<d> const& medium_fields();
+MediumFields<d> medium_fields();
 /// Those of these names, which are known, in the order of the names.
 template <int d>
 MediumFields<d> fields_named(std::vector<std::string> const& names);

@@ -50,7 +50,9 @@ M read(SceneTable const& table, int d) {
 
 /// All of the list.
 template <class... M>
-std::vector<NamedMaterial> records_of(std::variant<M...> const&) { return {record_of<M>()...}; }
+std::vector<NamedMaterial> records_of(std::variant<M...> const&) {
+  return {record_of<M>()...};
+}
 /// The one of that name of the list.
 template <class... M>
 Material read_named(std::string const& name, SceneTable const& table, int d, std::variant<M...> out) {
@@ -140,6 +142,7 @@ void require_volume_modulus(SceneTable const& table, std::string const& key, dou
                        bound - more));
 }
 
+/// \cond
 void MooneyRivlin::require_stable(SceneTable const& table, int d) const {
   double const shear = 2 * (c1 + std::max(0, d - 2) * c2);
   // What is stored at rest is a minimum where a change of shape takes energy, and so does one of volume.
@@ -150,6 +153,7 @@ void MooneyRivlin::require_stable(SceneTable const& table, int d) const {
                            shear, -c1, c2));
   require_volume_modulus(table, "lambda", lambda, shear, d, d > 1 ? 4 * c2 : 0, "lambda + 4 c2");
 }
+/// \endcond
 
 }  // namespace materials
 }  // namespace actio::scene
