@@ -128,9 +128,9 @@ std::vector<std::string> shortcuts(RigidBodyScene const& scene, bool attitude) {
     else if (scene.free.is_symmetric())
       lines.push_back("axisymmetric body: closed form");
     lines.push_back("exact: rows are evaluated where they are asked for; the step is not used");
-  } else if (scene.choice.name == "moser_veselov") {
+  } else if (scene.scheme == RigidBodyScene::Scheme::moser_veselov) {
     lines.push_back("one equation for the whole orbit: no step iterates");
-  } else if (scene.choice.name == "variational" && !scene.torque) {
+  } else if (scene.has_exact_flow()) {
     lines.push_back("no torque: free motion, exact flow");
   }
   return lines;
