@@ -23,7 +23,7 @@ using Place = std::array<double, 2>;
 //    squeezes what is carried.
 constexpr double two_pi = 2 * std::numbers::pi;
 auto gas(int n, double dt) {
-  using enum FastSide;
+  using enum Side;
   FastBox2d const box{{n, n}, {1.0 / n, 1.0 / n}, {periodic, periodic}, {periodic, periodic}};
   auto const place = [](Place const& X) {
     return Place{X[0] + 0.02 * std::sin(two_pi * (X[0] + X[1])), X[1] + 0.015 * std::cos(two_pi * X[0])};

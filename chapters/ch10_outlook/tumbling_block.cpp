@@ -25,8 +25,8 @@ constexpr Place thrown{1.6, 2.0};  // the velocity of its centre in flight
 auto block(double dt) {
   FastBox2d const box{{across, up},
                       {width / across, high / up},
-                      {FastSide::free, FastSide::free},
-                      {FastSide::free, FastSide::free},
+                      {Side::free, Side::free},
+                      {Side::free, Side::free},
                       {-width / 2, -high / 2}};
   auto const place = [](Place const& X) { return X; };
   // A turn about the centre, and a bending that changes its sign twice along the block.

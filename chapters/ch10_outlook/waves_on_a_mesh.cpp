@@ -72,7 +72,7 @@ struct SimpleWave {
 // 3. A run on n x n cells of a box that holds one wave length in both directions.
 template <class Law>
 auto run(int n, double time) {
-  using enum FastSide;
+  using enum Side;
   Place const spacing{length / d[0] / n, length / d[1] / n};
   FastBox2d const box{{n, n}, spacing, {periodic, periodic}, {periodic, periodic}};
   // A third of the time in which sound crosses a cell.

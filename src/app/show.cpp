@@ -169,7 +169,7 @@ std::string about(NamedMaterial const& material) {
   std::vector<std::vector<std::string>> constants;
   std::string example;
   for (auto const& constant : material.constants) {
-    constants.push_back({constant.name, constant.meaning});
+    constants.push_back({constant.name, constant.unit, constant.meaning});
     example += constant.name + " = " + constant.example + "\n";
   }
   account.table("constants", constants);

@@ -21,7 +21,7 @@ double imbalance(double dt, double& dissipated) {
   BodyStart<1> start;
   start.velocity = [](Spot<1> const& X) { return Spot<1>{-0.6 * std::sin(3.14159265358979 * X[0])}; };
   MediumOnMesh<1> line(box_mesh({0}, {1}, {32}), gas1(), start, {.step = dt, .viscosity = {0.5, 2}},
-                       {{"left", {BodySide<1>::Kind::fixed, {}}}, {"right", {BodySide<1>::Kind::fixed, {}}}});
+                       {{"left", {Side::fixed, {}}}, {"right", {Side::fixed, {}}}});
   double const E = line.energies().total();
   double worst = 0;
   while (line.time() < 0.2 - dt / 2) {
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_shock_dissipates_what_mass_and_momentum_leave_of_energy) 
   BodyStart<1> start;
   start.velocity = [=](Spot<1> const& X) { return Spot<1>{X[0] == 0 ? 0 : -v0}; };
   MediumOnMesh<1> line(box_mesh({0}, {1}, {400}), gas1(), start, {.step = 2e-4, .viscosity = {0.5, 2}},
-                       {{"left", {BodySide<1>::Kind::fixed, {}}}, {"right", {BodySide<1>::Kind::fixed, {}}}});
+                       {{"left", {Side::fixed, {}}}, {"right", {Side::fixed, {}}}});
   line.step(500);
   double const first = line.dissipated();
   line.step(500);

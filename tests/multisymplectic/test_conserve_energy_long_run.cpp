@@ -131,8 +131,7 @@ BOOST_AUTO_TEST_CASE(loads_that_have_a_potential_keep_energy_as_well) {
   auto start = tumbling();
   start.velocity = [](Spot<2> const&) { return Spot<2>{}; };
   MediumOnMesh<2> body(block(), stored_energy<2>(neo_hookean(1, 0.5)), start,
-                       {.step = 0.02, .conserve = Conserve::energy},
-                       {{"left", {BodySide<2>::Kind::fixed, {}}}}, loads);
+                       {.step = 0.02, .conserve = Conserve::energy}, {{"left", {Side::fixed, {}}}}, loads);
   double const E = body.energies().total(),
                whole = body.energies().kinetic + std::abs(body.energies().stored);
   double worst = 0;

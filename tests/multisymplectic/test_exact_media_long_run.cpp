@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_disc_deformed_alike_everywhere_has_order_two_in_time_for_
       x[i] = c * (A0(i, 0) * X[0] + A0(i, 1) * X[1]) + s * (A1(i, 0) * X[0] + A1(i, 1) * X[1]);
     return x;
   };
-  BodySides<2> const sides{{"outer", {BodySide<2>::Kind::moved, prescribed_motion<2>(chi)}}};
+  BodySides<2> const sides{{"outer", {Side::moved, prescribed_motion<2>(chi)}}};
   BodyLoads<2> loads;
   loads.potentials.push_back(space_potential<2>([k](auto const& x) { return x.squaredNorm() * (k / 2); }));
   BodyStart<2> start;
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(a_standing_wave_on_segments_has_the_discrete_dispersion_rel
   double const c = 1.3, h = 1.0 / n, dt = 0.6 * h / c, k = 6 * M_PI;
   double const w = 2 / dt * std::asin(dt * c * std::sin(k * h / 2) / h);
   auto const u = [&](double X, double t) { return 0.03 * std::sin(k * X) * std::cos(w * t); };
-  using enum BodySide<1>::Kind;
+  using enum Side;
   for (bool const held : {false, true}) {
     BodyStart<1> start;
     start.placement = [&](Spot<1> const& X) { return Spot<1>{X[0] + u(X[0], 0)}; };

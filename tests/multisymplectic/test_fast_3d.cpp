@@ -13,7 +13,7 @@ using namespace actio::media;
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using Place = std::array<double, 3>;
-using enum FastSide;
+using enum Side;
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(fast_roads_in_space)
@@ -72,7 +72,7 @@ void roads_agree(Medium const& medium, Energy const& energy, FastBox3d::Ends con
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(both_roads_are_the_same_to_rounding) {
-  FastBox3d::Ends const loose{FastSide::free, FastSide::free}, held{fixed, fixed}, round{periodic, periodic};
+  FastBox3d::Ends const loose{Side::free, Side::free}, held{fixed, fixed}, round{periodic, periodic};
   for (auto const& [fast, general] :
        {std::pair{std::array{loose, held, round}, std::array{Side::free, Side::fixed, Side::periodic}},
         {std::array{round, loose, loose}, std::array{Side::periodic, Side::free, Side::free}}}) {
@@ -116,8 +116,8 @@ namespace {
 FastMedium3d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {
   FastBox3d const box{{12, 5, 4},
                       {0.1, 0.1, 0.1},
-                      {FastBox3d::Ends{fixed, fixed}, FastBox3d::Ends{FastSide::free, FastSide::free},
-                       FastBox3d::Ends{FastSide::free, FastSide::free}}};
+                      {FastBox3d::Ends{fixed, fixed}, FastBox3d::Ends{Side::free, Side::free},
+                       FastBox3d::Ends{Side::free, Side::free}}};
   return {FastStVenantKirchhoff{0.3, 0.2},
           box,
           0.02,
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_medium_in_space_is_refused_at_once) {
   };
   FastBox3d const box{{4, 4, 4}, {0.1, 0.1, 0.1}};
   FastBox3d half = box;
-  half.sides[2] = {periodic, FastSide::free};
+  half.sides[2] = {periodic, Side::free};
   with(box, 0.01, 1);
   CHECK_REFUSED(with({{4, 0, 4}, {0.1, 0.1, 0.1}}, 0.01, 1), OutsideDomain);
   CHECK_REFUSED(with({{4, 4, 4}, {0.1, 0.1, -0.1}}, 0.01, 1), OutsideDomain);

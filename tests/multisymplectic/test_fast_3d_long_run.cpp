@@ -15,7 +15,7 @@ using namespace actio::media;
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using Place = std::array<double, 3>;
-using enum FastSide;
+using enum Side;
 
 /// A smooth motion, rough enough that no two cells are alike; periodic where the box is, and zero at no side.
 struct Start {
@@ -56,8 +56,8 @@ FastMedium3d<Medium> let_go(Medium const& medium, FastBox3d const& box, double d
 /// Boxes of all kinds of sides, with rows that fill registers and that do not, and the smallest ones.
 std::vector<FastBox3d> boxes() {
   std::vector<FastBox3d> out;
-  FastBox3d::Ends const round{periodic, periodic}, loose{FastSide::free, FastSide::free},
-      held{fixed, FastSide::free}, slides{sliding, sliding};
+  FastBox3d::Ends const round{periodic, periodic}, loose{Side::free, Side::free}, held{fixed, Side::free},
+      slides{sliding, sliding};
   FastBox3d::Ends const pairs[] = {round, loose, held, slides};
   int const sizes[][3] = {{1, 1, 1}, {2, 1, 3},  {3, 2, 1},  {4, 3, 2},
                           {7, 2, 5}, {11, 3, 2}, {13, 4, 3}, {16, 2, 2}};
@@ -159,9 +159,9 @@ void moves_as_in_the_plane(Medium const& medium, double modulus) {
   double const dt = 0.01;
   FastBox3d const box{{9, 4, 3},
                       {0.1, 0.13, 0.12},
-                      {FastBox3d::Ends{FastSide::free, fixed}, FastBox3d::Ends{periodic, periodic},
+                      {FastBox3d::Ends{Side::free, fixed}, FastBox3d::Ends{periodic, periodic},
                        FastBox3d::Ends{sliding, sliding}}};
-  FastBox2d const plane{{9, 4}, {0.1, 0.13}, {FastSide::free, fixed}, {periodic, periodic}};
+  FastBox2d const plane{{9, 4}, {0.1, 0.13}, {Side::free, fixed}, {periodic, periodic}};
   auto const place = [](double X, double Y) {
     double const b = 2 * M_PI * Y / 0.52;
     return std::array{X + 0.01 * std::sin(7 * X + b), Y + 0.01 * std::cos(5 * X - b)};

@@ -8,13 +8,13 @@ using namespace actio;
 using namespace actio::media;
 
 namespace {
-using enum FastSide;
+using enum Side;
 }
 
 BOOST_AUTO_TEST_SUITE(fast_boxes)
 
 BOOST_AUTO_TEST_CASE(sides_hold_what_they_say_and_halve_the_measure_of_their_nodes) {
-  FastBox2d const flat{{3, 4}, {0.5, 0.25}, {fixed, sliding}, {sliding, FastSide::free}, {2, -3}};
+  FastBox2d const flat{{3, 4}, {0.5, 0.25}, {fixed, sliding}, {sliding, Side::free}, {2, -3}};
   BOOST_TEST(flat.count() == 20);
   for (int j = 0; j <= 4; ++j)
     for (int i = 0; i <= 3; ++i) {
@@ -24,8 +24,8 @@ BOOST_AUTO_TEST_CASE(sides_hold_what_they_say_and_halve_the_measure_of_their_nod
       BOOST_TEST((flat.at({i, j}) == std::array{2 + 0.5 * i, -3 + 0.25 * j}));
     }
   FastBox3d solid{{2, 3, 4}, {0.5, 0.25, 0.125}, {}, {1, 2, 3}};
-  solid.ends(0) = {sliding, FastSide::free}, solid.ends(1) = {periodic, periodic},
-  solid.ends(2) = {FastSide::free, fixed};
+  solid.ends(0) = {sliding, Side::free}, solid.ends(1) = {periodic, periodic},
+  solid.ends(2) = {Side::free, fixed};
   BOOST_TEST(solid.count() == 3 * 3 * 5);
   for (int k = 0; k <= 4; ++k)
     for (int j = 0; j < 3; ++j)

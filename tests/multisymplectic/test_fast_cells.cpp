@@ -71,7 +71,7 @@ FastBox2d plane() { return {{3, 2}, {0.3, 0.2}}; }
 FastBox3d space() { return {{3, 2, 1}, {0.3, 0.2, 0.25}}; }
 template <class Box>
 void move_all_round(Box& box) {
-  for (int d = 0; d < Box::dimension; ++d) box.ends(d) = {FastSide::periodic, FastSide::periodic};
+  for (int d = 0; d < Box::dimension; ++d) box.ends(d) = {Side::periodic, Side::periodic};
   // Sheared, so that each component of a period counts.
   for (std::size_t d = 0; d < Box::dimension; ++d)
     for (std::size_t i = 0; i < Box::dimension; ++i)

@@ -12,7 +12,7 @@ using SimpleWave = testing::SimpleWave<2>;
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using Place = std::array<double, 2>;
-using enum FastSide;
+using enum Side;
 
 FastBox2d periodic_box(int n, double length) {
   return {{n, n}, {length / n, length / n}, {periodic, periodic}, {periodic, periodic}};
@@ -185,11 +185,8 @@ struct Changes {
 template <class Medium>
 Changes thrown(char const* name, Medium const& medium, long steps) {
   int const n = 24, m = 16;
-  FastBox2d const box{{n, m},
-                      {1.0 / n, 1.0 / n},
-                      {FastSide::free, FastSide::free},
-                      {FastSide::free, FastSide::free},
-                      {-0.5, -0.3}};
+  FastBox2d const box{
+      {n, m}, {1.0 / n, 1.0 / n}, {Side::free, Side::free}, {Side::free, Side::free}, {-0.5, -0.3}};
   FastMedium2d fast(
       medium, box, 0.2 / n, 3,
       [](Place const& X) {

@@ -14,18 +14,13 @@ using namespace actio::media;
 namespace {
 using Place = std::array<double, 2>;
 
-struct Case {
-  FastSide fast;
-  Side general;
-};
-
 /// A medium on seven by five cells: two levels by the fast road, ten more by both.
 template <class Medium, class Energy>
-void roads_agree(Medium const& medium, Energy const& energy, Case const& across, Case const& up) {
+void roads_agree(Medium const& medium, Energy const& energy, Side across, Side up) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   int const n = 7, m = 5, steps = 10;
   double const h1 = 0.1, h2 = 0.13, dt = 0.01, density = 1.7;
-  FastBox2d const box{{n, m}, {h1, h2}, {across.fast, across.fast}, {up.fast, up.fast}};
+  FastBox2d const box{{n, m}, {h1, h2}, {across, across}, {up, up}};
   // Periodic, and nothing at the sides.
   auto const bump = [&](Place const& X) {
     return std::pow(std::sin(M_PI * X[0] / (n * h1)) * std::sin(M_PI * X[1] / (m * h2)), 2);
@@ -42,7 +37,7 @@ void roads_agree(Medium const& medium, Energy const& energy, Case const& across,
   std::vector<double> times;
   for (int k = 0; k <= steps + 1; ++k) times.push_back(k * dt);
   Sides<2> sides;
-  sides[0] = {across.general, across.general}, sides[1] = {up.general, up.general};
+  sides[0] = {across, across}, sides[1] = {up, up};
   SpaceTimeMesh<double, 2> const mesh(times, GridIndex<2>{{n, m}}, sides,
                                       StraightBox<double, 2>{{0, 0}, {n * h1, m * h2}});
   DiscreteSection<double, 2, 2> section;
@@ -71,8 +66,7 @@ void roads_agree(Medium const& medium, Energy const& energy, Case const& across,
 BOOST_AUTO_TEST_SUITE(fast_general_road)
 
 BOOST_AUTO_TEST_CASE(both_roads_are_the_same_to_rounding) {
-  Case const free{FastSide::free, Side::free}, fixed{FastSide::fixed, Side::fixed},
-      periodic{FastSide::periodic, Side::periodic};
+  using enum Side;
   for (auto const& [across, up] :
        {std::pair{free, free}, {fixed, free}, {periodic, fixed}, {periodic, periodic}}) {
     roads_agree(FastFluid{PolytropicByRoots<1, 2>{0.7}}, Barotropic{WholePolytropic<double, 1>{0.7}}, across,

@@ -11,7 +11,7 @@ using namespace actio::media;
 
 namespace {
 constexpr double dt = 0.01;
-using enum FastSide;
+using enum Side;
 template <class Box>
 using Points = std::vector<std::array<double, Box::dimension>>;
 
@@ -219,8 +219,8 @@ BOOST_AUTO_TEST_CASE(a_cell_that_is_inside_out_on_the_way_is_found_wherever_it_i
   each_cell_of_a_row_is_found(FastBox3d{{7, 1, 1}, {0.1, 0.13, 0.11}});
 }
 BOOST_AUTO_TEST_CASE(the_first_cell_that_turns_inside_out_is_named_with_its_jacobians) {
-  some_cells_are_found(FastBox2d{{9, 3}, {0.1, 0.13}, {FastSide::free, fixed}, {periodic, periodic}});
-  some_cells_are_found(FastBox2d{{14, 2}, {0.1, 0.13}, {periodic, periodic}, {sliding, FastSide::free}});
+  some_cells_are_found(FastBox2d{{9, 3}, {0.1, 0.13}, {Side::free, fixed}, {periodic, periodic}});
+  some_cells_are_found(FastBox2d{{14, 2}, {0.1, 0.13}, {periodic, periodic}, {sliding, Side::free}});
   FastBox3d box{{6, 2, 2}, {0.1, 0.13, 0.11}};
   box.sides[1] = {periodic, periodic};
   some_cells_are_found(box);

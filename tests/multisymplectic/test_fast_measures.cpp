@@ -12,7 +12,7 @@ using namespace actio::media;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
-using enum FastSide;
+using enum Side;
 using Flat = std::array<double, 2>;
 using Place = std::array<double, 3>;
 constexpr FastStVenantKirchhoff solid{0.9, 0.6};
@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_SUITE(fast_measures)
 // With the deformation F everywhere the energy is known. Sums have at most 60 terms, each with some
 // roundings.
 BOOST_AUTO_TEST_CASE(momenta_and_energies_in_the_plane_are_the_sums_over_the_nodes) {
-  FastBox2d const box{{5, 3}, {0.1, 0.125}, {FastSide::free, sliding}, {fixed, FastSide::free}, {1, 2}};
+  FastBox2d const box{{5, 3}, {0.1, 0.125}, {Side::free, sliding}, {fixed, Side::free}, {1, 2}};
   double const F[2][2] = {{1.1, 0.2}, {-0.1, 0.9}}, density = 2.5;
   std::mt19937 random(1);
   FastMedium2d const body(
@@ -69,8 +69,8 @@ BOOST_AUTO_TEST_CASE(momenta_and_energies_in_the_plane_are_the_sums_over_the_nod
 }
 BOOST_AUTO_TEST_CASE(momenta_and_energies_in_space_are_the_sums_over_the_nodes) {
   FastBox3d box{{3, 2, 2}, {0.1, 0.125, 0.2}, {}, {1, 2, -1}};
-  box.sides = {FastBox3d::Ends{fixed, FastSide::free}, FastBox3d::Ends{periodic, periodic},
-               FastBox3d::Ends{sliding, FastSide::free}};
+  box.sides = {FastBox3d::Ends{fixed, Side::free}, FastBox3d::Ends{periodic, periodic},
+               FastBox3d::Ends{sliding, Side::free}};
   double const density = 2.5;
   std::mt19937 random(1);
   FastMedium3d body(

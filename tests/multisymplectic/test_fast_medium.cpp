@@ -15,7 +15,7 @@ using namespace actio::media;
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using Place = std::array<double, 2>;
-using enum FastSide;
+using enum Side;
 
 /// A smooth motion, rough enough that no two cells are alike; periodic where the box is.
 struct Start {
@@ -51,7 +51,7 @@ FastMedium2d<Medium> let_go(Medium const& medium, FastBox2d const& box, double d
 /// Boxes of all kinds of sides, with rows that fill registers and that do not, and the smallest ones.
 std::vector<FastBox2d> boxes() {
   std::vector<FastBox2d> out;
-  FastSide const pairs[][2] = {
+  Side const pairs[][2] = {
       {periodic, periodic}, {free, free}, {fixed, free}, {sliding, sliding}, {free, fixed}};
   int const sizes[][2] = {{1, 1},  {2, 1},  {1, 3},  {3, 2},  {4, 4},  {7, 5},
                           {11, 3}, {12, 6}, {13, 9}, {14, 2}, {23, 10}};

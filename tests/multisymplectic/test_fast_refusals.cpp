@@ -11,7 +11,7 @@ using namespace actio::media;
 
 namespace {
 using Place = std::array<double, 2>;
-using enum FastSide;
+using enum Side;
 
 Place at_rest(Place const& X) { return X; }
 Place still(Place const&) { return {0, 0}; }
@@ -165,7 +165,8 @@ BOOST_AUTO_TEST_CASE(what_is_no_medium_is_refused_at_once) {
   CHECK_REFUSED(with({{0, 4}, {0.1, 0.1}}, 0.01, 1, at_rest), OutsideDomain);
   CHECK_REFUSED(with({{4, 4}, {0.1, -0.1}}, 0.01, 1, at_rest), OutsideDomain);
   CHECK_REFUSED(with({{4, 4}, {0.1, NAN}}, 0.01, 1, at_rest), NotFinite);
-  CHECK_REFUSED(with({{4, 4}, {0.1, 0.1}, {periodic, FastSide::free}}, 0.01, 1, at_rest), OutsideDomain);
+  CHECK_REFUSED(with({{4, 4}, {0.1, 0.1}, {periodic, Side::free}}, 0.01, 1, at_rest), OutsideDomain);
+  CHECK_REFUSED(with({{4, 4}, {0.1, 0.1}, {fixed, moved}}, 0.01, 1, at_rest), OutsideDomain);
   CHECK_REFUSED(with(box, 0, 1, at_rest), OutsideDomain);
   CHECK_REFUSED(with(box, NAN, 1, at_rest), NotFinite);
   CHECK_REFUSED(with(box, 0.01, -1, at_rest), OutsideDomain);

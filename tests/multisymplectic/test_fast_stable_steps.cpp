@@ -11,7 +11,7 @@ using namespace actio;
 using namespace actio::media;
 
 namespace {
-using enum FastSide;
+using enum Side;
 template <class Box>
 using Node = std::array<int, Box::dimension>;
 template <class Box>
@@ -119,14 +119,14 @@ void bound_is_that_of_a_window(Box const& box, std::vector<Node<Box>> const& cel
 BOOST_AUTO_TEST_SUITE(fast_stable_steps)
 
 BOOST_AUTO_TEST_CASE(the_bound_at_the_start_is_that_of_a_window_around_the_cell_that_resists_most) {
-  FastBox2d box{{13, 10}, {0.1, 0.13}, {FastSide::free, sliding}, {fixed, FastSide::free}};
+  FastBox2d box{{13, 10}, {0.1, 0.13}, {Side::free, sliding}, {fixed, Side::free}};
   bound_is_that_of_a_window<FastBox2d>(box, {{0, 0}, {12, 9}, {4, 5}, {8, 6}, {9, 4}, {5, 7}});
   box.left_right = {periodic, periodic};
   bound_is_that_of_a_window<FastBox2d>(box, {{12, 3}, {7, 9}, {9, 0}});
-  box.left_right = {sliding, FastSide::free}, box.below_above = {periodic, periodic}, box.cells = {9, 8};
+  box.left_right = {sliding, Side::free}, box.below_above = {periodic, periodic}, box.cells = {9, 8};
   bound_is_that_of_a_window<FastBox2d>(box, {{4, 7}, {5, 2}});
   FastBox3d solid{{2, 9, 3}, {0.1, 0.13, 0.11}};
-  solid.sides[0] = {periodic, periodic}, solid.sides[2] = {sliding, FastSide::free};
+  solid.sides[0] = {periodic, periodic}, solid.sides[2] = {sliding, Side::free};
   bound_is_that_of_a_window<FastBox3d>(solid, {{1, 4, 0}, {0, 5, 2}});
 }
 

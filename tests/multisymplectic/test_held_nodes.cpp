@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/multisymplectic/body_sides.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using namespace actio::media;
@@ -63,12 +64,11 @@ Spot<d> along_sides(unsigned across, Spot<d> u) {
 
 template <int d>
 void slides_along(BodyMesh const& mesh, unsigned across_all) {
-  using Kind = typename BodySide<d>::Kind;
   // The lower sides across these directions; the others are free.
   BodySides<d> sides;
   for (int k = 0; k < d; ++k)
     if (mesh.sides.contains(media::detail::side_names[k][0]))
-      sides[media::detail::side_names[k][0]].kind = across_all >> k & 1 ? Kind::sliding : Kind::free;
+      sides[media::detail::side_names[k][0]].kind = across_all >> k & 1 ? Side::sliding : Side::free;
   HeldNodes<d> const held(mesh, sides);
   BOOST_TEST(!held.any_moved());
   std::vector<unsigned> across(mesh.nodes.size(), 0);
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(sides_leave_what_runs_along_all_of_them) {
   for (unsigned across = 0; across < 8; ++across) slides_along<3>(oblique<3>(), across);
   // Across a seam a facet has its places from its cell.
   auto const around = box_mesh({0, 0, 1}, {1, 1, 2}, {2, 3, 2}, {true, false, false});
-  HeldNodes<3> const held(around, {{"bottom", {BodySide<3>::Kind::sliding, {}}}});
+  HeldNodes<3> const held(around, {{"bottom", {Side::sliding, {}}}});
   std::vector<double> u(3 * around.nodes.size(), 1.0);
   held.restrict_to_allowed(u);
   for (std::size_t k = 0; k < u.size(); ++k)
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_side_that_bends_or_lies_in_two_planes_is_none_to_slide_al
   auto bent = box_mesh({0, 0}, {2, 1}, {2, 1});
   bent.nodes[2][1] = 0.5;
   auto const slides = [](auto const& mesh, std::string const& side, double measured) {
-    BOOST_CHECK_EXCEPTION((HeldNodes<2>(mesh, {{side, {BodySide<2>::Kind::sliding, {}}}})), NotABodyMesh,
+    BOOST_CHECK_EXCEPTION((HeldNodes<2>(mesh, {{side, {Side::sliding, {}}}})), NotABodyMesh,
                           [&](NotABodyMesh const& e) {
                             return std::abs(e.measured - measured) <= 4 * eps && e.bound == 1e-9 &&
                                    std::string(e.what()).find("side '" + side + "'") != std::string::npos;
@@ -125,13 +125,12 @@ BOOST_AUTO_TEST_CASE(a_side_that_bends_or_lies_in_two_planes_is_none_to_slide_al
   slides(two, "walls", 0.5);
   // A bend below the bound is rounding.
   bent.nodes[2][1] = 1e-6;
-  HeldNodes<2> const held(bent, {{"bottom", {BodySide<2>::Kind::sliding, {}}}});
+  HeldNodes<2> const held(bent, {{"bottom", {Side::sliding, {}}}});
   bent.nodes[2][1] = 1e-3;
   slides(bent, "bottom", 1 - 1 / std::sqrt(1 + 1e-6));
 }
 
 BOOST_AUTO_TEST_CASE(moved_sides_are_where_their_motions_have_them_and_others_stay) {
-  using Kind = BodySide<2>::Kind;
   auto const mesh = box_mesh({0, 1}, {2, 4}, {2, 3});
   auto const chi = [](double by) {
     return prescribed_motion<2>([by]<class T>(Spot<2> const& X, T const& t) {
@@ -139,10 +138,10 @@ BOOST_AUTO_TEST_CASE(moved_sides_are_where_their_motions_have_them_and_others_st
       return std::array<T, 2>{t * t * by + X[0], sin(t) * X[0] + t * X[1] * by};
     });
   };
-  HeldNodes<2> const held(mesh, {{"bottom", {Kind::moved, chi(0.3)}},
-                                 {"left", {Kind::fixed, {}}},
-                                 {"top", {Kind::moved, chi(0.7)}},
-                                 {"right", {Kind::free, {}}}});
+  HeldNodes<2> const held(mesh, {{"bottom", {Side::moved, chi(0.3)}},
+                                 {"left", {Side::fixed, {}}},
+                                 {"top", {Side::moved, chi(0.7)}},
+                                 {"right", {Side::free, {}}}});
   BOOST_TEST(held.any_moved());
   double const t = 0.6;
   std::vector<double> x(2 * mesh.nodes.size(), 5), v = x, u = x;
@@ -169,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_motion_that_has_no_place_is_refused_with_its_node_and_tim
   auto const nowhere = prescribed_motion<2>([]<class T>(Spot<2> const& X, T const& t) {
     return std::array<T, 2>{t * X[0], t / (1 - X[0])};
   });
-  HeldNodes<2> const held(mesh, {{"top", {BodySide<2>::Kind::moved, nowhere}}});
+  HeldNodes<2> const held(mesh, {{"top", {Side::moved, nowhere}}});
   std::vector<double> x(8, 0);
   auto const named = [](NotFinite const& e) {
     return std::string(e.what()).find("prescribed motion of node 3 at t = 0.25:") != std::string::npos;
@@ -186,6 +185,7 @@ BOOST_AUTO_TEST_CASE(a_name_that_is_no_side_is_refused_with_those_that_are) {
   };
   auto mesh = box_mesh({0, 0}, {1, 1}, {2, 2});
   BOOST_CHECK_NO_THROW(require_side(mesh, "top"));
+  CHECK_REFUSED(HeldNodes<2>(mesh, {{"top", {Side::periodic, {}}}}), NotABodyMesh);
   says(mesh, "; the mesh has bottom, left, right, top");
   mesh.sides.clear();
   says(mesh, "the mesh has none");

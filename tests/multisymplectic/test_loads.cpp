@@ -11,7 +11,6 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 template <int d>
 using Spot = std::array<double, d>;
-using Kind = BodySide<2>::Kind;
 
 BodyMesh block() { return box_mesh({-0.5, -0.3}, {0.5, 0.3}, {4, 3}); }
 auto rubber() { return stored_energy<2>(neo_hookean(1, 0.5)); }
@@ -120,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_piston_drives_the_exact_wave) {
   auto const f = []<class T>(T const& t) { return base_value(t) > 0 ? T(t * t * t * 0.1) : T(0.0); };
   auto const chi = [&]<class T>(Spot<1> const& X, T const& t) { return std::array<T, 1>{f(t) + X[0]}; };
   MediumOnMesh<1> line(box_mesh({0}, {1}, {n}), stored_energy<1>(FastFluid{Acoustic{}}), {}, {.step = h},
-                       {{"left", {BodySide<1>::Kind::moved, prescribed_motion<1>(chi)}}});
+                       {{"left", {Side::moved, prescribed_motion<1>(chi)}}});
   line.step(steps);
   auto const x = line.places();
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -139,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_side_moves_with_the_substeps_of_order_four) {
     int const n = 10, steps = 20;
     MediumOnMesh<1> line(box_mesh({0}, {1}, {n}), stored_energy<1>(FastFluid{Acoustic{}}), start,
                          {.step = 0.05, .order = 4, .conserve = conserve},
-                         {{"left", {BodySide<1>::Kind::moved, prescribed_motion<1>(chi)}}});
+                         {{"left", {Side::moved, prescribed_motion<1>(chi)}}});
     line.step(steps);
     auto const x = line.places();
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -151,7 +150,7 @@ BOOST_AUTO_TEST_CASE(sides_hold_what_they_say) {
   BodyStart<2> start = bent();
   start.velocity = [](Spot<2> const& X) { return Spot<2>{0, 0.2 * X[0] * (0.3 - X[1])}; };
   MediumOnMesh<2> body(block(), rubber(), start, {.step = 0.02},
-                       {{"left", {Kind::fixed, {}}}, {"top", {Kind::sliding, {}}}});
+                       {{"left", {Side::fixed, {}}}, {"top", {Side::sliding, {}}}});
   auto const before = body.places(), rates = body.velocities();
   body.step(200);
   auto const x = body.places();
@@ -171,7 +170,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused_by_name) {
   auto const with = [](BodySides<2> const& sides, BodyLoads<2> const& loads = {}) {
     return refusal([&] { MediumOnMesh<2>(block(), rubber(), {}, {.step = 0.01}, sides, loads); });
   };
-  says(with({{"rihgt", {Kind::fixed, {}}}}), "did you mean 'right'?");
+  says(with({{"rihgt", {Side::fixed, {}}}}), "did you mean 'right'?");
   BodyLoads<2> loads;
   loads.tractions["middle"] = {1, 0};
   says(with({}, loads), "bottom, left, right, top");
@@ -179,7 +178,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused_by_name) {
   says(with({}, loads), "traction on side 'left'");
   says(
       refusal([] {
-        MediumOnMesh<2>(disc_mesh(1, {1, 2}), rubber(), {}, {.step = 0.01}, {{"outer", {Kind::sliding, {}}}});
+        MediumOnMesh<2>(disc_mesh(1, {1, 2}), rubber(), {}, {.step = 0.01}, {{"outer", {Side::sliding, {}}}});
       }),
       "plane");
   says(refusal([] { MediumOnMesh<2>(block(), rubber(), {}, {.step = 0.01, .order = 3}); }), "2 or 4");
@@ -258,7 +257,7 @@ BOOST_AUTO_TEST_CASE(a_state_that_was_remembered_goes_on_bit_for_bit) {
   for (Conserve const conserve : {Conserve::form, Conserve::energy}) {
     auto const made = [&] {
       return MediumOnMesh<2>(block(), rubber(), bent(), {.step = 0.03, .order = 4, .conserve = conserve},
-                             {{"left", {Kind::moved, prescribed_motion<2>(chi)}}}, loads);
+                             {{"left", {Side::moved, prescribed_motion<2>(chi)}}}, loads);
     };
     auto whole = made(), first = made(), second = made();
     whole.step(25), first.step(11);

@@ -24,16 +24,15 @@ BodyStart<2> thrown() {
 
 /// Seven by five cells, thirty steps by both roads.
 template <class Medium>
-void roads_agree(Medium const& medium, std::array<FastSide, 2> across, std::array<FastSide, 2> up) {
+void roads_agree(Medium const& medium, std::array<Side, 2> across, std::array<Side, 2> up) {
   int const n = 7, m = 5, steps = 30;
   double const h1 = 0.1, h2 = 0.13, dt = 0.01;
   FastMedium2d<Medium> fast(medium, {{n, m}, {h1, h2}, across, up}, dt, 1.7, bent, turning);
-  using enum BodySide<2>::Kind;
   BodySides<2> sides;
   char const* const names[4] = {"left", "right", "bottom", "top"};
   for (int k = 0; k < 4; ++k) {
-    FastSide const side = (k < 2 ? across : up)[k % 2];
-    if (side != FastSide::free) sides[names[k]] = {side == FastSide::fixed ? fixed : sliding, {}};
+    Side const side = (k < 2 ? across : up)[k % 2];
+    if (side != Side::free) sides[names[k]] = {side, {}};
   }
   MediumOnMesh<2> body(box_mesh({0, 0}, {n * h1, m * h2}, {n, m}), stored_energy<2>(medium), thrown(),
                        {.step = dt}, sides);
@@ -88,7 +87,7 @@ std::vector<double> flat(std::vector<Spot<d>> const& places) {
 BOOST_AUTO_TEST_SUITE(medium_on_mesh)
 
 BOOST_AUTO_TEST_CASE(on_boxes_of_the_plane_both_roads_are_the_same_to_rounding) {
-  using enum FastSide;
+  using enum Side;
   for (auto const& [across, up] : {std::pair{std::array{free, free}, std::array{free, free}},
                                    {{fixed, free}, {sliding, free}},
                                    {{sliding, sliding}, {free, fixed}}}) {

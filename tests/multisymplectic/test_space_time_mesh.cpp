@@ -122,6 +122,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_does_not_exist_as_described_is_refused) {
   CHECK_REFUSED(build({0, 1}, {2, 1}, around, box), NotAMesh);
   CHECK_REFUSED(build({0, 1}, {2, 2}, {{{Side::periodic, Side::free}, {Side::free, Side::free}}}, box),
                 NotAMesh);
+  CHECK_REFUSED(build({0, 1}, {2, 2}, all_sides<2>(Side::moved), box), NotAMesh);
   // A wedge does not close.
   auto const wedge = [](Matrix<double, 2, 1> const& u) {
     return Matrix<double, 2, 1>(u[0], u[1] * (1 + u[0]));

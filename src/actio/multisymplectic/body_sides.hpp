@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "actio/multisymplectic/body_mesh.hpp"
+#include "actio/multisymplectic/side.hpp"
 #include "actio/numbers/derivative.hpp"
 #include "actio/numbers/nearest_name.hpp"
 
@@ -39,14 +40,7 @@ PrescribedMotion<d> prescribed_motion(Chi const& chi) {
 /// What a side does.
 template <int d>
 struct BodySide {
-  /// Kinds of sides.
-  enum class Kind {
-    free,     ///< no force acts on it but those of \ref BodyLoads
-    fixed,    ///< its nodes keep the velocity that they have at the start, mostly none
-    sliding,  ///< its nodes keep the component of the velocity across the side, which is plane
-    moved     ///< its nodes are where the motion has them
-  };
-  Kind kind = Kind::free;      ///< what it does
+  Side kind = Side::free;      ///< what it does; one that slides is plane, and none is periodic
   PrescribedMotion<d> motion;  ///< where it is moved
 };
 /// What the sides do, by their names; others are free. A node of two sides that are held obeys both, and the
@@ -112,17 +106,19 @@ class HeldNodes {
     std::map<int, Node> held;
     for (auto const& [name, side] : sides) {
       require_side(mesh, name);
-      if (side.kind == BodySide<d>::Kind::free) continue;
-      Place const normal = side.kind == BodySide<d>::Kind::sliding ? plane_normal<d>(mesh, name) : Place{};
-      if (side.kind == BodySide<d>::Kind::moved) motions_.push_back(side.motion);
+      if (side.kind == Side::periodic)
+        throw NotABodyMesh("side '" + name + "'", "a side of a body is not periodic; periodic", 1, 0);
+      if (side.kind == Side::free) continue;
+      Place const normal = side.kind == Side::sliding ? plane_normal<d>(mesh, name) : Place{};
+      if (side.kind == Side::moved) motions_.push_back(side.motion);
       for (auto const& facet : mesh.sides.at(name))
         for (int const at : facet) {
           if (at < 0) continue;
           auto [entry, is_new] = held.try_emplace(at, Node{at, -1, Matrix<double, d, d>::Identity(), {}});
           Node& node = entry->second;
           for (int a = 0; a < d; ++a) node.reference[a] = mesh.nodes[at][a];
-          if (side.kind == BodySide<d>::Kind::moved) node.motion = static_cast<int>(motions_.size()) - 1;
-          if (side.kind == BodySide<d>::Kind::sliding)
+          if (side.kind == Side::moved) node.motion = static_cast<int>(motions_.size()) - 1;
+          if (side.kind == Side::sliding)
             node.without(normal);
           else
             node.allowed.setZero();

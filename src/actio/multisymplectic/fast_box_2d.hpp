@@ -10,17 +10,10 @@
 #include <string>
 
 #include "actio/multisymplectic/fast_cell_2d.hpp"
+#include "actio/multisymplectic/side.hpp"
 #include "actio/numbers/errors.hpp"
 
 namespace actio::media {
-
-/// What a side of a box of cells does.
-enum class FastSide {
-  periodic,  ///< it is the opposite side, moved by a period
-  free,      ///< no force acts on it
-  fixed,     ///< its nodes keep the velocity that they have at the start, mostly none
-  sliding    ///< its nodes keep the component of the velocity across the side
-};
 
 namespace detail {
 /// The share that node k of direction d of a box has of the mass of an inner node.
@@ -32,8 +25,8 @@ double share_of_node(Box const& box, int d, int k) {
 template <class Box>
 bool node_moves(Box const& box, int d, int k, int c) {
   if (box.periodic(d) || (k != 0 && k != box.cells[d])) return true;
-  FastSide const side = box.ends(d)[k == 0 ? 0 : 1];
-  return side == FastSide::free || (side == FastSide::sliding && c != d);
+  Side const side = box.ends(d)[k == 0 ? 0 : 1];
+  return side == Side::free || (side == Side::sliding && c != d);
 }
 /// Refuses a box that is none.
 template <class Box>
@@ -47,19 +40,21 @@ void examine_box(Box const& box) {
     if (!(box.spacing[d] > 0))
       throw OutsideDomain(direction, "the length of a cell must be positive", box.spacing[d], 0);
     auto const ends = box.ends(d);
-    if ((ends[0] == FastSide::periodic) != (ends[1] == FastSide::periodic))
+    if ((ends[0] == Side::periodic) != (ends[1] == Side::periodic))
       throw OutsideDomain(direction, "both ends or none are periodic; periodic ends", 1, 2);
+    if (ends[0] == Side::moved || ends[1] == Side::moved)
+      throw OutsideDomain(direction, "no end of a box is moved; moved ends", 1, 0);
   }
 }
 }  // namespace detail
 
 /// A rectangle of cells with corners \f$X = origin+(i\,h_1,j\,h_2)\f$.
 struct FastBox2d {
-  std::array<int, 2> cells;                                             ///< how many along each direction
-  std::array<double, 2> spacing;                                        ///< \f$h_1\f$, \f$h_2\f$, length
-  std::array<FastSide, 2> left_right{FastSide::free, FastSide::free};   ///< sides at the ends of direction 1
-  std::array<FastSide, 2> below_above{FastSide::free, FastSide::free};  ///< sides at the ends of direction 2
-  std::array<double, 2> origin{0, 0};                                   ///< X of the first node
+  std::array<int, 2> cells;                                 ///< how many along each direction
+  std::array<double, 2> spacing;                            ///< \f$h_1\f$, \f$h_2\f$, length
+  std::array<Side, 2> left_right{Side::free, Side::free};   ///< sides at the ends of direction 1
+  std::array<Side, 2> below_above{Side::free, Side::free};  ///< sides at the ends of direction 2
+  std::array<double, 2> origin{0, 0};                       ///< X of the first node
   /// How far the placement of a periodic direction goes in one period: \f$\phi(X+Le_i)-\phi(X)\f$, length; 0
   /// stands for \f$Le_i\f$.
   std::array<std::array<double, 2>, 2> period{};
@@ -67,11 +62,11 @@ struct FastBox2d {
   /// The directions of the body, and of space.
   static constexpr int dimension = 2;
   /// The sides at the ends of direction d.
-  std::array<FastSide, 2> const& ends(int d) const { return d == 0 ? left_right : below_above; }
+  std::array<Side, 2> const& ends(int d) const { return d == 0 ? left_right : below_above; }
   /// \copydoc ends
-  std::array<FastSide, 2>& ends(int d) { return d == 0 ? left_right : below_above; }
+  std::array<Side, 2>& ends(int d) { return d == 0 ? left_right : below_above; }
   /// Whether direction d is periodic.
-  bool periodic(int d) const { return ends(d)[0] == FastSide::periodic; }
+  bool periodic(int d) const { return ends(d)[0] == Side::periodic; }
   /// How many nodes there are along direction d; of two nodes that are one, one.
   int nodes(int d) const { return cells[d] + !periodic(d); }
   /// All nodes.

@@ -12,13 +12,13 @@ struct FastBox3d {
   /// The directions of the body, and of space.
   static constexpr int dimension = 3;
   /// The sides at the two ends of a direction, lower first.
-  using Ends = std::array<FastSide, 2>;
+  using Ends = std::array<Side, 2>;
 
   std::array<int, 3> cells;       ///< how many along each direction
   std::array<double, 3> spacing;  ///< \f$h_1\f$, \f$h_2\f$, \f$h_3\f$, length
   /// Sides at the ends of each direction.
-  std::array<Ends, 3> sides{Ends{FastSide::free, FastSide::free}, Ends{FastSide::free, FastSide::free},
-                            Ends{FastSide::free, FastSide::free}};
+  std::array<Ends, 3> sides{Ends{Side::free, Side::free}, Ends{Side::free, Side::free},
+                            Ends{Side::free, Side::free}};
   std::array<double, 3> origin{0, 0, 0};  ///< X of the first node
   /// How far the placement of a periodic direction goes in one period: \f$\phi(X+Le_i)-\phi(X)\f$, length; 0
   /// stands for \f$Le_i\f$.
@@ -29,7 +29,7 @@ struct FastBox3d {
   /// \copydoc ends
   Ends& ends(int d) { return sides[d]; }
   /// Whether direction d is periodic.
-  bool periodic(int d) const { return sides[d][0] == FastSide::periodic; }
+  bool periodic(int d) const { return sides[d][0] == Side::periodic; }
   /// How many nodes there are along direction d; of two nodes that are one, one.
   int nodes(int d) const { return cells[d] + !periodic(d); }
   /// All nodes.

@@ -190,8 +190,8 @@ double bound_of_stable_steps(Box const& box, Cell const& cell, std::vector<Vecto
     first[d] = std::clamp(stiffest[d] - most / 2, 0, box.nodes(d) - 1 - most);
     window.cells[d] = most;
     auto& ends = window.ends(d);
-    if (box.periodic(d) || first[d] > 0) ends[0] = FastSide::fixed;
-    if (box.periodic(d) || first[d] + most < box.cells[d]) ends[1] = FastSide::fixed;
+    if (box.periodic(d) || first[d] > 0) ends[0] = Side::fixed;
+    if (box.periodic(d) || first[d] + most < box.cells[d]) ends[1] = Side::fixed;
   }
   std::vector<Vector<double>> inside;
   for_nodes(window, [&](auto node, std::size_t) {

@@ -4,7 +4,7 @@
 //     BodyStart<3> start;                                       // at rest, density 1
 //     start.velocity = [](auto const& X) { return std::array{0.0, 0.1 * X[0], 0.0}; };
 //     MediumOnMesh<3> beam(mesh, stored_energy<3>(neo_hookean(2, 1)), start, {.step = 0.01},
-//                          {{"left", {BodySide<3>::Kind::fixed}}});
+//                          {{"left", {Side::fixed}}});
 //     beam.step(1000);
 //
 // The discrete Lagrangian of a slab of cells between two times is, as on the fast road,

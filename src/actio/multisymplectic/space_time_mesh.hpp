@@ -12,16 +12,9 @@
 #include <vector>
 
 #include "actio/multisymplectic/cell_geometry.hpp"
+#include "actio/multisymplectic/side.hpp"
 
 namespace actio::media {
-
-/// What a side of the box is.
-enum class Side {
-  free,     ///< the section is varied there as anywhere else: no traction
-  fixed,    ///< the section is given there and not varied
-  sliding,  ///< its component across the side, i in direction i, is given and not varied; the others are free
-  periodic,  ///< the same as the opposite side
-};
 
 /// The sides of a box: for each direction the near and the far one.
 template <int n>
@@ -207,6 +200,8 @@ class SpaceTimeMesh {
       auto const where = "space-time mesh, direction " + std::to_string(i + 1);
       if ((sides_[i][0] == Side::periodic) != (sides_[i][1] == Side::periodic))
         throw NotAMesh(where, "a periodic side is the same as the opposite one; periodic sides", 1, 2);
+      if (sides_[i][0] == Side::moved || sides_[i][1] == Side::moved)
+        throw NotAMesh(where, "no side of a box is moved; moved sides", 1, 0);
       int const least = periodic(i) ? 2 : 1;
       if (cells_[i] < least) throw NotAMesh(where, "there are cells enough; cells", cells_[i], least);
       all *= cells_[i] + 1.0;

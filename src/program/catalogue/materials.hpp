@@ -12,9 +12,10 @@ struct MaterialConstant {
   std::string meaning;  ///< in a few words
   double above;         ///< it is greater than this
   std::string example;  ///< as a scene writes it
+  std::string unit;     ///< "energy/volume"; "1" of what has none
 };
 
-/// A material of the library.
+/// What lists tell of a material of the library.
 struct NamedMaterial {
   std::string name;                         ///< as scenes write it
   std::string meaning;                      ///< one sentence

@@ -88,12 +88,21 @@ std::optional<std::vector<std::string>> range(std::string const& text, Place con
   return out;
 }
 
+/// How values lie between two.
+struct Spacing {
+  std::string name;
+  bool by_ratios;     ///< equal ratios, not differences
+  bool of_exponents;  ///< of ten
+};
+std::vector<Spacing> const spacings{
+    {"linspace", false, false}, {"geomspace", true, false}, {"logspace", false, true}};
+
 /// `linspace(0, 1, 11)`; nothing where the text is no such list.
 std::optional<std::vector<std::string>> spaced(std::string const& text, Place const& place) {
   std::size_t const open = text.find('(');
   std::string const name = text.substr(0, open);
-  if (open == std::string::npos || (name != "linspace" && name != "geomspace" && name != "logspace"))
-    return {};
+  auto const spacing = std::ranges::find(spacings, name, &Spacing::name);
+  if (open == std::string::npos || spacing == spacings.end()) return {};
   std::vector<std::optional<Written>> numbers;
   if (text.ends_with(')'))
     for (auto const& part : split_values(std::string_view(text).substr(open + 1, text.size() - open - 2)))
@@ -107,7 +116,7 @@ std::optional<std::vector<std::string>> spaced(std::string const& text, Place co
   if (!(count >= 1) || count > static_cast<double>(most_members))
     throw SceneError(
         place, fmt::format("'{}': from 1 to {} values are allowed, found {}", text, most_members, count));
-  if (name == "geomspace" && !(a * b > 0))
+  if (spacing->by_ratios && !(a * b > 0))
     throw SceneError(place,
                      fmt::format("'{}': equal ratios need two numbers of one sign, neither of them 0", text));
   std::vector<std::string> out;
@@ -115,8 +124,8 @@ std::optional<std::vector<std::string>> spaced(std::string const& text, Place co
     double const part = count > 1 ? static_cast<double>(k) / (count - 1) : 0;
     double x = k == 0      ? a
                : part == 1 ? b
-                           : tidy(name == "geomspace" ? a * std::pow(b / a, part) : a + (b - a) * part);
-    if (name == "logspace") x = tidy(std::pow(10, x));
+                           : tidy(spacing->by_ratios ? a * std::pow(b / a, part) : a + (b - a) * part);
+    if (spacing->of_exponents) x = tidy(std::pow(10, x));
     if (!std::isfinite(x))
       throw SceneError(place,
                        fmt::format("'{}': value {} is {}, where a finite number is needed", text, k + 1, x));

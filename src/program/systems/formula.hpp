@@ -2,11 +2,12 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "actio/formula/parse_formula.hpp"
-#include "program/base/error.hpp"
+#include "program/document/file.hpp"
 
 namespace actio::scene {
 
@@ -19,6 +20,21 @@ namespace actio::scene {
 ReadFormula scene_formula(std::string const& text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants, TextPlace const& place,
                           std::string const& what = "");
+
+/// Refuses the name of a key that a formula cannot have, or that stands for something else there.
+/// @param taken  names of other numbers, which are so called: "a component"
+void require_formula_name(SceneTable const& table, std::string const& key,
+                          std::vector<std::string> const& taken, std::string const& what);
+/// The numbers of a table within a table, which a formula has by their names; none where it is not there.
+/// @throws SceneError  where one has no number, or a name that is refused
+std::map<std::string, double> formula_constants(SceneTable const& table, std::string const& key,
+                                                std::vector<std::string> const& taken,
+                                                std::string const& what);
+/// Refuses one of them that the formula does not use.
+/// @param formula  what it is called
+void require_used_constants(SceneTable const& table, std::string const& key,
+                            std::map<std::string, double> const& constants,
+                            std::set<std::string, std::less<>> const& used, std::string const& formula);
 
 /// `; did you mean 'c'?`: of the names that are used the one that this name may be meant for.
 std::string meant_used_name(std::string const& name, std::set<std::string, std::less<>> const& used);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "program/catalogue/bodies.hpp"
 #include "program/catalogue/body_shape.hpp"
 #include "program/pictures/pictures.hpp"
@@ -98,8 +100,7 @@ std::vector<Quantity> quantities_under(std::optional<SceneTorque> const& torque)
   if (!torque->is_steady()) here.insert(Feature::torque_of_time);
   if (!torque->is_symmetric()) here.insert(Feature::torque_without_axis);
   auto all = quantities();
-  for (auto& quantity : all)
-    if (quantity.name == "energy") quantity.needs.emplace_back("attitude");
+  std::ranges::find(all, "energy", &Quantity::name)->needs.emplace_back("attitude");
   return with_conserved("rigid_body", std::move(all), here);
 }
 
@@ -127,9 +128,9 @@ std::vector<std::string> shortcuts(RigidBodyScene const& scene, bool attitude) {
     else if (scene.free.is_symmetric())
       lines.push_back("axisymmetric body: closed form");
     lines.push_back("exact: rows are evaluated where they are asked for; the step is not used");
-  } else if (scene.choice.name == "moser_veselov") {
+  } else if (scene.scheme == RigidBodyScene::Scheme::moser_veselov) {
     lines.push_back("one equation for the whole orbit: no step iterates");
-  } else if (scene.choice.name == "variational" && !scene.torque) {
+  } else if (scene.has_exact_flow()) {
     lines.push_back("no torque: free motion, exact flow");
   }
   return lines;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "actio/reduction/composition.hpp"
 #include "program/registry/companion.hpp"
@@ -10,6 +11,11 @@
 
 namespace actio::scene {
 namespace {
+
+std::map<std::string, RigidBodyScene::Scheme> const schemes{
+    {"moser_veselov", RigidBodyScene::Scheme::moser_veselov},
+    {"natural_chart", RigidBodyScene::Scheme::natural_chart},
+    {"variational", RigidBodyScene::Scheme::variational}};
 
 /// A torque leaves one method.
 MethodChoice read_choice(SceneTable const& method, std::vector<Method> const& methods, bool torqued) {
@@ -37,7 +43,7 @@ std::unique_ptr<TurningBody> free_motion(RigidBodyScene const& scene) {
   int const order = scene.choice.number();
   PrincipalInertia const& inertia = scene.inertia;
   if (order == 0) return exact_motion(scene.free);
-  if (scene.choice.name == "natural_chart") {
+  if (scene.scheme == RigidBodyScene::Scheme::natural_chart) {
     auto const fractions = order == 2   ? std::vector<double>{1}
                            : order == 4 ? suzuki<double>()
                                         : kahan_li<double>();
@@ -46,7 +52,7 @@ std::unique_ptr<TurningBody> free_motion(RigidBodyScene const& scene) {
     };
     return stepped_motion(StepsFrom<bodies::NaturalChartSteps>(steps), scene.start, scene.step);
   }
-  bool const exact_flow = scene.choice.name == "variational";
+  bool const exact_flow = scene.has_exact_flow();
   auto const steps = [=](bodies::FreeState const& start, double h) {
     bodies::FreeBody const body(inertia, start.body_momentum, start.attitude);
     return exact_flow ? bodies::FreeSteps(body, h)
@@ -89,6 +95,7 @@ RigidBodyScene::RigidBodyScene(Request const& request, std::vector<Method> const
       start(read_start(initial, inertia, remarks)),
       free(inertia, start.body_momentum, start.attitude),
       choice(read_choice(method, methods, torque.has_value())),
+      scheme(schemes.at(choice.name)),
       fastest(pace(*this, request.schedule.until())),
       step(read_step(method, request.schedule, fastest)) {}
 
@@ -101,7 +108,7 @@ RigidBodyMotion motion_of(RigidBodyScene& scene, Schedule const& schedule) {
 }
 
 Companion companion_of(RigidBodyScene const& scene, std::optional<bool> wanted, bool attitude) {
-  if (scene.is_exact() || (!scene.torque && scene.choice.name == "variational"))
+  if (scene.is_exact() || scene.has_exact_flow())
     return {nullptr, 0, 0, attitude, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
   if (scene.torque)

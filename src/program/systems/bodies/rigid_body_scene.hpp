@@ -8,6 +8,12 @@ namespace actio::scene {
 
 /// A scene of a rigid body.
 struct RigidBodyScene {
+  /// What steps it.
+  enum class Scheme {
+    moser_veselov,  ///< its equation, with the moments of inertia or modified ones
+    natural_chart,  ///< the kinetic energy through the natural chart
+    variational     ///< the exact flow, between kicks of a torque
+  };
   SceneTable system,                  ///< its section
       initial,                        ///< its section
       method;                         ///< its section
@@ -17,6 +23,7 @@ struct RigidBodyScene {
   bodies::FreeState start;            ///< momentum and attitude
   bodies::FreeBody free;              ///< the body without its torque
   MethodChoice choice;                ///< of the method and its order
+  Scheme scheme;                      ///< that of the method
   double fastest,  ///< a bound of the angular velocity, or of what else the step is measured by, 1/time
       step;        ///< time
 
@@ -25,6 +32,8 @@ struct RigidBodyScene {
   /// @throws SceneError  where a value is missing or wrong
   RigidBodyScene(Request const& request, std::vector<Method> const& methods);
 
+  /// Whether a free body has the exact flow in steps.
+  bool has_exact_flow() const { return scheme == Scheme::variational && !torque; }
   /// Whether it goes to any time at once.
   bool is_exact() const { return choice.order == "exact"; }
 };

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -34,38 +33,6 @@ systems::MatrixAlgebra read_algebra(SceneTable const& system) {
     std::string const what = error.what();
     system.fail(key, what.starts_with(key) ? what : key + ": " + what);
   }
-}
-
-bool is_name(std::string const& word) {
-  bool good = !word.empty() && !std::isdigit(static_cast<unsigned char>(word.front()));
-  for (unsigned char const c : word) good = good && (c == '_' || (c < 128 && std::isalnum(c)));
-  return good;
-}
-/// Refuses a name that a formula cannot have, or that stands for something else there.
-void check_name(SceneTable const& table, std::string const& key, std::vector<std::string> const& taken) {
-  if (!is_name(key))
-    table.fail(key,
-               fmt::format("'{}' is no name for a formula: letters, digits and _ are, a letter or _ first",
-                           printable(key)));
-  for (auto const& other : taken)
-    if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a component", key));
-  std::vector<std::string_view> known{"pi"};
-  known.insert(known.end(), operation_names.begin() + static_cast<int>(Operation::atan2),
-               operation_names.end());
-  for (auto const& word : known)
-    if (word == key) table.fail(key, fmt::format("the name '{}' is taken already: formulas know it", key));
-}
-
-std::map<std::string, double> read_parameters(SceneTable const& system,
-                                              std::vector<std::string> const& taken) {
-  std::map<std::string, double> out;
-  if (!system.has("parameters")) return out;
-  SceneTable const table = system.inside("parameters");
-  for (auto const& key : table.keys()) {
-    check_name(table, key, taken);
-    out[key] = table.number(key);
-  }
-  return out;
 }
 
 /// A vector as long as the matrices have rows; on a group of rigid motions one without its last component is
@@ -97,7 +64,7 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
   for (auto const& key : table.keys()) {
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
-    check_name(table, key, algebra.components);
+    require_formula_name(table, key, algebra.components, "a component");
     for (int i = 1; i <= algebra.size; ++i)
       if (std::ranges::find(algebra.components, key + std::to_string(i)) != algebra.components.end())
         table.fail(key, fmt::format("the name '{}' is taken already: {}{} is a component of the velocity",
@@ -122,11 +89,7 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
                   std::vector<CarriedVector> const& carried, systems::MatrixAlgebra const& algebra,
                   std::set<std::string, std::less<>> const& used) {
   SceneTable const system = file.section("system");
-  for (auto const& [name, value] : parameters)
-    if (!used.contains(name))
-      system.inside("parameters")
-          .fail(name, fmt::format("parameters: '{}' does not occur in the lagrangian{}", name,
-                                  meant_used_name(name, used)));
+  require_used_constants(system, "parameters", parameters, used, "lagrangian");
   auto const asked = file.section("output").texts("quantities");
   for (auto const& vector : carried) {
     bool const occurs = std::ranges::any_of(components_of(vector, algebra),
@@ -146,7 +109,7 @@ Tape read_lagrangian(SceneFile const& file, systems::MatrixAlgebra const& algebr
   std::vector<std::string> names = algebra.components;
   for (auto const& vector : carried)
     for (auto& name : components_of(vector, algebra)) names.push_back(std::move(name));
-  auto const parameters = read_parameters(system, names);
+  auto const parameters = formula_constants(system, "parameters", names, "a component");
   auto formula = scene_formula(system.text("lagrangian"), names, parameters, system.text_place("lagrangian"));
   require_used(file, parameters, carried, algebra, formula.used);
   return std::move(formula.value);

@@ -33,8 +33,8 @@ std::set<Feature> features_of(SceneFile const& file, MediumMesh const& mesh, Med
   using enum Feature;
   std::set<Feature> out;
   for (auto const& [name, side] : loads.sides) {
-    if (side.kind != media::BodySide<d>::Kind::free) out.insert(held_side);
-    if (side.kind == media::BodySide<d>::Kind::moved) out.insert(moved_side);
+    if (side.kind != media::Side::free) out.insert(held_side);
+    if (side.kind == media::Side::moved) out.insert(moved_side);
   }
   if (std::ranges::find(mesh.periodic, true) != mesh.periodic.end()) out.insert(periodic_box);
   if (!loads.loads.potentials.empty()) out.insert(potential);
@@ -52,11 +52,10 @@ std::set<Feature> features_of_loops(MediumMesh const& mesh, MediumCells<d> const
   std::set<std::size_t> fixed, forced;
   for (auto const& [side, does] : mesh.sides) {
     bool const force = loads.loads.tractions.contains(side) || loads.loads.pressures.contains(side),
-               moved =
-                   loads.sides.contains(side) && loads.sides.at(side).kind == media::BodySide<d>::Kind::moved;
-    if (force || moved || does == "fixed")
+               moved = loads.sides.contains(side) && loads.sides.at(side).kind == media::Side::moved;
+    if (force || moved || does == media::Side::fixed)
       for (std::size_t const node : nodes_of_side(mesh, cells, side))
-        (does == "fixed" ? fixed : forced).insert(node);
+        (does == media::Side::fixed ? fixed : forced).insert(node);
   }
   std::set<Feature> out;
   for (auto const& loop : loops) {

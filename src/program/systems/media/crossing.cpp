@@ -65,8 +65,8 @@ int axis_of(MediumMesh const& mesh, MediumStart& start) {
     // At a free side across the wave the medium gives way.
     for (int a = 0; a < d; ++a)
       for (char const* const name : actio::media::detail::side_names[a])
-        plane = plane &&
-                (a == axis || mesh.periodic[static_cast<std::size_t>(a)] || mesh.sides.at(name) != "free");
+        plane = plane && (a == axis || mesh.periodic[static_cast<std::size_t>(a)] ||
+                          mesh.sides.at(name) != media::Side::free);
     if (plane) return axis;
   }
   return -1;

@@ -127,16 +127,16 @@ std::map<std::string, double> driven_sides(MediumMesh const& mesh, MediumCells<d
                                            ExaminedStart<d> const& start) {
   std::map<std::string, double> out;
   for (auto const& [side, does] : mesh.sides) {
-    if (does == "free") continue;
-    auto const across = does == "sliding" ? direction_across<d>(mesh, side) : PointOfBody<d>{};
+    if (does == media::Side::free) continue;
+    auto const across = does == media::Side::sliding ? direction_across<d>(mesh, side) : PointOfBody<d>{};
     double fastest = 0, rounding = 0;
     for (std::size_t const n : nodes_of_side(mesh, cells, side)) {
       auto const& v = start.velocities[n];
       double along = 0;
       for (std::size_t a = 0; a < d; ++a) along += across[a] * v[a];
-      fastest = std::max(fastest, does == "fixed" ? size_of(v) : std::abs(along));
+      fastest = std::max(fastest, does == media::Side::fixed ? size_of(v) : std::abs(along));
       // Across a side that is oblique a velocity along it has a rounding.
-      if (does == "sliding") rounding = std::max(rounding, 1e-14 * size_of(v));
+      if (does == media::Side::sliding) rounding = std::max(rounding, 1e-14 * size_of(v));
     }
     if (fastest > rounding) out[side] = fastest;
   }

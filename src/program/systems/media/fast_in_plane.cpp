@@ -4,13 +4,9 @@
 
 namespace actio::scene {
 
-std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, media::FastBox2d const& box,
-                                        double density) {
-  return fluid_on_fast_road(material, box, density);
-}
-std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, media::FastBox2d const& box,
-                                        double density) {
-  return solid_on_fast_road(material, box, density);
+std::unique_ptr<FastRoad<2>> fast_road(Material const& material, media::FastBox2d const& box,
+                                       double density) {
+  return fast_road_on(material, box, density);
 }
 
 }  // namespace actio::scene

@@ -5,13 +5,9 @@
 
 namespace actio::scene {
 
-std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, media::FastBox3d const& box,
-                                        double density) {
-  return fluid_on_fast_road(material, box, density);
-}
-std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, media::FastBox3d const& box,
-                                        double density) {
-  return solid_on_fast_road(material, box, density);
+std::unique_ptr<FastRoad<3>> fast_road(Material const& material, media::FastBox3d const& box,
+                                       double density) {
+  return fast_road_on(material, box, density);
 }
 
 }  // namespace actio::scene

@@ -88,12 +88,8 @@ std::optional<Box> fast_box(MediumMesh const& mesh) {
     box.spacing[a] = (mesh.upper[a] - mesh.lower[a]) / mesh.cells[a];
     for (int end = 0; end < 2; ++end) {
       std::string const name = actio::media::detail::side_names[a][end];
-      std::string const does = mesh.periodic[a] ? "periodic" : mesh.sides.at(name);
       box.ends(static_cast<int>(a))[static_cast<std::size_t>(end)] =
-          does == "periodic"  ? media::FastSide::periodic
-          : does == "fixed"   ? media::FastSide::fixed
-          : does == "sliding" ? media::FastSide::sliding
-                              : media::FastSide::free;
+          mesh.periodic[a] ? media::Side::periodic : mesh.sides.at(name);
     }
   }
   return box;
@@ -111,17 +107,9 @@ class FastRoad {
   virtual std::unique_ptr<MediumMotion<d>> motion(double step, double longest,
                                                   std::shared_ptr<MediumStart> start) const = 0;
 };
-/// Of a fluid of the library in the plane. Null where the fast road does not know it.
-std::unique_ptr<FastRoad<2>> fast_fluid(Material const& material, media::FastBox2d const& box,
-                                        double density);
-/// Of a solid; likewise.
-std::unique_ptr<FastRoad<2>> fast_solid(Material const& material, media::FastBox2d const& box,
-                                        double density);
-/// Of a fluid in space; likewise.
-std::unique_ptr<FastRoad<3>> fast_fluid(Material const& material, media::FastBox3d const& box,
-                                        double density);
-/// Of a solid in space; likewise.
-std::unique_ptr<FastRoad<3>> fast_solid(Material const& material, media::FastBox3d const& box,
-                                        double density);
+/// Of a material in the plane. Null where the fast road does not know it.
+std::unique_ptr<FastRoad<2>> fast_road(Material const& material, media::FastBox2d const& box, double density);
+/// In space; likewise.
+std::unique_ptr<FastRoad<3>> fast_road(Material const& material, media::FastBox3d const& box, double density);
 
 }  // namespace actio::scene

@@ -1,35 +1,9 @@
-// Fields of a medium at one time: Jacobian, pressure, density, stored energy and stress, on cells and nodes.
+// Fields of a medium at one time, on cells and nodes.
 #pragma once
 
-#include <functional>
-
-#include "program/systems/media/motion.hpp"
+#include "program/systems/media/field.hpp"
 
 namespace actio::scene {
-
-/// A medium as its fields are computed.
-template <int d>
-struct MediumView {
-  using Place = std::array<double, d>;                ///< a point, or a vector
-  MediumMotion<d> const* motion = nullptr;            ///< what moves
-  std::shared_ptr<media::StoredEnergy<d> const> law;  ///< of the material
-  std::function<double(Place const&)> density;        ///< mass per reference volume at X
-};
-
-/// One deformation gradient of a cell.
-template <int d>
-struct PointOfCell {
-  std::size_t cell;                                      ///< which cell
-  int point;                                             ///< of the cell
-  double volume;                                         ///< the reference volume that it stands for
-  double density;                                        ///< mass per reference volume
-  double weight;                                         ///< of W, per reference volume
-  Matrix<double, d, d> F;                                ///< the deformation gradient
-  Matrix<double, d, d> H;                                ///< that of the displacement, F - 1
-  Matrix<double, d, d> inverse;                          ///< of the reference edges
-  double jacobian;                                       ///< det F
-  media::CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
-};
 
 /// `visit(point, cell)` for each point of each cell.
 /// @param density  whether the density is wanted
@@ -67,44 +41,22 @@ void for_points(MediumView<d> const& medium, std::vector<typename MediumCells<d>
   }
 }
 
-/// The numbers of the fields that can be asked for, in their order.
-/// @param asked  jacobian, pressure, density, energy_density, stress
+/// Writes fields at a point, one after the other.
 template <int d>
-int field_size(std::vector<std::string> const& asked) {
-  int size = 0;
-  for (auto const& name : asked) size += name == "stress" ? d * (d + 1) / 2 : 1;
-  return size;
-}
-/// Writes them at a point.
-template <int d>
-void write_fields(MediumView<d> const& medium, PointOfCell<d> const& point,
-                  std::vector<std::string> const& asked, double* out) {
-  Matrix<double, d, d> stress = Matrix<double, d, d>::Zero();
-  bool stressed = false;
-  for (auto const& name : asked) stressed = stressed || name == "stress" || name == "pressure";
-  if (stressed)
-    stress = medium.law->stress_beyond(point.H) * point.F.transpose() * (point.weight / point.jacobian);
-  for (auto const& name : asked) {
-    if (name == "jacobian") *out++ = point.jacobian;
-    if (name == "pressure") {
-      double trace = 0;
-      for (int a = 0; a < d; ++a) trace += stress(a, a);
-      *out++ = -trace / d;
-    }
-    if (name == "density") *out++ = point.density / point.jacobian;
-    if (name == "energy_density") *out++ = point.weight * medium.law->energy_beyond(point.H);
-    if (name == "stress")
-      for (int a = 0; a < d; ++a)
-        for (int b = a; b < d; ++b) *out++ = stress(a, b);
-  }
+void write_fields(MediumView<d> const& medium, PointOfCell<d> const& point, MediumFields<d> const& asked,
+                  double* out) {
+  PointOfMedium<d> at{*medium.law, point, Matrix<double, d, d>::Zero()};
+  if (std::ranges::any_of(asked, &MediumField<d>::needs_stress))
+    at.stress = medium.law->stress_beyond(point.H) * point.F.transpose() * (point.weight / point.jacobian);
+  for (auto const& field : asked) field.write(at, out), out += field.width();
 }
 
 /// Means of the fields over cells or around nodes, weighed by reference volume; one after the other for each.
 template <int d>
 std::vector<double> mean_fields(MediumView<d> const& medium,
                                 std::vector<typename MediumCells<d>::Place> const& x,
-                                std::vector<std::string> const& asked, bool on_nodes) {
-  auto const size = static_cast<std::size_t>(field_size<d>(asked));
+                                MediumFields<d> const& asked, bool on_nodes) {
+  std::size_t const size = field_size(asked);
   MediumCells<d> const& cells = medium.motion->cells();
   std::size_t const count = on_nodes ? cells.nodes() : cells.cells();
   std::vector<double> sums(count * size, 0), volumes(size > 0 ? count : 0, 0), here(size);

@@ -1,10 +1,7 @@
 #include "program/systems/media/frames.hpp"
 
-#include <algorithm>
-
 #include "program/output/series_reader.hpp"
 #include "program/systems/media/grid.hpp"
-#include "program/systems/media/snapshots.hpp"
 
 namespace actio::scene {
 namespace {
@@ -42,16 +39,8 @@ ArraySet set_of(SnapshotArray const& array, bool frames) {
 
 }  // namespace
 
-std::vector<std::string> stress_components(int d) {
-  std::vector<std::string> out;
-  for (int a = 0; a < d; ++a)
-    for (int b = a; b < d; ++b) out.push_back({"xyz"[a], "xyz"[b]});
-  return out;
-}
-
 template <int d>
-std::vector<SnapshotArray> MediumFrames<d>::fields(MediumCells<d> const& cells,
-                                                   std::vector<std::string> const& asked,
+std::vector<SnapshotArray> MediumFrames<d>::fields(MediumCells<d> const& cells, MediumFields<d> const& asked,
                                                    Units const& units) {
   std::size_t const nodes = cells.nodes();
   std::vector<SnapshotArray> fields;
@@ -65,17 +54,10 @@ std::vector<SnapshotArray> MediumFrames<d>::fields(MediumCells<d> const& cells,
     SnapshotArray& one = add(name, "of the nodes", unit);
     one.axes.emplace_back("axis"), one.shape.push_back(d);
   }
-  std::string const per_volume = d == 1 ? "/length" : "/length^" + std::to_string(d);
-  auto const known = medium_snapshots(false).columns;
-  for (auto const& name : asked) {
-    auto const column =
-        std::find_if(known.begin(), known.end(), [&](auto const& c) { return c.name == name; });
-    std::string const unit = name == "jacobian"  ? "1"
-                             : name == "density" ? "mass" + per_volume
-                                                 : "energy" + per_volume;
-    SnapshotArray& one = add(name, "means around the nodes: " + column->meaning, unit);
-    if (name != "stress") continue;
-    one.names = stress_components(d);
+  for (auto const& field : asked) {
+    SnapshotArray& one = add(field.name, "means around the nodes: " + field.meaning, field.unit);
+    if (field.components.empty()) continue;
+    one.names = field.components;
     one.axes.emplace_back("component"), one.shape.push_back(one.names.size());
   }
   return fields;

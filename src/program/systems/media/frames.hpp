@@ -17,8 +17,6 @@ namespace actio::scene {
 
 /// The file, in the folder of the run.
 inline constexpr char const* frames_file = "snapshots/frames.h5";
-/// The names of the components of a stress: "xx", "xy", "yy".
-std::vector<std::string> stress_components(int d);
 
 /// The snapshots of a medium as frames.
 template <int d>
@@ -36,7 +34,7 @@ struct MediumFrames {
   /// Of the motion at one time, without their numbers.
   /// @param asked  what a frame holds besides places and velocities
   /// @param units  of the scene
-  static std::vector<SnapshotArray> fields(MediumCells<d> const& cells, std::vector<std::string> const& asked,
+  static std::vector<SnapshotArray> fields(MediumCells<d> const& cells, MediumFields<d> const& asked,
                                            Units const& units);
   static std::vector<Constant> constants(MediumCells<d> const& cells);  ///< of all frames
 

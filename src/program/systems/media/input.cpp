@@ -161,9 +161,12 @@ void read_sides(SceneFile const& file, MediumMesh& out) {
       table.fail(
           key, fmt::format("boundary: the body has no side '{}'{} (its sides: {})", shown(key),
                            did_you_mean(key, names), names.empty() ? "none, it is periodic" : listed(names)));
+  // Those that a scene can ask for come first.
+  std::vector<std::string> const words(media::names_of_sides.begin(), media::names_of_sides.begin() + 3);
   for (auto const& name : names) {
-    if (!table.has(name)) table.set(name, "free");
-    out.sides[name] = table.choice(name, "condition of a side", {"free", "fixed", "sliding"});
+    if (!table.has(name)) table.set(name, words.front());
+    std::string const does = table.choice(name, "condition of a side", words);
+    out.sides[name] = static_cast<media::Side>(std::ranges::find(words, does) - words.begin());
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "actio/multisymplectic/body_mesh.hpp"
+#include "actio/multisymplectic/side.hpp"
 #include "program/document/expression.hpp"
 #include "program/document/schedule.hpp"
 #include "program/registry/system.hpp"
@@ -25,7 +26,7 @@ struct MediumMesh {
   double inner = 0;            ///< radius of an annulus or a shell inside, length
   double outer = 0;            ///< radius of a round body outside, length
   std::shared_ptr<media::BodyMesh const> read;  ///< from a file; null of the others
-  std::map<std::string, std::string> sides;     ///< what each side does: "free", "fixed", "sliding"
+  std::map<std::string, media::Side> sides;     ///< what each does: it is free, fixed or sliding
 
   /// How many cells there will be, and nodes, those of round bodies from above.
   double cell_count() const;

@@ -57,31 +57,28 @@ void examine_potentials(SceneFile const& file, MediumMesh const& mesh, media::Bo
 /// A force on a side that something else holds does nothing.
 template <int d>
 void examine_forces(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d> const& loads) {
-  using Kind = typename media::BodySide<d>::Kind;
-  auto const held = [&](std::string const& side) -> std::string {
+  using media::Side;
+  auto const does = [&](std::string const& side) {
     auto const found = loads.sides.find(side);
-    if (found == loads.sides.end() || found->second.kind == Kind::free) return "";
-    return found->second.kind == Kind::moved   ? "moved"
-           : found->second.kind == Kind::fixed ? "fixed"
-                                               : "sliding";
+    return found == loads.sides.end() ? Side::free : found->second.kind;
   };
   SceneTable const load = file.section("system.load");
   for (auto const& [side, traction] : loads.loads.tractions)
-    if (std::string const how = held(side); how == "fixed" || how == "moved")
+    if (Side const how = does(side); how == Side::fixed || how == Side::moved)
       load.inside("traction")
           .fail(side, fmt::format("traction: the side '{}' is {}, so that no force moves it; a traction "
                                   "acts on a side that is free or sliding",
-                                  side, how));
+                                  side, name_of(how)));
   for (auto const& [side, pressure] : loads.loads.pressures)
-    if (std::string const how = held(side); !how.empty())
+    if (Side const how = does(side); how != Side::free)
       load.inside("pressure")
           .fail(side, fmt::format("pressure: the side '{}' is {}, so that no pressure moves it; "
                                   "a pressure acts on a free side",
-                                  side, how));
+                                  side, name_of(how)));
   // What has no name on a mesh from a file is free as well.
   if (!load.has("pressure") || load.is_table("pressure") || mesh.read) return;
-  for (auto const& [side, does] : mesh.sides)
-    if (held(side).empty()) return;
+  for (auto const& entry : mesh.sides)
+    if (does(entry.first) == Side::free) return;
   load.fail("pressure", "pressure: the body has no free side that a pressure from outside could move");
 }
 
@@ -95,7 +92,6 @@ struct Sided {
 template <int d>
 class MotionExamination {
  public:
-  using Kind = typename media::BodySide<d>::Kind;
   MotionExamination(SceneFile const& file, media::BodyMesh const& body, MediumLoads<d> const& loads,
                     ExaminedStart<d> const& start, double until)
       : motion_(file.section("system.load").has("motion") ? file.section("system.load").inside("motion")
@@ -104,7 +100,7 @@ class MotionExamination {
         start_(start),
         until_(until) {
     for (auto const& [name, side] : loads.sides) {
-      if (side.kind != Kind::moved && side.kind != Kind::fixed) continue;
+      if (side.kind != media::Side::moved && side.kind != media::Side::fixed) continue;
       for (auto const& facet : body.sides.at(name))
         for (int const node : facet)
           if (node >= 0 && (nodes_[node].empty() || nodes_[node].back().side != name))
@@ -137,14 +133,14 @@ class MotionExamination {
     return X;
   }
   PointOfBody<d> place(int node, Sided<d> const& one, double t) const {
-    if (one.does->kind == Kind::moved) return one.does->motion.place(reference(node), t);
+    if (one.does->kind == media::Side::moved) return one.does->motion.place(reference(node), t);
     PointOfBody<d> x = start_.places[static_cast<std::size_t>(node)];
     for (std::size_t a = 0; a < d; ++a) x[a] += t * start_.velocities[static_cast<std::size_t>(node)][a];
     return x;
   }
   void begins(int node, Sided<d> const& one) {
     auto const n = static_cast<std::size_t>(node);
-    if (one.does->kind == Kind::fixed) return;
+    if (one.does->kind == media::Side::fixed) return;
     PointOfBody<d> const X = reference(node), there = place(node, one, 0),
                          v = one.does->motion.velocity(X, 0);
     if (!std::isfinite(size_of(there)) || !std::isfinite(size_of(v)))
@@ -160,9 +156,9 @@ class MotionExamination {
   }
   /// Two sides that hold a node hold it at one place, at the end and on the way there.
   void agree(int node, Sided<d> const& a, Sided<d> const& b) const {
-    if (a.does->kind == Kind::fixed && b.does->kind == Kind::fixed) return;
-    Sided<d> const& moved = a.does->kind == Kind::moved ? a : b;
-    Sided<d> const& other = a.does->kind == Kind::moved ? b : a;
+    if (a.does->kind == media::Side::fixed && b.does->kind == media::Side::fixed) return;
+    Sided<d> const& moved = a.does->kind == media::Side::moved ? a : b;
+    Sided<d> const& other = a.does->kind == media::Side::moved ? b : a;
     for (double const t : {0.381966 * until_, until_}) {
       PointOfBody<d> const here = place(node, moved, t), there = place(node, other, t);
       if (distance(here, there) <= near_) continue;
@@ -171,7 +167,7 @@ class MotionExamination {
           fmt::format("motion: the sides '{}' and '{}' share X = {}, and at t = {:.6g} the first has it at "
                       "{}, the second, which is {}, at {}",
                       moved.side, other.side, in_words(reference(node)), t, in_words(here),
-                      other.does->kind == Kind::moved ? "moved" : "fixed", in_words(there)));
+                      name_of(other.does->kind), in_words(there)));
     }
   }
 

@@ -160,10 +160,10 @@ void read_motions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>&
   SceneTable const table = table_of_sides(file, "motion", "left = [\"X\", \"Y + 0.1*sin(t)\"]");
   for (auto const& side : table.keys()) {
     require_known_side(table, side, mesh);
-    if (mesh.sides.at(side) != "free")
+    if (mesh.sides.at(side) != media::Side::free)
       table.fail(side, fmt::format("motion: the side '{}' is {} and cannot be moved besides", side,
-                                   mesh.sides.at(side)));
-    out.sides[side] = {media::BodySide<d>::Kind::moved, read_motion<d>(table, side, out.in_time)};
+                                   name_of(mesh.sides.at(side))));
+    out.sides[side] = {media::Side::moved, read_motion<d>(table, side, out.in_time)};
   }
 }
 
@@ -219,11 +219,9 @@ bool has_loads(SceneFile const& file) {
 
 template <int d>
 MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh) {
-  using Kind = typename media::BodySide<d>::Kind;
   MediumLoads<d> out;
   for (auto const& [name, does] : mesh.sides) {
-    if (does == "free") continue;
-    out.sides[name] = {does == "fixed" ? Kind::fixed : Kind::sliding, {}};
+    if (does != media::Side::free) out.sides[name] = {does, {}};
   }
   SceneTable const load = file.section("system.load"), obstacle = file.section("system.obstacle");
   load.allow({"gravity", "pressure", "traction", "motion"});

@@ -45,13 +45,15 @@ double bytes_of_chunk(double list) { return list > 0 ? 2 * list / std::ceil(list
 /// What a snapshot takes while it is written, places, velocities and fields, or while its table is read and
 /// written in another format; files are written in parts.
 double bytes_of_snapshot(Counted const& body, SnapshotRequest const& snapshots) {
-  int const d = static_cast<int>(body.d);
-  double const columns = d == 1   ? field_size<1>(snapshots.columns)
-                         : d == 2 ? field_size<2>(snapshots.columns)
-                                  : field_size<3>(snapshots.columns);
-  bool const stressed =
-      std::find(snapshots.columns.begin(), snapshots.columns.end(), "stress") != snapshots.columns.end();
-  double const widest = 8 * body.nodes * (stressed ? d * (d + 1) / 2 : columns > 0 ? 1 : 0);
+  double columns = 0, of_widest = 0;
+  auto const count = [&]<int d>(MediumFields<d> const& fields) {
+    columns = static_cast<double>(field_size(fields));
+    for (auto const& field : fields) of_widest = std::max(of_widest, static_cast<double>(field.width()));
+  };
+  if (body.d == 1) count(fields_named<1>(snapshots.columns));
+  if (body.d == 2) count(fields_named<2>(snapshots.columns));
+  if (body.d == 3) count(fields_named<3>(snapshots.columns));
+  double const widest = 8 * body.nodes * of_widest;
   // While fields are summed there are the volumes that they are weighed by.
   double most = 8 * (columns + 1) * body.nodes;
   if (snapshots.in("hdf5"))
@@ -96,7 +98,7 @@ double bytes_on_plain_road(Counted const& body, MediumMesh const& mesh, Request 
              walls = !request.file.section("system.obstacle").keys().empty();
   double held = 0;
   for (auto const& [name, does] : mesh.sides)
-    held += (does != "free" ? 1 : 0) / std::max(1.0, static_cast<double>(mesh.sides.size()));
+    held += (does != media::Side::free ? 1 : 0) / std::max(1.0, static_cast<double>(mesh.sides.size()));
   // A body has so many nodes on its sides.
   double const surface = 2 * body.d * std::pow(body.nodes, 1 - 1 / body.d);
   double const cell =

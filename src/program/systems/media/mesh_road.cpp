@@ -36,7 +36,7 @@ class MeshMotion final : public MotionOnMesh<d> {
       : medium_(std::move(road.mesh), stored_energy_of<d>(road.material), start_of<d>(road.start),
                 {1, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
         cells_(medium_.mesh()),
-        fluid_(road.material.record->fluid && d > 1),
+        fluid_(is_fluid(road.material) && d > 1),
         conserves_form_(road.conserve == media::Conserve::form),
         watch_(1, 32, fluid_, conserves_form_),
         walls_(road.loads, medium_.mesh(), medium_.places()) {}

@@ -43,8 +43,14 @@ DrawnMesh drawn_mesh(MediumCells<d> const& cells) {
   return DrawnMesh::of(2, std::move(points), std::move(nodes), corners, 4);
 }
 
-/// The fields that colours show, those of cells first.
-std::vector<std::string> const shown_fields{"jacobian", "pressure", "density", "energy_density"};
+/// The fields that colours show, those of cells first: the numbers.
+template <int d>
+MediumFields<d> shown_fields() {
+  MediumFields<d> out;
+  for (auto const& field : medium_fields<d>())
+    if (field.components.empty()) out.push_back(field);
+  return out;
+}
 
 /// One frame more.
 template <int d>
@@ -60,8 +66,9 @@ void add_frame(PlayedMedium& played, MediumView<d> const& medium, DrawnMesh cons
     for (std::size_t a = 0; a < d; ++a) place[a] += frame.places[node][a] - X[a];
     places.push_back(place);
   }
-  auto const fields = mean_fields(medium, frame.places, shown_fields, false);
-  std::size_t const size = shown_fields.size();
+  auto const shown = shown_fields<d>();
+  auto const fields = mean_fields(medium, frame.places, shown, false);
+  std::size_t const size = shown.size();
   for (std::size_t i = 0; i < size; ++i) {
     auto& values = played.fields[i].values.emplace_back();
     for (auto const& face : mesh.faces) {
@@ -93,7 +100,7 @@ std::shared_ptr<PlayedMedium const> play_medium(MediumView<d> const& medium, std
   auto played = std::make_shared<PlayedMedium>();
   DrawnMesh mesh = drawn_mesh<d>(medium.motion->cells());
   played->dimension = d == 3 ? 3 : 2, played->snapshots = times.size(), played->cells = mesh.faces.size();
-  for (auto const& name : shown_fields) played->fields.push_back({words(name), {}});
+  for (auto const& field : shown_fields<d>()) played->fields.push_back({words(field.name), {}});
   played->fields.push_back({"speed", {}});
   PlayedSize const size =
       PlayedSize::of(times.size(), mesh.faces.size(), played->dimension, played->fields.size());

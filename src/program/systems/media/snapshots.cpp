@@ -24,7 +24,7 @@ class MediumSnapshots : public SnapshotWriter {
   using Place = std::array<double, d>;
   MediumSnapshots(SceneFile const& scene, SnapshotRequest const& request, MediumView<d> const& medium)
       : scene_(scene),
-        asked_(request.columns),
+        asked_(fields_named<d>(request.columns)),
         vtu_(request.in("vtu")),
         hdf5_(request.in("hdf5")),
         medium_(medium) {}
@@ -41,7 +41,7 @@ class MediumSnapshots : public SnapshotWriter {
   double bytes_of_one() const override {
     auto const& cells = medium_.motion->cells();
     double const nodes = static_cast<double>(cells.nodes()), all = static_cast<double>(cells.cells()),
-                 fields = field_size<d>(asked_);
+                 fields = static_cast<double>(field_size(asked_));
     // A number of a table has about 19 characters; zlib leaves of doubles that differ about all, and of what
     // counts corners little.
     return nodes * (3 * d + fields) * 19 + (vtu_ ? 8 * (nodes * 9 + all * fields) : 0) +
@@ -75,7 +75,7 @@ class MediumSnapshots : public SnapshotWriter {
     auto const x = medium_.motion->places();
     auto const means = mean_fields(medium_, x, asked_, true);
     auto out = arrays();
-    std::size_t const size = static_cast<std::size_t>(field_size<d>(asked_));
+    std::size_t const size = field_size(asked_);
     for (std::size_t k = 0; k < x.size(); ++k) {
       out[0].numbers.insert(out[0].numbers.end(), x[k].begin(), x[k].end());
       out[1].numbers.insert(out[1].numbers.end(), v[k].begin(), v[k].end());
@@ -108,7 +108,7 @@ class MediumSnapshots : public SnapshotWriter {
   typename MediumFrames<d>::Numbers numbers(std::string const& folder, long number, std::size_t first) const {
     auto fields = arrays();
     fields.resize(std::min(first, fields.size()));
-    return MediumFrames<d>::read(folder + "/" + snapshot_file(number, ".csv"), medium_columns(d, asked_),
+    return MediumFrames<d>::read(folder + "/" + snapshot_file(number, ".csv"), medium_columns(asked_),
                                  fields);
   }
   MediumFrame<d> read(std::string const& folder, long number) const {
@@ -156,8 +156,8 @@ class MediumSnapshots : public SnapshotWriter {
                    std::vector<double> const& fields, bool durable) const {
     constexpr std::size_t part = 1 << 20;
     WholeFile file(path);
-    NumberTable out(fmt::format("{}", fmt::join(medium_columns(d, asked_), ",")));
-    auto const size = static_cast<std::size_t>(field_size<d>(asked_));
+    NumberTable out(fmt::format("{}", fmt::join(medium_columns(asked_), ",")));
+    auto const size = field_size(asked_);
     for (std::size_t k = 0; k < x.size(); ++k) {
       for (double const one : medium_.motion->cells().reference(k)) out.add(one);
       for (double const one : x[k]) out.add(one);
@@ -200,18 +200,18 @@ class MediumSnapshots : public SnapshotWriter {
     VtuFile file(path, time, points.size(), cells.cells());
     file.point_data("reference", at_points(points, true, [&](auto k) { return cells.reference(k); }), 3);
     file.point_data("velocity", at_points(points, false, [&](auto k) { return v[k]; }), 3);
-    auto const size = static_cast<std::size_t>(field_size<d>(asked_));
+    auto const size = field_size(asked_);
     auto const fields = mean_fields(medium_, x, asked_, false);
     std::size_t first = 0;
-    for (auto const& name : asked_) {
-      auto const components = name == "stress" ? stress_in_grid() : std::vector<Component>{{"", 0}};
+    for (auto const& field : asked_) {
+      auto const components = field.components.empty() ? std::vector<Component>{{"", 0}} : stress_in_grid();
       std::size_t const wide = components.size();
       std::vector<std::string> words;
       for (auto const& one : components)
         if (!one.name.empty()) words.push_back(one.name);
       file.cell_data(
-          name, [&](std::size_t k) { return fields[k / wide * size + first + components[k % wide].at]; },
-          words);
+          field.name,
+          [&](std::size_t k) { return fields[k / wide * size + first + components[k % wide].at]; }, words);
       first += wide;
     }
     file.points(at_points(points, true, [&](auto k) { return x[k]; }));
@@ -221,38 +221,41 @@ class MediumSnapshots : public SnapshotWriter {
   }
 
   SceneFile scene_;
-  std::vector<std::string> asked_;
+  MediumFields<d> asked_;
   bool vtu_, hdf5_;
   MediumView<d> medium_;
 };
 
 }  // namespace
 
-std::vector<std::string> medium_columns(int d, std::vector<std::string> const& asked) {
+template <int d>
+std::vector<std::string> medium_columns(MediumFields<d> const& asked) {
   std::vector<std::string> out;
   for (char const* const names : {"XYZ", "xyz", "uvw"})
     for (int a = 0; a < d; ++a) out.emplace_back(1, names[a]);
-  for (auto const& name : asked)
-    if (name != "stress")
-      out.push_back(name);
-    else
-      for (auto const& one : stress_components(d)) out.push_back("stress_" + one);
+  for (auto const& field : asked) {
+    if (field.components.empty()) out.push_back(field.name);
+    for (auto const& one : field.components) out.push_back(field.name + "_" + one);
+  }
   return out;
 }
+/// Along a line.
+template std::vector<std::string> medium_columns(MediumFields<1> const&);
+/// In the plane.
+template std::vector<std::string> medium_columns(MediumFields<2> const&);
+/// In space.
+template std::vector<std::string> medium_columns(MediumFields<3> const&);
 
 SnapshotKind medium_snapshots(bool fluid) {
   SnapshotKind out{"the reference coordinates X Y Z of the nodes, their places x y z and velocities u v w",
-                   {{"jacobian", "J, the volume over that of the reference"},
-                    {"pressure", "minus a d-th of the trace of Cauchy's stress"},
-                    {"density", "mass per volume in space"},
-                    {"energy_density", "stored energy per reference volume"}},
+                   {},
                    {{"vtu",
                      "grids for ParaView in snapshots/000000.vtu, ... with the fields in each cell, and "
                      "snapshots/series.pvd, which lists them with their times"}},
                    "all of them in one file snapshots/frames.h5, with time, place, velocity and what was "
                    "asked for of each frame and node, and reference and cells"};
-  if (!fluid)
-    out.columns.push_back({"stress", "Cauchy's, its components xx, xy, yy or xx, xy, xz, yy, yz, zz"});
+  for (auto const& field : medium_fields<3>())
+    if (!(fluid && field.of_solids)) out.columns.push_back({field.name, field.meaning});
   return out;
 }
 

@@ -11,8 +11,8 @@ namespace actio::scene {
 SnapshotKind medium_snapshots(bool fluid);
 
 /// The columns of the tables.
-/// @param d  the dimension of the body
-std::vector<std::string> medium_columns(int d, std::vector<std::string> const& asked);
+template <int d>
+std::vector<std::string> medium_columns(MediumFields<d> const& asked);
 
 /// What writes them.
 /// @param medium  its motion outlives the writer

@@ -95,7 +95,7 @@ void tell_driven_sides(Simulation& simulation, std::set<Feature>& features, Medi
   for (auto const& [side, speed] : driven_sides<d>(mesh, cells, start)) {
     features.insert(Feature::driven_side);
     simulation.remarks.push_back(
-        mesh.sides.at(side) == "fixed"
+        mesh.sides.at(side) == media::Side::fixed
             ? fmt::format("side {} is fixed to the velocity that it has at the start, up to {:.6g}", side,
                           speed)
             : fmt::format("side {} slides, and keeps the velocity across it that it has at the start, {:.6g}",
@@ -106,14 +106,14 @@ void tell_driven_sides(Simulation& simulation, std::set<Feature>& features, Medi
 /// By fused steps, where the scene is one for them.
 /// @return whether it is
 template <class Box>
-bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh, bool fluid,
+bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh,
                   Material const& material, std::shared_ptr<MediumStart> const& start) {
   constexpr int d = Box::dimension;
   auto const box = fast_box<Box>(mesh);
   if (!box) return false;
   double rho = 0;
   start->density(std::array<double, d>{}, &rho);
-  auto const road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
+  auto const road = fast_road(material, *box, rho);
   if (!road) return false;
   simulation.bytes = require_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
@@ -210,8 +210,8 @@ void require_euclidean(SceneTable system) {
 /// The quantities of a scene: a circulation for each of its loops.
 std::vector<Quantity> quantities_of(bool fluid, SceneFile const& file) {
   auto all = medium_quantities(fluid);
-  for (auto& quantity : all)
-    if (quantity.name == "circulation" && !loop_names(file).empty()) quantity.kind = Quantity::Kind::list;
+  if (!loop_names(file).empty())
+    std::ranges::find(all, "circulation", &Quantity::name)->kind = Quantity::Kind::list;
   return all;
 }
 
@@ -221,9 +221,8 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   SceneTable system = request.file.section("system");
   MediumMethod const method = read_medium_method(request.file);
   require_euclidean(system);
-  Material const material = read_material(system, fluid);
   MediumMesh const mesh = read_medium_mesh(request.file);
-  require_stable_material(system, material, mesh.dimension);
+  Material const material = read_material(system, fluid, mesh.dimension);
   auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
 
   int const d = mesh.dimension;
@@ -234,9 +233,10 @@ Simulation prepare_medium(bool fluid, Request const& request) {
         request.file.section("output").place("quantities", static_cast<std::size_t>(turns - asked.begin())),
         "quantities: angular_momentum is that of bodies in the plane or in space");
   Simulation simulation(quantities_of(fluid, request.file));
+  simulation.remarks = remarks_on(material, d);
   bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
-  if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, fluid, material, start) ||
-                      prepare_fast<media::FastBox3d>(simulation, request, mesh, fluid, material, start)))
+  if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, material, start) ||
+                      prepare_fast<media::FastBox3d>(simulation, request, mesh, material, start)))
     return simulation;
   simulation.bytes = require_memory(request.file, mesh, false, request);
   if (d == 1)

@@ -25,7 +25,7 @@ class WallWatch {
       if (!is_quadratic(potential, places)) potentials_.push_back(potential);
     free_.assign(body.nodes.size(), true);
     for (auto const& [name, side] : loads.sides)
-      if (side.kind == media::BodySide<d>::Kind::moved)
+      if (side.kind == media::Side::moved)
         for (auto const& facet : body.sides.at(name))
           for (int const node : facet)
             if (node >= 0) free_[static_cast<std::size_t>(node)] = false;

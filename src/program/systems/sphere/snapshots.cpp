@@ -11,6 +11,22 @@
 namespace actio::scene {
 namespace {
 
+/// A field that snapshots hold.
+struct SphereField {
+  std::string name;
+  std::string meaning;
+  sphere::GridField sphere::FlowFields::*values;
+};
+/// Those that can be asked for.
+std::vector<SphereField> const& asked_fields() {
+  static std::vector<SphereField> const all{
+      {"streamfunction", "with the mean zero; the vorticity is its Laplacian, but for a layer",
+       &sphere::FlowFields::streamfunction},
+      {"u", "the velocity towards the east", &sphere::FlowFields::east},
+      {"v", "towards the north", &sphere::FlowFields::north}};
+  return all;
+}
+
 std::string table_of_harmonics(sphere::SphereHarmonics const& f) {
   NumberTable table("l,m,re,im");
   for (int l = 1; l < f.degrees(); ++l)
@@ -21,15 +37,15 @@ std::string table_of_harmonics(sphere::SphereHarmonics const& f) {
   return table.text();
 }
 
-std::string table_of_fields(sphere::SphereGrid const& grid, std::vector<std::string> const& names,
-                            std::vector<sphere::GridField const*> const& fields) {
+std::string table_of_fields(sphere::SphereGrid const& grid, std::vector<SphereField> const& asked,
+                            sphere::FlowFields const& fields) {
   std::string heading = "longitude,latitude";
-  for (auto const& name : names) heading += "," + name;
+  for (auto const& field : asked) heading += "," + field.name;
   NumberTable table(heading);
   for (int j = 0; j < grid.latitudes(); ++j)
     for (int k = 0; k < grid.longitudes; ++k) {
       table.add(grid.longitude(k)), table.add(grid.latitude(j));
-      for (auto const* field : fields) table.add((*field)(j, k));
+      for (auto const& field : asked) table.add((fields.*field.values)(j, k));
       table.end_row();
     }
   return table.text();
@@ -39,14 +55,16 @@ class VorticitySnapshots : public SnapshotWriter {
  public:
   VorticitySnapshots(SnapshotRequest const& request, int n, VorticityMotion const& motion,
                      FieldsFile const& file)
-      : names_{"vorticity"},
+      : asked_{{"vorticity", "relative to the sphere", &sphere::FlowFields::vorticity}},
         netcdf_(request.in("netcdf")),
         csv_(!netcdf_ || request.in("csv")),
         n_(n),
         motion_(motion),
         file_(file),
         grid_(sphere::SphereGrid::gauss(n, 2 * n)) {
-    names_.insert(names_.end(), request.columns.begin(), request.columns.end());
+    for (auto const& name : request.columns)
+      for (auto const& field : asked_fields())
+        if (field.name == name) asked_.push_back(field);
   }
 
   std::vector<std::string> files(long number) const override {
@@ -64,7 +82,7 @@ class VorticitySnapshots : public SnapshotWriter {
     constexpr double number = 21;
     double const whole = 1 + std::ceil(std::log10(n + 1));
     double bytes = rows * (2 * whole + 2 * number);
-    if (csv_) bytes += places * (2 + static_cast<double>(names_.size())) * number;
+    if (csv_) bytes += places * (2 + static_cast<double>(asked_.size())) * number;
     if (netcdf_) bytes += sizeof(double) * (1 + 4 * places + 2 * rows);
     return bytes;
   }
@@ -101,9 +119,7 @@ class VorticitySnapshots : public SnapshotWriter {
     write_whole_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), table_of_harmonics(f), durable);
     if (!csv_) return;
     sphere::FlowFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
-    std::vector<sphere::GridField const*> columns;
-    for (auto const& name : names_) columns.push_back(&field_of(fields, name));
-    write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, names_, columns),
+    write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, asked_, fields),
                      durable);
   }
 
@@ -115,21 +131,15 @@ class VorticitySnapshots : public SnapshotWriter {
     f(0, 0) = 0;  // rounding: the trace of the matrix is zero
     return f;
   }
-  static sphere::GridField const& field_of(sphere::FlowFields const& fields, std::string const& name) {
-    return name == "vorticity"        ? fields.vorticity
-           : name == "streamfunction" ? fields.streamfunction
-           : name == "u"              ? fields.east
-                                      : fields.north;
-  }
   std::vector<SnapshotArray> arrays_of(sphere::SphereHarmonics const& f) const {
     sphere::FlowFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
     std::vector<SnapshotArray> out;
-    for (auto const& name : names_) {
+    for (auto const& field : asked_) {
       SnapshotArray& one = out.emplace_back();
-      one.name = name, one.meaning = meaning_of(name), one.axes = {"latitude", "longitude"};
-      sphere::GridField const& field = field_of(fields, name);
-      one.shape = {static_cast<std::size_t>(field.rows()), static_cast<std::size_t>(field.cols())};
-      one.numbers.assign(field.data(), field.data() + field.size());
+      one.name = field.name, one.meaning = field.meaning, one.axes = {"latitude", "longitude"};
+      sphere::GridField const& values = fields.*field.values;
+      one.shape = {static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols())};
+      one.numbers.assign(values.data(), values.data() + values.size());
     }
     for (bool const real : {true, false}) {
       SnapshotArray& part = out.emplace_back();
@@ -142,13 +152,10 @@ class VorticitySnapshots : public SnapshotWriter {
     }
     return out;
   }
-  static std::string meaning_of(std::string const& name) {
-    for (auto const& column : vorticity_snapshots().columns)
-      if (column.name == name) return column.meaning;
-    return "relative to the sphere";
-  }
 
-  bool asks(char const* name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
+  bool asks(sphere::GridField sphere::FlowFields::*values) const {
+    return std::ranges::find(asked_, values, &SphereField::values) != asked_.end();
+  }
   /// The velocity belongs to the Laplacian of the stream function, which for a layer is not the vorticity.
   sphere::FlowFields all_fields(sphere::SphereHarmonics const& vorticity) const {
     sphere::FlowFields out = sphere::flow_on(grid_, file_.hamiltonian.laplacian_of_psi(vorticity));
@@ -157,9 +164,9 @@ class VorticitySnapshots : public SnapshotWriter {
   }
   /// Those that no file holds stay empty.
   sphere::FlowFields needed_fields(sphere::SphereHarmonics const& f) const {
-    if (netcdf_ || asks("u") || asks("v")) return all_fields(f);
+    if (netcdf_ || asks(&sphere::FlowFields::east) || asks(&sphere::FlowFields::north)) return all_fields(f);
     sphere::FlowFields out;
-    if (asks("streamfunction")) {
+    if (asks(&sphere::FlowFields::streamfunction)) {
       auto both =
           sphere::values_on(grid_, {f, sphere::stream_function(file_.hamiltonian.laplacian_of_psi(f))});
       out.vorticity = std::move(both[0]), out.streamfunction = std::move(both[1]);
@@ -169,7 +176,7 @@ class VorticitySnapshots : public SnapshotWriter {
     return out;
   }
 
-  std::vector<std::string> names_;
+  std::vector<SphereField> asked_;
   bool netcdf_, csv_;
   int n_;
   VorticityMotion const& motion_;
@@ -180,10 +187,10 @@ class VorticitySnapshots : public SnapshotWriter {
 }  // namespace
 
 SnapshotKind vorticity_snapshots() {
+  std::vector<SnapshotKind::Column> columns;
+  for (auto const& field : asked_fields()) columns.push_back({field.name, field.meaning});
   return {"longitude, latitude and vorticity",
-          {{"streamfunction", "with the mean zero; the vorticity is its Laplacian, but for a layer"},
-           {"u", "the velocity towards the east"},
-           {"v", "towards the north"}},
+          columns,
           {{"netcdf",
             "all of them in one file snapshots/fields.nc, NetCDF-4 after CF-1.10, with vorticity, stream "
             "function and velocity, and the coefficients of the matrix in the group spectral"}}};

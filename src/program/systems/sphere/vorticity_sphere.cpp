@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "actio/reduction/composition.hpp"
 #include "actio/vorticity/resolution.hpp"
@@ -55,11 +56,14 @@ bool to_rounding(SceneTable method, bool layer) {
   return rounding;
 }
 
+/// What the methods keep.
+std::map<std::string, sphere::Conserved> const kept_by{{"all_invariants", sphere::Conserved::all_invariants},
+                                                       {"energy_casimir", sphere::Conserved::energy_casimir},
+                                                       {"lie_poisson", sphere::Conserved::lie_poisson}};
+
 SphereScheme scheme_of(MethodChoice const& choice, SceneTable const& method, bool layer) {
-  return {choice.name == "lie_poisson"      ? sphere::Conserved::lie_poisson
-          : choice.name == "energy_casimir" ? sphere::Conserved::energy_casimir
-                                            : sphere::Conserved::all_invariants,
-          to_rounding(method, layer), choice.number() == 4 ? suzuki<double>() : std::vector<double>{1}};
+  return {kept_by.at(choice.name), to_rounding(method, layer),
+          choice.number() == 4 ? suzuki<double>() : std::vector<double>{1}};
 }
 
 /// Before anything of that size is touched.
