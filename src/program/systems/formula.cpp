@@ -4,10 +4,10 @@ namespace actio::scene {
 
 ReadFormula scene_formula(std::string const& text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants, TextPlace const& place,
-                          std::string const& what) {
+                          std::string const& what, FormulaUse use) {
   std::string const begin = what.empty() ? "" : what + ": ";
   try {
-    ReadFormula formula = read_formula(text, names, constants);
+    ReadFormula formula = read_formula(text, names, constants, use);
     for (auto const& [name, position] : formula.unused)
       throw FormulaError(position, "'" + shown(name) + "' is defined, and nothing in the formula uses it" +
                                        meant_used_name(name, formula.used));

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -36,24 +35,16 @@ systems::MatrixAlgebra read_algebra(SceneTable const& system) {
   }
 }
 
-bool is_name(std::string const& word) {
-  bool good = !word.empty() && !std::isdigit(static_cast<unsigned char>(word.front()));
-  for (unsigned char const c : word) good = good && (c == '_' || (c < 128 && std::isalnum(c)));
-  return good;
-}
 /// Refuses a name that a formula cannot have, or that stands for something else there.
 void check_name(SceneTable const& table, std::string const& key, std::vector<std::string> const& taken) {
-  if (!is_name(key))
+  if (!actio::detail::is_name(key))
     table.fail(key,
                fmt::format("'{}' is no name for a formula: letters, digits and _ are, a letter or _ first",
                            printable(key)));
   for (auto const& other : taken)
     if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a component", key));
-  std::vector<std::string_view> known{"pi"};
-  known.insert(known.end(), operation_names.begin() + static_cast<int>(Operation::atan2),
-               operation_names.end());
-  for (auto const& word : known)
-    if (word == key) table.fail(key, fmt::format("the name '{}' is taken already: formulas know it", key));
+  if (actio::detail::has_a_meaning(key))
+    table.fail(key, fmt::format("the name '{}' is taken already: formulas know it", key));
 }
 
 std::map<std::string, double> read_parameters(SceneTable const& system,

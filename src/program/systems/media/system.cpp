@@ -76,7 +76,7 @@ std::function<double(std::array<double, d> const&)> density_of(std::shared_ptr<M
 /// When characteristics cross, of a plane wave, where that is before the end.
 template <int d>
 void tell_crossing(Simulation& simulation, Request const& request, MediumMesh const& mesh,
-                   Material const& material, MediumStart& start) {
+                   Material const& material, MediumStart const& start) {
   auto const crossing = crossing_of_characteristics<d>(mesh, start, *stored_energy_of<d>(material));
   if (!crossing || crossing->time > request.schedule.until()) return;
   bool const spread = request.file.section("method").has("viscosity");
