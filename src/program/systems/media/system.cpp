@@ -157,15 +157,10 @@ template <int d>
 std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, MeshRoad<d>& road) {
   try {
     return road.motion();
-  } catch (media::NotABodyMesh const& error) {
-    for (auto const& [name, side] : road.loads.sides)
-      if (std::string(error.what()).starts_with("side '" + name + "'"))
-        file.section("system.boundary").fail(name, std::string("boundary: ") + error.what());
-    throw;
-  } catch (OutsideDomain const& error) {
-    if (std::string(error.what()).starts_with("density"))
-      file.section("system").fail("density", error.what());
-    throw;
+  } catch (media::BentSide const& error) {
+    file.section("system.boundary").fail(error.side, std::string("boundary: ") + error.what());
+  } catch (media::NotADensity const& error) {
+    file.section("system").fail("density", error.what());
   }
 }
 
