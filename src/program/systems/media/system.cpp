@@ -19,15 +19,13 @@
 namespace actio::scene {
 namespace {
 
-/// Before anything of that size is touched.
-double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
-  double const needed = bytes_for_medium(mesh, fast, request), there = bytes_of_machine();
-  if (needed > there)
-    file.section("system.mesh")
-        .fail("cells", fmt::format("cells: {:.0f} cells take about {} of memory in this scene, where {} "
-                                   "are there; about {:.0f} would do",
-                                   mesh.cell_count(), bytes_in_words(needed), bytes_in_words(there),
-                                   std::floor(0.9 * mesh.cell_count() * there / needed)));
+/// The memory that it takes, refused before anything of that size is touched.
+double checked_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
+  double const cells = mesh.cell_count(), needed = bytes_for_medium(mesh, fast, request);
+  require_memory(needed, file.section("system.mesh").place("cells"),
+                 fmt::format("cells: {:.0f} cells", cells), [&](double there) {
+                   return fmt::format("about {:.0f} would do", std::floor(0.9 * cells * there / needed));
+                 });
   return needed;
 }
 
@@ -115,7 +113,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   start->density(std::array<double, d>{}, &rho);
   auto const road = fluid ? fast_fluid(material, *box, rho) : fast_solid(material, *box, rho);
   if (!road) return false;
-  simulation.bytes = require_memory(request.file, mesh, true, request);
+  simulation.bytes = checked_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
   BoxCells<Box> const cells(*box);
   // Places of the start are let go of before there is a motion.
@@ -233,7 +231,7 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, fluid, material, start) ||
                       prepare_fast<media::FastBox3d>(simulation, request, mesh, fluid, material, start)))
     return simulation;
-  simulation.bytes = require_memory(request.file, mesh, false, request);
+  simulation.bytes = checked_memory(request.file, mesh, false, request);
   if (d == 1)
     prepare_on_mesh<1>(simulation, request, mesh, material, method, start);
   else if (d == 2)
