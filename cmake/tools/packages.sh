@@ -9,7 +9,7 @@ packages=(
   libeigen3-dev libboost-dev libboost-test-dev libgsl-dev libgmp-dev     # mathematics and tests
   libmpfr-dev libflint-dev libflint-arb-dev                              # digits and balls for the checks
   libtomlplusplus-dev nlohmann-json3-dev                                 # data and reports
-  libcli11-dev libfmt-dev libmuparser-dev libhdf5-dev hdf5-tools libnetcdf-dev # the command and its scenes
+  libcli11-dev libfmt-dev libhdf5-dev hdf5-tools libnetcdf-dev # the command and its scenes
   libopenmpi-dev openmpi-bin pybind11-dev python3-dev python3-numpy      # scenes across machines, and from Python
   libopenblas-dev valgrind                                               # what the benchmarks are measured beside, and count with
   nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex libjs-lunr texlive-binaries # the book

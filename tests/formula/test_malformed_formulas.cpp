@@ -70,12 +70,13 @@ BOOST_AUTO_TEST_CASE(the_place_and_the_reason_are_told) {
            {"atan2(w1)", 8, "expected ',' before the second number of atan2"},
            {"hypot(w1, w2, w3)", 12, "expected an operator or ')'"},
            {"w1(2)", 2, "'w1', which is a number and no function"},
-           {"abs(w1)", 0, "'abs' has kinks or jumps, and a Lagrangian is smooth"},
+           {"abs(w1)", 0, "'abs' has kinks or jumps, and this formula is smooth, since it is differentiated"},
            {"w1 + max(w1, w2)", 5, "'max' has kinks"},
-           {"w1 < 2", 3, "found '<', but a Lagrangian is smooth"},
-           {"w1 == 2", 3, "found '==', but a Lagrangian is smooth"},
+           {"w1 < 2", 3, "found '<', but this formula is smooth, since it is differentiated"},
+           {"w1 == 2", 3, "found '==', but this formula is smooth"},
            {"w1 > 0 ? 1 : 2", 3, "smooth"},
            {"w1 && w2", 3, "smooth"},
+           {"w1 | w2", 3, "found '|', but this formula is smooth"},
            {"w1**2", 2, "found '**', expected '^' for a power"},
            {"[w1]", 0, "found '[', expected a round bracket"},
            {"w1 + \xCF\x89", 5, "'\xCF\x89' is no part of a formula; names consist of a-z"},
@@ -184,7 +185,7 @@ BOOST_AUTO_TEST_CASE(random_bytes_are_refused_and_random_words_never_break_it) {
 BOOST_AUTO_TEST_CASE(sizes_are_bounded) {
   BOOST_TEST(!refusal(repeated("(", 200) + "w1" + repeated(")", 200)).refused);
   Refusal const deep = refusal(repeated("(", 201) + "w1" + repeated(")", 201));
-  BOOST_TEST(deep.message == "at most 200 brackets and powers may be open");
+  BOOST_TEST(deep.message == "at most 200 brackets, powers and cases may be open");
   BOOST_TEST(deep.position == 200u);
   for (auto const* part : {"(", "sin(", "2^", "w1*(-(", "2^-(", "hypot(1,", "-("})
     for (int times : {300, 2400}) BOOST_TEST(well_refused(repeated(part, times)));

@@ -3,6 +3,7 @@
 //
 // The bytes are a scene; lines at the end that begin with `--set ` are overrides. Where they begin with `=`,
 // the rest is a formula. A sanitiser watches, and what is checked here besides holds for every input.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -12,8 +13,8 @@
 #include <vector>
 
 #include "program/base/printable.hpp"
-#include "program/document/expression.hpp"
 #include "program/registry/scene.hpp"
+#include "program/systems/media/place_formula.hpp"
 
 namespace {
 
@@ -66,10 +67,12 @@ void is_in_order(SceneError const& error) {
 
 void read_formula(std::string const& text) {
   try {
-    Expression formula(text, {"X", "Y", "Z"}, {{"scene.toml", 1, 1}, true});
-    for (double const x : {0.0, -1.5, 1e300})
-      require(std::isfinite(formula(std::vector<double>{x, 1, -x})), "the value of a formula is no number",
-              text);
+    PlaceFormula const formula(text, 3, {{"scene.toml", 1, 1}, true});
+    for (double const x : {0.0, -1.5, 1e300}) {
+      double value;
+      formula(std::array{x, 1.0, -x}, &value);
+      require(std::isfinite(value), "the value of a formula is no number", text);
+    }
   } catch (SceneError const& error) {
     is_in_order(error);
   }

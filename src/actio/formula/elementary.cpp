@@ -42,6 +42,16 @@ double function_of_double(Operation operation, double x) {
       return std::acosh(x);
     case Operation::atanh:
       return std::atanh(x);
+    case Operation::abs:
+      return std::abs(x);
+    case Operation::sign:
+      return x > 0 ? 1 : x < 0 ? -1 : 0;
+    case Operation::floor:
+      return std::floor(x);
+    case Operation::ceil:
+      return std::ceil(x);
+    case Operation::round:
+      return std::round(x);
     default:
       return std::numeric_limits<double>::quiet_NaN();
   }

@@ -4,6 +4,7 @@
 // numbers and the differentiated tape share them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -16,6 +17,11 @@
 namespace actio {
 
 namespace detail {
+/// Refuses an operation with kinks or jumps: it has values over double, and no derivatives.
+[[noreturn]] inline void refuse_kinks(Operation operation) {
+  throw Error("'" + std::string(name_of(operation)) +
+              "' has kinks or jumps: in a formula it has values in double precision, and no derivatives");
+}
 /// A function over double.
 double function_of_double(Operation operation, double x);
 
@@ -72,7 +78,33 @@ S function_of_six(Operation operation, S const& x) {
     case Operation::atanh:
       return log(S((one + x) / (one - x))) / S(2);
     default:
-      return x - x;
+      refuse_kinks(operation);
+  }
+}
+
+/// A function of two numbers with kinks or jumps, over double.
+inline double kinked_function(Operation operation, double x, double y) {
+  switch (operation) {
+    case Operation::less:
+      return x < y;
+    case Operation::at_most:
+      return x <= y;
+    case Operation::equal:
+      return x == y;
+    case Operation::unequal:
+      return x != y;
+    case Operation::both:
+      return x != 0 && y != 0;
+    case Operation::either:
+      return x != 0 || y != 0;
+    case Operation::where:
+      return x != 0 ? y : -0.0;
+    case Operation::unless:
+      return x != 0 ? -0.0 : y;
+    case Operation::min:
+      return std::min(x, y);
+    default:
+      return std::max(x, y);
   }
 }
 
@@ -104,9 +136,7 @@ Dual<S, N> elementary(Operation operation, Dual<S, N> const& x);
 /// A function of one number, applied to a power series or the like.
 template <class S>
   requires(!Plain<S>)
-S elementary(Operation operation, S const& x) {
-  return detail::function_of_six(operation, x);
-}
+S elementary(Operation operation, S const& x) { return detail::function_of_six(operation, x); }
 
 /// \f$x^c\f$ with a constant c, of plain numbers.
 template <Plain S>
@@ -160,6 +190,16 @@ S angle_of(S const& y, S const& x) {
   }
 }
 
+/// A function of two numbers with kinks or jumps.
+/// @throws Error  over anything but double
+template <class S>
+S kinked(Operation operation, S const& x, S const& y) {
+  if constexpr (std::same_as<S, double>)
+    return detail::kinked_function(operation, x, y);
+  else
+    detail::refuse_kinks(operation);
+}
+
 /// \f$\pi\f$.
 template <class S>
 S half_turn() {
@@ -174,9 +214,7 @@ S half_turn() {
 
 /// A whole number beside a scalar.
 template <Scalar S>
-S whole_beside(S const&, int n) {
-  return S(n);
-}
+S whole_beside(S const&, int n) { return S(n); }
 
 /// The derivative of a function of one number at x, where its value is f.
 /// @tparam T  a scalar, or a term of a tape
@@ -220,7 +258,7 @@ T slope(Operation operation, T const& x, T const& f) {
     case Operation::atanh:
       return 1 / ((1 - x) * (1 + x));
     default:
-      return x;
+      detail::refuse_kinks(operation);
   }
 }
 

@@ -18,11 +18,12 @@ void FormulaNames::require_free(std::string_view name, std::size_t position) con
     throw FormulaError(position, "'" + shown(name) +
                                      "' is no name of a number; one is a letter or _ "
                                      "and then letters, digits and _");
-  if (name == "pi" || function_called(name))
+  if (has_a_meaning(name))
     throw FormulaError(position,
                        "the name '" + shown(name) + "' has a meaning of its own in formulas; take another");
   if (entries_.contains(name))
-    throw FormulaError(position, "the name '" + shown(name) + "' stands for a number already; take another");
+    throw FormulaError(position, "the name '" + shown(name) + "' stands for a number already; take another" +
+                                     (smooth_ ? "" : "; 'is equal to' is =="));
 }
 
 std::optional<FormulaNames::Entry> FormulaNames::use(std::string_view name) {
@@ -32,14 +33,17 @@ std::optional<FormulaNames::Entry> FormulaNames::use(std::string_view name) {
   return found->second;
 }
 
+std::optional<Operation> FormulaNames::function(Token const& name) const {
+  auto const function = function_called(name.text);
+  if (function && smooth_ && !is_smooth(*function))
+    throw FormulaError(name.position, "'" + std::string(name.text) +
+                                          "' has kinks or jumps, and this formula is smooth, since it is "
+                                          "differentiated; |x| is smooth as sqrt(x^2 + e^2) with a small e");
+  return function;
+}
+
 void FormulaNames::refuse(Token const& name, bool called) const {
-  static constexpr std::string_view with_kinks[] = {"abs",   "fabs", "sign",  "min", "max",
-                                                    "floor", "ceil", "round", "mod", "if"};
   std::string const quoted = "'" + shown(name.text) + "'";
-  if (std::find(std::begin(with_kinks), std::end(with_kinks), name.text) != std::end(with_kinks))
-    throw FormulaError(name.position, quoted +
-                                          " has kinks or jumps, and a Lagrangian is smooth; |x| is smooth as "
-                                          "sqrt(x^2 + e^2) with a small e");
   if (called)
     throw FormulaError(name.position, "unknown function " + quoted + did_you_mean(name.text, functions()) +
                                           " (known: " + listed(functions()) + ")");
@@ -50,10 +54,11 @@ void FormulaNames::refuse(Token const& name, bool called) const {
                      "unknown name " + quoted + meant_name(name.text, all) + " (known: " + known + ")");
 }
 
-std::vector<std::string> FormulaNames::functions() {
+std::vector<std::string> FormulaNames::functions() const {
   std::vector<std::string> all;
   for (int i = 0; i < operations; ++i)
-    if (auto const o = static_cast<Operation>(i); is_function(o)) all.emplace_back(name_of(o));
+    if (auto const o = static_cast<Operation>(i); is_function(o) && (is_smooth(o) || !smooth_))
+      all.emplace_back(name_of(o));
   return all;
 }
 

@@ -23,6 +23,8 @@ inline std::optional<Operation> function_called(std::string_view name) {
     if (auto const o = static_cast<Operation>(i); is_function(o) && name_of(o) == name) return o;
   return std::nullopt;
 }
+/// Whether formulas know a name: no number can have it.
+inline bool has_a_meaning(std::string_view name) { return name == "pi" || function_called(name).has_value(); }
 
 /// `; did you mean 'X'?`: the name that differs by the case of letters alone, else for words of two letters
 /// and more the nearest; nothing where there is none.
@@ -32,6 +34,13 @@ std::string meant_name(std::string_view word, std::vector<std::string> const& kn
 class FormulaNames {
  public:
   using Entry = TapeEntries::Entry;
+
+  /// @param smooth  whether functions with kinks or jumps are refused
+  explicit FormulaNames(bool smooth) : smooth_(smooth) {}
+
+  /// The function with this name; nothing where there is none.
+  /// @throws FormulaError  where it has kinks or jumps and the formula is smooth
+  std::optional<Operation> function(Token const& name) const;
 
   /// Refuses a name that cannot be given to a number, or that another one has.
   /// @param position  where to point
@@ -48,10 +57,11 @@ class FormulaNames {
   [[noreturn]] void refuse(Token const& name, bool called) const;
 
  private:
-  static std::vector<std::string> functions();
+  std::vector<std::string> functions() const;
   std::vector<std::string> numbers() const;
   static std::string briefly(std::vector<std::string> const& names);
 
+  bool smooth_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::set<std::string, std::less<>> used_;
 };

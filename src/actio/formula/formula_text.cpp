@@ -74,19 +74,27 @@ void FormulaText::number() {
 }
 
 void FormulaText::sign() {
-  constexpr std::string_view known = "+-*/^(),;=";
-  char const c = text_[at_];
-  if (known.find(c) == std::string_view::npos || text_.substr(at_, 2) == "==" || text_.substr(at_, 2) == "**")
-    refuse(c);
+  static constexpr std::string_view of_two[] = {"==", "!=", "<=", ">=", "&&", "||"};
+  bool two = false;
+  for (auto const pair : of_two) two = two || text_.substr(at_, 2) == pair;
+  next_.text = text_.substr(at_, two ? 2 : 1);
+  if (smooth_ && (two || std::string_view("<>!?:&|").find(text_[at_]) != std::string_view::npos))
+    throw FormulaError(at_,
+                       "found '" + std::string(next_.text) +
+                           "', but this formula is smooth, since it is differentiated: no comparisons and "
+                           "no cases");
+  constexpr std::string_view known = "+-*/^(),;=<>!?:";
+  if ((!two && known.find(text_[at_]) == std::string_view::npos) || text_.substr(at_, 2) == "**") refuse();
   next_.kind = Token::Kind::sign;
-  ++at_;
+  at_ += next_.text.size();
 }
 
-void FormulaText::refuse(char c) const {
-  std::string const found = text_.substr(at_, 2) == "==" ? "'=='" : shown_character(text_, at_);
-  if (std::string_view("<>!&|?:=").find(c) != std::string_view::npos)
-    throw FormulaError(at_, "found " + found + ", but a Lagrangian is smooth: no comparisons and no cases");
+void FormulaText::refuse() const {
+  std::string const found = shown_character(text_, at_);
+  char const c = text_[at_];
   if (c == '*') throw FormulaError(at_, "found '**', expected '^' for a power");
+  if (c == '&' || c == '|')
+    throw FormulaError(at_, "found " + found + ", expected '&&' for and, '||' for or");
   if (std::string_view("[]{}").find(c) != std::string_view::npos)
     throw FormulaError(at_, "found " + found + ", expected a round bracket");
   if (static_cast<unsigned char>(c) >= 0x80)

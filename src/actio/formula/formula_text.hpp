@@ -40,12 +40,13 @@ std::string shown_character(std::string_view text, std::size_t at);
 /// Reads a formula part by part.
 class FormulaText {
  public:
-  explicit FormulaText(std::string_view text) : text_(text) { advance(); }
+  /// @param smooth  whether comparisons and cases are refused
+  FormulaText(std::string_view text, bool smooth) : text_(text), smooth_(smooth) { advance(); }
 
   /// The part that comes next.
   Token const& next() const { return next_; }
   /// Whether it is this sign.
-  bool is_sign(char c) const { return next_.kind == Token::Kind::sign && next_.text[0] == c; }
+  bool is_sign(std::string_view sign) const { return next_.kind == Token::Kind::sign && next_.text == sign; }
   /// Takes the next part.
   Token take() {
     Token const taken = next_;
@@ -53,8 +54,8 @@ class FormulaText {
     return taken;
   }
   /// Takes the next part where it is this sign.
-  bool take_sign(char c) {
-    if (!is_sign(c)) return false;
+  bool take_sign(std::string_view sign) {
+    if (!is_sign(sign)) return false;
     advance();
     return true;
   }
@@ -62,11 +63,11 @@ class FormulaText {
   std::string found() const {
     return next_.kind == Token::Kind::end ? "the end" : "'" + shown(next_.text) + "'";
   }
-  /// Whether the character behind the next part, spaces aside, is this one.
-  bool followed_by(char c) const {
+  /// Whether the next part is a name and is defined here: '=' follows.
+  bool is_definition() const {
     std::size_t i = at_;
-    while (i < text_.size() && is_space(text_[i])) ++i;
-    return i < text_.size() && text_[i] == c;
+    while (is_space(at(i))) ++i;
+    return next_.kind == Token::Kind::name && at(i) == '=' && at(i + 1) != '=';
   }
 
  private:
@@ -84,9 +85,10 @@ class FormulaText {
 
   void sign();
 
-  [[noreturn]] void refuse(char c) const;
+  [[noreturn]] void refuse() const;
 
   std::string_view text_;
+  bool smooth_;
   std::size_t at_ = 0;
   Token next_;
 };

@@ -23,6 +23,17 @@ enum class Operation : std::uint8_t {
   power,  ///< with a constant exponent
   atan2,  ///< the angle of a point (x, y), given y first
   hypot,  ///< the length of (x, y)
+  // Functions of two numbers with kinks or jumps. What is true is 1, what is false 0; any number but 0 holds.
+  less,     ///< whether the first is less
+  at_most,  ///< whether the first is no larger
+  equal,    ///< whether both are equal
+  unequal,  ///< whether they are not
+  both,     ///< whether both hold
+  either,   ///< whether one holds
+  where,    ///< the second where the first holds, else nothing: -0, which changes no sum
+  unless,   ///< the second where the first does not hold, else nothing
+  min,      ///< the smaller one
+  max,      ///< the larger one
   // Functions of one number.
   sqrt,   ///< square root
   cbrt,   ///< cube root
@@ -42,16 +53,23 @@ enum class Operation : std::uint8_t {
   asinh,  ///< inverse of the hyperbolic sine
   acosh,  ///< inverse of the hyperbolic cosine
   atanh,  ///< inverse of the hyperbolic tangent
+  // Functions of one number with kinks or jumps.
+  abs,    ///< modulus
+  sign,   ///< -1, 0 or 1
+  floor,  ///< the next whole number below
+  ceil,   ///< the next whole number above
+  round,  ///< the nearest whole number, away from zero where two are as near
 };
 
 /// How many operations there are.
-inline constexpr int operations = static_cast<int>(Operation::atanh) + 1;
+inline constexpr int operations = static_cast<int>(Operation::round) + 1;
 
 /// How they are called, where a formula can call them.
 inline constexpr std::array<std::string_view, operations> operation_names{
-    "input", "number", "pi",   "+",    "-",    "*",    "/",     "-",     "^",    "atan2",
-    "hypot", "sqrt",   "cbrt", "exp",  "log",  "log2", "log10", "sin",   "cos",  "tan",
-    "asin",  "acos",   "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"};
+    "input", "number", "pi",   "+",     "-",     "*",     "/",   "-",    "^",     "atan2", "hypot",
+    "<",     "<=",     "==",   "!=",    "&&",    "||",    "? :", "? :",  "min",   "max",   "sqrt",
+    "cbrt",  "exp",    "log",  "log2",  "log10", "sin",   "cos", "tan",  "asin",  "acos",  "atan",
+    "sinh",  "cosh",   "tanh", "asinh", "acosh", "atanh", "abs", "sign", "floor", "ceil",  "round"};
 
 /// Its name.
 constexpr std::string_view name_of(Operation operation) {
@@ -60,9 +78,14 @@ constexpr std::string_view name_of(Operation operation) {
 
 /// Whether it is a function that is called with an argument in brackets.
 constexpr bool of_one_argument(Operation operation) { return operation >= Operation::sqrt; }
-/// Whether it is a function that is called with two arguments in brackets.
+/// Whether it is a function that is called with two arguments in brackets, or more of them.
 constexpr bool of_two_arguments(Operation operation) {
-  return operation == Operation::atan2 || operation == Operation::hypot;
+  return operation == Operation::atan2 || operation == Operation::hypot || operation == Operation::min ||
+         operation == Operation::max;
+}
+/// Whether it is smooth where it is defined, as all are but comparisons, cases and functions with kinks.
+constexpr bool is_smooth(Operation operation) {
+  return operation < Operation::less || (Operation::max < operation && operation < Operation::abs);
 }
 /// Whether a formula calls it by its name.
 constexpr bool is_function(Operation operation) {
@@ -70,7 +93,7 @@ constexpr bool is_function(Operation operation) {
 }
 /// Whether it has two operands.
 constexpr bool joins_two(Operation operation) {
-  return operation >= Operation::add && operation <= Operation::hypot && operation != Operation::negate;
+  return operation >= Operation::add && operation <= Operation::max && operation != Operation::negate;
 }
 
 }  // namespace actio

@@ -1,12 +1,18 @@
 #include "actio/formula/parse_formula.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace actio {
 
 namespace detail {
 
 FormulaParser::FormulaParser(std::string_view text, std::vector<std::string> const& names,
-                             std::map<std::string, double> const& constants)
-    : builder_(static_cast<int>(names.size())), text_(checked(text)) {
+                             std::map<std::string, double> const& constants, FormulaUse use)
+    : use_(use),
+      builder_(static_cast<int>(names.size())),
+      text_(checked(text, use), use.derivatives),
+      names_(use.derivatives) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     names_.require_free(names[i], 0);
     names_.add(names[i], static_cast<Entry>(i));
@@ -32,117 +38,151 @@ ReadFormula FormulaParser::run() {
 }
 
 Tape FormulaParser::value_of_all() {
-  bool defined = false;
-  for (; text_.next().kind == Token::Kind::name && text_.followed_by('='); defined = true) definition();
-  if (defined && text_.next().kind == Token::Kind::end)
+  while (text_.is_definition()) definition();
+  if (!defined_.empty() && text_.next().kind == Token::Kind::end)
     unexpected("the value behind the definitions, as in 'a = 2; a*x'");
-  Entry const value = sum();
-  if (text_.is_sign(';')) unexpected("one formula; a definition is written 'a = 2;'");
+  Entry const result = value();
+  if (text_.is_sign(";")) unexpected("one formula; a definition is written 'a = 2;'");
   if (text_.next().kind != Token::Kind::end) unexpected("an operator");
-  return builder_.tape(std::span(&value, 1));
+  return builder_.tape(std::span(&result, 1));
 }
 
-std::string_view FormulaParser::checked(std::string_view text) {
-  if (text.size() > longest)
-    throw FormulaError(longest, "a formula has at most " + std::to_string(longest) +
-                                    " characters, this one has " + std::to_string(text.size()));
+std::string_view FormulaParser::checked(std::string_view text, FormulaUse use) {
+  if (text.size() > use.longest)
+    fail(use.longest, "a formula has at most " + std::to_string(use.longest) + " characters, this one has " +
+                          std::to_string(text.size()));
   return text;
+}
+
+void FormulaParser::unexpected(std::string const& expected) const {
+  fail(text_.next().position, "found " + text_.found() + ", expected " + expected +
+                                  (text_.is_sign("=") && !use_.derivatives ? "; 'is equal to' is ==" : ""));
 }
 
 void FormulaParser::definition() {
   Token const name = text_.take();
   names_.require_free(name.text, name.position);
   text_.take();
-  Entry const value = sum();
-  if (!text_.take_sign(';'))
+  Entry const defined = value();
+  if (!text_.take_sign(";"))
     unexpected("an operator, or ';' behind the definition of '" + shown(name.text) + "'");
-  names_.add(name.text, value);
+  names_.add(name.text, defined);
   defined_.emplace_back(name.text, name.position);
 }
 
-FormulaParser::Entry FormulaParser::sum() {
-  Entry value = product();
-  for (;;) {
-    std::size_t const at = text_.next().position;
-    if (text_.take_sign('+'))
-      value = finite(at, builder_.add(value, product()));
-    else if (text_.take_sign('-'))
-      value = finite(at, builder_.subtract(value, product()));
-    else
-      return value;
+FormulaParser::Entry FormulaParser::value() {
+  std::vector<std::pair<Entry, Entry>> cases;
+  Entry last = joined(0);
+  while (text_.is_sign("?")) {
+    Deeper const deeper(*this, text_.take().position);
+    cases.emplace_back(last, value());
+    if (!text_.take_sign(":")) unexpected("an operator, or ':' and what holds otherwise");
+    last = joined(0);
   }
+  for (; !cases.empty(); cases.pop_back()) {
+    auto const [holds, then] = cases.back();
+    last =
+        record(Operation::add, record(Operation::where, holds, then), record(Operation::unless, holds, last));
+  }
+  return last;
 }
 
-FormulaParser::Entry FormulaParser::product() {
-  Entry value = signed_power();
+namespace {
+
+/// A sign between two operands; those of a higher level bind closer.
+struct Joint {
+  int level;
+  std::string_view sign;
+  Operation operation;
+  bool turned_round = false;  ///< the second operand comes first
+};
+constexpr Joint joints[] = {
+    {0, "||", Operation::either},  {1, "&&", Operation::both},      {2, "<", Operation::less},
+    {2, "<=", Operation::at_most}, {2, ">", Operation::less, true}, {2, ">=", Operation::at_most, true},
+    {2, "==", Operation::equal},   {2, "!=", Operation::unequal},   {3, "+", Operation::add},
+    {3, "-", Operation::subtract}, {4, "*", Operation::multiply},   {4, "/", Operation::divide}};
+
+}  // namespace
+
+FormulaParser::Entry FormulaParser::joined(int level) {
+  if (level > joints[std::size(joints) - 1].level) return signed_power();
+  Entry left = joined(level + 1);
   for (;;) {
-    std::size_t const at = text_.next().position;
-    if (text_.take_sign('*'))
-      value = finite(at, builder_.multiply(value, signed_power()));
-    else if (text_.take_sign('/'))
-      value = divided(at, value, signed_power());
-    else
-      return value;
+    auto const joint = std::ranges::find_if(
+        joints, [&](Joint const& j) { return j.level == level && text_.is_sign(j.sign); });
+    if (joint == std::end(joints)) return left;
+    std::size_t const at = text_.take().position;
+    Entry right = joined(level + 1);
+    if (joint->operation == Operation::divide && builder_.is_constant(right) && builder_.value(right) == 0)
+      fail(at, "the divisor is zero");
+    if (joint->turned_round) std::swap(left, right);
+    left = finite(at, record(joint->operation, left, right));
   }
 }
 
 FormulaParser::Entry FormulaParser::signed_power() {
-  bool minus = false;
-  while (text_.is_sign('+') || text_.is_sign('-')) minus ^= text_.take().text[0] == '-';
-  Entry const value = raised();
-  return minus ? builder_.negate(value) : value;
+  std::string signs;
+  while (text_.is_sign("+") || text_.is_sign("-") || text_.is_sign("!")) signs += text_.take().text;
+  Entry result = raised();
+  for (; !signs.empty(); signs.pop_back()) {
+    if (signs.back() == '-') result = record(Operation::negate, result, result);
+    if (signs.back() == '!') result = record(Operation::equal, result, builder_.number(0));
+  }
+  return result;
 }
 
 FormulaParser::Entry FormulaParser::raised() {
   Entry const base = atom();
   std::size_t const at = text_.next().position;
-  if (!text_.take_sign('^')) return base;
+  if (!text_.take_sign("^")) return base;
   Deeper const deeper(*this, at);
-  Entry const exponent = signed_power();
-  return finite(at, builder_.power(base, exponent));
+  return finite(at, record(Operation::power, base, signed_power()));
 }
 
 FormulaParser::Entry FormulaParser::atom() {
   Token const token = text_.next();
-  if (token.kind == Token::Kind::number) return number(text_.take());
-  if (token.kind == Token::Kind::name) return name(text_.take());
-  if (!text_.is_sign('(')) unexpected("a number, a name or '('");
-  return bracket();
+  if (text_.is_sign("(")) return bracket();
+  if (token.kind != Token::Kind::number && token.kind != Token::Kind::name)
+    unexpected("a number, a name or '('");
+  text_.take();
+  return token.kind == Token::Kind::name ? name(token) : decimal_constant(builder_, token.text, token.value);
 }
 
 FormulaParser::Entry FormulaParser::bracket() {
   Token const open = text_.take();
   Deeper const deeper(*this, open.position);
-  Entry const value = sum();
+  Entry const inside = value();
   close(open);
-  return value;
+  return inside;
 }
 
 FormulaParser::Entry FormulaParser::name(Token const& token) {
   if (token.text == "pi") return builder_.pi();
-  if (auto const function = function_called(token.text)) return call(*function, token);
+  if (auto const function = names_.function(token)) return call(*function, token);
   auto const entry = names_.use(token.text);
-  if (!entry) names_.refuse(token, text_.is_sign('('));
-  if (text_.is_sign('('))
+  if (!entry) names_.refuse(token, text_.is_sign("("));
+  if (text_.is_sign("("))
     unexpected("an operator behind '" + shown(token.text) + "', which is a number and no function");
   return *entry;
 }
 
 FormulaParser::Entry FormulaParser::call(Operation function, Token const& token) {
   std::string const name(token.text);
-  if (!text_.is_sign('(')) unexpected("'(' behind the function " + name);
+  if (!text_.is_sign("(")) unexpected("'(' behind the function " + name);
   Token const open = text_.take();
   Deeper const deeper(*this, open.position);
-  Entry const x = sum();
+  Entry result = value();
   if (of_one_argument(function)) {
-    if (text_.is_sign(',')) unexpected("')', for " + name + " is a function of one number");
+    if (text_.is_sign(",")) unexpected("')', for " + name + " is a function of one number");
     close(open);
-    return finite(token.position, builder_.apply(function, x));
+    return finite(token.position, record(function, result, result));
   }
-  if (!text_.take_sign(',')) unexpected("',' before the second number of " + name);
-  Entry const y = sum();
+  bool const of_any_number = !is_smooth(function);
+  if (!of_any_number && !text_.is_sign(",")) unexpected("',' before the second number of " + name);
+  for (bool more = true; more && text_.take_sign(","); more = of_any_number)
+    result = finite(token.position, record(function, result, value()));
   close(open);
-  return finite(token.position, builder_.apply(function, x, y));
+  return result;
 }
 
 FormulaParser::Entry FormulaParser::finite(std::size_t at, Entry e) const {
@@ -153,7 +193,8 @@ FormulaParser::Entry FormulaParser::finite(std::size_t at, Entry e) const {
 }
 
 FormulaParser::Deeper::Deeper(FormulaParser& parser, std::size_t at) : depth(parser.depth_) {
-  if (depth >= deepest) fail(at, "at most " + std::to_string(deepest) + " brackets and powers may be open");
+  if (int const most = parser.use_.deepest; depth >= most)
+    fail(at, "at most " + std::to_string(most) + " brackets, powers and cases may be open");
   ++depth;
 }
 

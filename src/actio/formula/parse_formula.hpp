@@ -2,7 +2,11 @@
 //
 // Numbers, names, `pi`; + - * / ^ (to the right, before a sign: -2^2 = -4), brackets; sin cos tan asin acos
 // atan atan2 sinh cosh tanh asinh acosh atanh exp log log2 log10 sqrt cbrt hypot. `log` is the natural one,
-// angles are in radians. A formula is smooth: what has kinks or jumps is refused. Decimal numbers are exact.
+// angles are in radians. Decimal numbers are exact.
+//
+// A formula that is differentiated is smooth: what has kinks or jumps is refused. Where only values are taken
+// there are also < <= > >= == !=, which are 1 or 0, && || ! (any number but 0 holds), `a ? b : c`, and abs
+// sign floor ceil round min max, the last two of any number of arguments.
 #pragma once
 
 #include <cmath>
@@ -27,66 +31,62 @@ struct ReadFormula {
   std::vector<std::pair<std::string, std::size_t>> unused = {};
 };
 
+/// What a formula is read for.
+struct FormulaUse {
+  bool derivatives = true;       ///< it is differentiated, so that it must be smooth, and it is simplified
+  std::size_t longest = 200000;  ///< characters that it may have
+  int deepest = 200;             ///< brackets, powers and cases that may be open
+};
+/// For its values alone: each operation is carried out in double precision as it is written.
+inline constexpr FormulaUse for_values{false, 2000, 50};
+
 namespace detail {
 /// Reads a formula by recursive descent and records it.
 class FormulaParser {
  public:
   using Entry = TapeBuilder::Entry;
-  static constexpr std::size_t longest = 200000;  ///< characters
-  static constexpr int deepest = 200;             ///< brackets in brackets
 
   FormulaParser(std::string_view text, std::vector<std::string> const& names,
-                std::map<std::string, double> const& constants);
+                std::map<std::string, double> const& constants, FormulaUse use);
 
   /// All of it.
   ReadFormula run();
 
  private:
   Tape value_of_all();
-  static std::string_view checked(std::string_view text);
+  static std::string_view checked(std::string_view text, FormulaUse use);
   [[noreturn]] static void fail(std::size_t position, std::string const& what) {
     throw FormulaError(position, what);
   }
-  [[noreturn]] void unexpected(std::string const& expected) const {
-    fail(text_.next().position, "found " + text_.found() + ", expected " + expected);
-  }
+  [[noreturn]] void unexpected(std::string const& expected) const;
 
   // ---- The grammar.
 
-  /// `name = sum ;`
+  /// `name = value ;`
   void definition();
-
-  Entry sum();
-
-  Entry product();
-  Entry divided(std::size_t at, Entry value, Entry by) {
-    if (builder_.is_constant(by) && builder_.value(by) == 0) fail(at, "the divisor is zero");
-    return finite(at, builder_.divide(value, by));
-  }
-
+  /// `holds ? value : ...`, the last case being what holds otherwise.
+  Entry value();
+  /// What signs of one level and of those that bind closer join, from the left; the next one is a power.
+  Entry joined(int level);
   Entry signed_power();
-
   Entry raised();
-
   Entry atom();
-
   Entry bracket();
   void close(Token const& open) {
-    if (text_.take_sign(')')) return;
+    if (text_.take_sign(")")) return;
     if (text_.next().kind == Token::Kind::end) fail(open.position, "this bracket is not closed");
     unexpected("an operator or ')'");
   }
-
-  Entry number(Token const& token) { return decimal_constant(builder_, token.text, token.value); }
-
   Entry name(Token const& token);
-
   Entry call(Operation function, Token const& token);
 
+  Entry record(Operation operation, Entry a, Entry b) {
+    return use_.derivatives ? builder_.record(operation, a, b) : builder_.as_written(operation, a, b);
+  }
   /// A constant must be a finite number.
   Entry finite(std::size_t at, Entry e) const;
 
-  /// One bracket or power further in.
+  /// One bracket, power or case further in.
   struct Deeper {
     int& depth;
     Deeper(FormulaParser& parser, std::size_t at);
@@ -95,6 +95,7 @@ class FormulaParser {
     Deeper& operator=(Deeper const&) = delete;
   };
 
+  FormulaUse use_;
   TapeBuilder builder_;
   FormulaText text_;
   FormulaNames names_;
@@ -107,19 +108,19 @@ class FormulaParser {
 ///
 ///     Tape const l = parse_formula("(w^2 + v1^2 + c*v2^2)/2", {"w", "v1", "v2"}, {{"c", 6}});
 ///
-/// @param text       definitions `name = formula;` and then the value; at most 200000 characters, at most 200
-///                   brackets in brackets
+/// @param text       definitions `name = formula;` and then the value
 /// @param names      what the inputs 0, 1, ... are called
 /// @param constants  numbers with names; each is taken as the shortest decimal number that reads as it
+/// @param use        whether it is differentiated, and how long it may be
 /// @throws FormulaError  where the text is none, with the place; of the names, the place is 0
 inline Tape parse_formula(std::string_view text, std::vector<std::string> const& names,
-                          std::map<std::string, double> const& constants = {}) {
-  return detail::FormulaParser(text, names, constants).run().value;
+                          std::map<std::string, double> const& constants = {}, FormulaUse use = {}) {
+  return detail::FormulaParser(text, names, constants, use).run().value;
 }
 /// The same, with the names that it uses.
 inline ReadFormula read_formula(std::string_view text, std::vector<std::string> const& names,
-                                std::map<std::string, double> const& constants = {}) {
-  return detail::FormulaParser(text, names, constants).run();
+                                std::map<std::string, double> const& constants = {}, FormulaUse use = {}) {
+  return detail::FormulaParser(text, names, constants, use).run();
 }
 
 }  // namespace actio

@@ -97,7 +97,10 @@ S* Tape::carry_out(std::vector<Run> const& these, Instruction const* i, S const*
         for (; i != end; ++i) *r++ = half_turn<S>();
         break;
       default:
-        for (; i != end; ++i) *r++ = elementary(run.operation, w[i->a]);
+        if (joins_two(run.operation))
+          for (; i != end; ++i) *r++ = kinked(run.operation, w[i->a], w[i->b]);
+        else
+          for (; i != end; ++i) *r++ = elementary(run.operation, w[i->a]);
     }
   }
   return r;

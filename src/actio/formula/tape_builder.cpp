@@ -133,6 +133,17 @@ std::optional<ExactRatio> TapeBuilder::folded(Operation function, ExactRatio con
   }
 }
 
+TapeBuilder::Entry TapeBuilder::as_written(Operation operation, Entry a, Entry b) {
+  if (operation == Operation::power)
+    for (int n = 2; n <= 4; ++n)
+      if (is(b, n)) {
+        Entry product = a;
+        for (int k = 1; k < n; ++k) product = entry(Operation::multiply, product, a);
+        return product;
+      }
+  return joins_two(operation) ? entry(operation, a, b) : entry(operation, a);
+}
+
 TapeBuilder::Entry TapeBuilder::record(Operation operation, Entry a, Entry b) {
   switch (operation) {
     case Operation::pi:
@@ -149,11 +160,8 @@ TapeBuilder::Entry TapeBuilder::record(Operation operation, Entry a, Entry b) {
       return negate(a);
     case Operation::power:
       return power(a, b);
-    case Operation::atan2:
-    case Operation::hypot:
-      return apply(operation, a, b);
     default:
-      return apply(operation, a);
+      return joins_two(operation) ? apply(operation, a, b) : apply(operation, a);
   }
 }
 

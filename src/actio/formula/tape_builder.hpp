@@ -33,10 +33,13 @@ class TapeBuilder : public TapeEntries {
   Entry power(Entry a, Entry b);
   /// A function of one number.
   Entry apply(Operation function, Entry a);
-  /// `atan2(a, b)` or `hypot(a, b)`.
+  /// A function of two numbers, as `atan2(a, b)`.
   Entry apply(Operation function, Entry a, Entry b) { return entry(function, a, b); }
   /// Any operation; where it has one operand, b is not looked at.
   Entry record(Operation operation, Entry a, Entry b);
+  /// The same as it stands, so that over double it is rounded as in C++; powers with the exponents 2, 3 and
+  /// 4 are products from the left.
+  Entry as_written(Operation operation, Entry a, Entry b);
 
   /// These entries and what they need, as a tape.
   Tape tape(std::span<Entry const> outputs) const { return schedule(*this, outputs); }

@@ -2,7 +2,10 @@
 
 namespace actio {
 
-std::vector<TapeBuilder::Entry> replay(Tape const& tape, TapeBuilder& b) {
+std::vector<TapeBuilder::Entry> replay(Tape const& tape, TapeBuilder& b,
+                                       TapeBuilder::Entry (TapeBuilder::*record)(Operation,
+                                                                                 TapeBuilder::Entry,
+                                                                                 TapeBuilder::Entry)) {
   std::vector<TapeBuilder::Entry> at;  // of each place
   at.reserve(tape.places());
   auto instruction = tape.instructions.begin();
@@ -11,7 +14,7 @@ std::vector<TapeBuilder::Entry> replay(Tape const& tape, TapeBuilder& b) {
       for (std::uint32_t i = 0; i < run.count; ++i, ++instruction)
         at.push_back(run.operation == Operation::pi
                          ? b.pi()
-                         : b.record(run.operation, at[instruction->a], at[instruction->b]));
+                         : (b.*record)(run.operation, at[instruction->a], at[instruction->b]));
   };
   for (ExactRatio const& n : tape.numbers) at.push_back(b.number(n));
   carry_out(tape.constant_runs);
@@ -21,6 +24,15 @@ std::vector<TapeBuilder::Entry> replay(Tape const& tape, TapeBuilder& b) {
   std::vector<TapeBuilder::Entry> outputs;
   for (std::uint32_t output : tape.outputs) outputs.push_back(at[output]);
   return outputs;
+}
+
+Tape joined(std::vector<Tape> const& tapes) {
+  TapeBuilder b(tapes.at(0).inputs);
+  std::vector<TapeBuilder::Entry> outputs;
+  for (Tape const& tape : tapes)
+    for (TapeBuilder::Entry const output : replay(tape, b, &TapeBuilder::as_written))
+      outputs.push_back(output);
+  return b.tape(outputs);
 }
 
 namespace detail {

@@ -15,9 +15,17 @@
 namespace actio {
 
 /// Records a tape once more.
-/// @param b  has as many inputs
-/// @return   the entries of the outputs
-std::vector<TapeBuilder::Entry> replay(Tape const& tape, TapeBuilder& b);
+/// @param b       has as many inputs
+/// @param record  \ref TapeBuilder::record, or \ref TapeBuilder::as_written
+/// @return        the entries of the outputs
+std::vector<TapeBuilder::Entry> replay(
+    Tape const& tape, TapeBuilder& b,
+    TapeBuilder::Entry (TapeBuilder::*record)(Operation, TapeBuilder::Entry,
+                                              TapeBuilder::Entry) = &TapeBuilder::record);
+
+/// The outputs of tapes of the same inputs one after the other; what occurs in more than one is computed
+/// once. Each is evaluated as before, operation by operation.
+Tape joined(std::vector<Tape> const& tapes);
 
 namespace detail {
 /// Differentiates entries of a builder with respect to some of its inputs.

@@ -51,7 +51,7 @@ double TapeEntries::value_of(Operation operation, double x, double y) const {
     case Operation::hypot:
       return hypotenuse(x, y);
     default:
-      return elementary(operation, x);
+      return joins_two(operation) ? kinked(operation, x, y) : elementary(operation, x);
   }
 }
 

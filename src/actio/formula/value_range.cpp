@@ -5,6 +5,7 @@ namespace actio {
 ValueRange elementary(Operation operation, ValueRange const& range) {
   namespace interval = boost::numeric;
   detail::Interval const& x = range;
+  if (!is_smooth(operation)) detail::refuse_kinks(operation);
   auto const rising = [&] {
     return detail::Interval(detail::function_of_double(operation, x.lower()),
                             detail::function_of_double(operation, x.upper()));

@@ -51,6 +51,13 @@ struct CellKind {
   }
 };
 
+/// A density that is negative, or leaves a cell without mass.
+struct NotADensity : OutsideDomain {
+  /// As \ref OutsideDomain, with the cell; the bound is 0.
+  NotADensity(std::string const& cell, std::string const& required, double was)
+      : OutsideDomain("density in " + cell, required, was, 0) {}
+};
+
 /// The points of all cells of a mesh, and the masses of its nodes.
 template <int d>
 class BodyQuadrature {
@@ -62,7 +69,7 @@ class BodyQuadrature {
   /// @param density  mass per reference volume at X; positive inside of the body
   /// @throws NotABodyMesh  where the mesh has another dimension
   /// @throws InvertedCell  where the edges at a corner do not have the orientation of the body
-  /// @throws NotFinite, OutsideDomain  where the density is no number, or a cell has no mass
+  /// @throws NotFinite, NotADensity  where the density is no number, or is negative or a cell has no mass
   BodyQuadrature(BodyMesh const& mesh, StoredEnergy<d> const& medium,
                  std::function<double(Place const&)> const& density)
       : corners(corner_count(mesh.shape)), simplex(is_simplex(mesh.shape) || d == 1) {
@@ -205,7 +212,7 @@ class BodyQuadrature {
       points[first + p].weight *= simplex ? weight.of_cell : weight.at_corner[p];
     for (int b = 0; b < corners; ++b) {
       if (!(mass.at_corner[b] > 0))
-        throw OutsideDomain("density in " + mesh.cell_name(cell), "a cell has mass", mass.at_corner[b], 0);
+        throw NotADensity(mesh.cell_name(cell), "a cell has mass", mass.at_corner[b]);
       auto const& point = points[first + (simplex ? 0 : b)];
       masses[mesh.cells[cell][b]] += point.volume / (simplex ? corners : 1) * mass.at_corner[b];
     }
@@ -257,9 +264,7 @@ class BodyQuadrature {
         }
       double const rho = density(at);
       if (!is_finite(rho)) throw NotFinite("density in " + mesh.cell_name(cell));
-      if (!(rho >= 0))
-        throw OutsideDomain("density in " + mesh.cell_name(cell), "a density of mass is not negative", rho,
-                            0);
+      if (!(rho >= 0)) throw NotADensity(mesh.cell_name(cell), "a density of mass is not negative", rho);
       double const w = medium.weight(rho), part = s.weight * (simplex ? 1 : small_determinant(slope));
       for (int b = 0; b < corners; ++b) {
         out.first.at_corner[b] += s.weight * s.hat[b] / hats.total[b] * rho;

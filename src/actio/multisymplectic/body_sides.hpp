@@ -52,8 +52,19 @@ using BodySides = std::map<std::string, BodySide<d>>;
 /// @throws UnknownSide  with the names that there are
 void require_side(BodyMesh const& mesh, std::string const& name);
 
+/// A side along which a body shall slide bends in the reference space.
+struct BentSide : NotABodyMesh {
+  std::string side;  ///< its name
+  /// @param bend  of a plane one 1e-9 at most
+  BentSide(std::string const& name, double bend)
+      : NotABodyMesh("side '" + name + "'",
+                     "a side along which a body slides is plane in the reference space; its bend", bend,
+                     1e-9),
+        side(name) {}
+};
+
 /// The unit vector across a side that is plane in the reference space.
-/// @throws NotABodyMesh  where it bends
+/// @throws BentSide  where it is not
 template <int d>
 std::array<double, d> plane_normal(BodyMesh const& mesh, std::string const& name) {
   using Place = std::array<double, d>;
@@ -85,10 +96,7 @@ std::array<double, d> plane_normal(BodyMesh const& mesh, std::string const& name
       length = std::max(length, std::abs(p[0][a]));
     }
     double const bend = std::max(1 - along, std::abs(away) / std::max(length, 1e-300));
-    if (bend > 1e-9)
-      throw NotABodyMesh("side '" + name + "'",
-                         "a side along which a body slides is plane in the reference space; its bend", bend,
-                         1e-9);
+    if (bend > 1e-9) throw BentSide(name, bend);
   }
   return normal;
 }
@@ -99,8 +107,8 @@ class HeldNodes {
  public:
   using Place = std::array<double, d>;  ///< a point, a velocity or a force
 
-  /// @throws UnknownSide   where a name is not that of a side
-  /// @throws NotABodyMesh  where a side that shall slide is not plane in the reference space: a wall that
+  /// @throws UnknownSide  where a name is not that of a side
+  /// @throws BentSide     where a side that shall slide is not plane in the reference space: a wall that
   ///   bends would not hold a node by one direction
   HeldNodes(BodyMesh const& mesh, BodySides<d> const& sides) {
     std::map<int, Node> held;

@@ -58,4 +58,12 @@ std::string bytes_in_words(double bytes) {
   return fmt::format("{:.3g} {}", bytes, units[k]);
 }
 
+void require_memory(double needed, Place const& place, std::string const& what,
+                    std::function<std::string(double there)> const& would_do) {
+  if (double const there = bytes_of_machine(); needed > there)
+    throw SceneError(place, what + " take about " + bytes_in_words(needed) +
+                                " of memory in this scene, where " + bytes_in_words(there) + " are there; " +
+                                would_do(there));
+}
+
 }  // namespace actio::scene

@@ -11,10 +11,10 @@ namespace actio::scene {
 
 ReadFormula scene_formula(std::string const& text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants, TextPlace const& place,
-                          std::string const& what) {
+                          std::string const& what, FormulaUse use) {
   std::string const begin = what.empty() ? "" : what + ": ";
   try {
-    ReadFormula formula = read_formula(text, names, constants);
+    ReadFormula formula = read_formula(text, names, constants, use);
     for (auto const& [name, position] : formula.unused)
       throw FormulaError(position, "'" + shown(name) + "' is defined, and nothing in the formula uses it" +
                                        meant_used_name(name, formula.used));
@@ -34,10 +34,7 @@ void require_formula_name(SceneTable const& table, std::string const& key,
                            printable(key)));
   if (std::ranges::find(taken, key) != taken.end())
     table.fail(key, fmt::format("the name '{}' is taken already: it is {}", key, what));
-  std::vector<std::string_view> known{"pi"};
-  known.insert(known.end(), operation_names.begin() + static_cast<int>(Operation::atan2),
-               operation_names.end());
-  if (std::ranges::find(known, key) != known.end())
+  if (actio::detail::has_a_meaning(key))
     table.fail(key, fmt::format("the name '{}' is taken already: formulas know it", key));
 }
 

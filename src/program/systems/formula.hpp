@@ -1,4 +1,4 @@
-// A smooth formula in a scene, with definitions: what is wrong with it is told at its place.
+// A formula in a scene, with definitions: what is wrong with it is told at its place.
 #pragma once
 
 #include <map>
@@ -16,10 +16,11 @@ namespace actio::scene {
 /// @param constants  numbers with names
 /// @param place      where the text stands
 /// @param what       it is called in complaints: "potential"; empty: not at all
+/// @param use        whether it is differentiated
 /// @throws SceneError  where it is none, and where it defines a name that occurs nowhere else in it
 ReadFormula scene_formula(std::string const& text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants, TextPlace const& place,
-                          std::string const& what = "");
+                          std::string const& what = "", FormulaUse use = {});
 
 /// Refuses the name of a key that a formula cannot have, or that stands for something else there.
 /// @param taken  names of other numbers, which are so called: "a component"

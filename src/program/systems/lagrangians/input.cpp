@@ -30,8 +30,7 @@ systems::MatrixAlgebra read_algebra(SceneTable const& system) {
   } catch (SceneError const&) {
     throw;
   } catch (Error const& error) {
-    std::string const what = error.what();
-    system.fail(key, what.starts_with(key) ? what : key + ": " + what);
+    system.fail(key, (named ? "" : "algebra: ") + std::string(error.what()));
   }
 }
 

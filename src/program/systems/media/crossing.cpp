@@ -39,7 +39,7 @@ struct Wave {
 
 /// The axis of a plane wave; -1 where the start is none.
 template <int d>
-int axis_of(MediumMesh const& mesh, MediumStart& start) {
+int axis_of(MediumMesh const& mesh, MediumStart const& start) {
   for (int axis = 0; axis < d; ++axis) {
     bool plane = true;
     for (int sample = 0; sample < 64 && plane; ++sample) {
@@ -73,7 +73,7 @@ int axis_of(MediumMesh const& mesh, MediumStart& start) {
 }
 
 template <int d>
-Wave sampled(MediumMesh const& mesh, MediumStart& start, int axis) {
+Wave sampled(MediumMesh const& mesh, MediumStart const& start, int axis) {
   constexpr int count = 4096;
   auto const a = static_cast<std::size_t>(axis);
   double const h = (mesh.upper[a] - mesh.lower[a]) / count;
@@ -170,7 +170,7 @@ std::pair<double, bool> largest_rate(Wave const& wave, CharacteristicSpeed<d> co
 }  // namespace
 
 template <int d>
-std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, MediumStart& start,
+std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, MediumStart const& start,
                                                     media::StoredEnergy<d> const& law) {
   if (mesh.shape != "box" || !start.uniform) return {};
   int const axis = axis_of<d>(mesh, start);
@@ -186,13 +186,13 @@ std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, Medi
   return Crossing{1 / rate, simple && mesh.periodic[static_cast<std::size_t>(axis)]};
 }
 /// Along a line.
-template std::optional<Crossing> crossing_of_characteristics<1>(MediumMesh const&, MediumStart&,
+template std::optional<Crossing> crossing_of_characteristics<1>(MediumMesh const&, MediumStart const&,
                                                                 media::StoredEnergy<1> const&);
 /// In the plane.
-template std::optional<Crossing> crossing_of_characteristics<2>(MediumMesh const&, MediumStart&,
+template std::optional<Crossing> crossing_of_characteristics<2>(MediumMesh const&, MediumStart const&,
                                                                 media::StoredEnergy<2> const&);
 /// In space.
-template std::optional<Crossing> crossing_of_characteristics<3>(MediumMesh const&, MediumStart&,
+template std::optional<Crossing> crossing_of_characteristics<3>(MediumMesh const&, MediumStart const&,
                                                                 media::StoredEnergy<3> const&);
 
 }  // namespace actio::scene

@@ -25,7 +25,7 @@ struct Crossing {
 /// s and Y at the start allow, as long as no wave comes from a side.
 /// Accuracy: four digits, by differences of the formulas.
 template <int d>
-std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, MediumStart& start,
+std::optional<Crossing> crossing_of_characteristics(MediumMesh const& mesh, MediumStart const& start,
                                                     media::StoredEnergy<d> const& law);
 
 }  // namespace actio::scene

@@ -14,7 +14,7 @@ namespace {
 
 /// In a periodic box what places differ from X by, and velocities, are the same beyond a period.
 template <int d>
-void require_periodic(SceneTable const& initial, std::string const& key, PlaceFormula& formula,
+void require_periodic(SceneTable const& initial, std::string const& key, PlaceFormula const& formula,
                       PointOfBody<d> const& X, PointOfBody<d> const& here, MediumMesh const& mesh) {
   for (std::size_t k = 0; k < mesh.periodic.size(); ++k) {
     if (!mesh.periodic[k] || X[k] != mesh.lower[k]) continue;
@@ -60,7 +60,7 @@ PointOfBody<d> direction_across(MediumMesh const& mesh, std::string const& side)
 
 /// A density is finite and not negative: at the nodes as well, where snapshots show it.
 template <int d>
-void require_density(SceneFile const& file, MediumStart& start, PointOfBody<d> const& X) {
+void require_density(SceneFile const& file, MediumStart const& start, PointOfBody<d> const& X) {
   double rho = 0;
   try {
     start.density(X, &rho);
@@ -77,7 +77,7 @@ void require_density(SceneFile const& file, MediumStart& start, PointOfBody<d> c
 }  // namespace
 
 template <int d>
-ExaminedStart<d> examined_start(SceneFile const& file, MediumStart& start, MediumCells<d> const& cells,
+ExaminedStart<d> examined_start(SceneFile const& file, MediumStart const& start, MediumCells<d> const& cells,
                                 MediumMesh const& mesh) {
   SceneTable const initial = file.section("initial");
   ExaminedStart<d> out;
@@ -171,13 +171,13 @@ void require_finite_energies(SceneFile const& file, media::BodyEnergies const& e
 }
 
 /// Along a line.
-template ExaminedStart<1> examined_start<1>(SceneFile const&, MediumStart&, MediumCells<1> const&,
+template ExaminedStart<1> examined_start<1>(SceneFile const&, MediumStart const&, MediumCells<1> const&,
                                             MediumMesh const&);
 /// In the plane.
-template ExaminedStart<2> examined_start<2>(SceneFile const&, MediumStart&, MediumCells<2> const&,
+template ExaminedStart<2> examined_start<2>(SceneFile const&, MediumStart const&, MediumCells<2> const&,
                                             MediumMesh const&);
 /// In space.
-template ExaminedStart<3> examined_start<3>(SceneFile const&, MediumStart&, MediumCells<3> const&,
+template ExaminedStart<3> examined_start<3>(SceneFile const&, MediumStart const&, MediumCells<3> const&,
                                             MediumMesh const&);
 /// Along a line.
 template std::map<std::string, double> driven_sides<1>(MediumMesh const&, MediumCells<1> const&,

@@ -22,7 +22,7 @@ struct ExaminedStart {
 /// @throws SceneError  where one is not finite, a cell is inside out, a density is negative, or a seam is not
 ///   closed
 template <int d>
-ExaminedStart<d> examined_start(SceneFile const& file, MediumStart& start, MediumCells<d> const& cells,
+ExaminedStart<d> examined_start(SceneFile const& file, MediumStart const& start, MediumCells<d> const& cells,
                                 MediumMesh const& mesh);
 
 /// Loads and sides, given the start: potentials have finite gradients at the nodes and close across seams,

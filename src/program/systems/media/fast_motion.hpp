@@ -44,7 +44,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   /// From the start.
   /// @param longest  the longest stable step there
   FastMotion(Medium const& medium, Box const& box, double density, double step, double longest,
-             MediumStart& start)
+             MediumStart const& start)
       : cells_(box),
         density_(density),
         law_(medium),
@@ -130,7 +130,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
     auto const next = [](auto& of) { return [&of](Place const& X) { return of(X); }; };
     return {law_, cells_.box(), step, density_, next(place), next(velocity), options(cells_.box())};
   }
-  static auto at(PlaceFormula& formula) {
+  static auto at(PlaceFormula const& formula) {
     return [&formula](Place const& X) {
       Place out;
       formula(X, out.data());

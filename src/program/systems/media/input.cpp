@@ -13,11 +13,6 @@
 namespace actio::scene {
 namespace {
 
-std::vector<std::string> const& axes() {
-  static std::vector<std::string> const names{"X", "Y", "Z"};
-  return names;
-}
-
 /// Numbers of cells, each 1 or more.
 std::vector<int> read_cells(SceneTable const& mesh, std::size_t count) {
   auto const numbers = mesh.numbers("cells", static_cast<long>(count));
@@ -225,29 +220,6 @@ MediumMesh read_medium_mesh(SceneFile const& file) {
               fmt::format("cells: at most 1000000000 can be counted, these are {}", out.cell_count()));
   read_sides(file, out);
   return out;
-}
-
-PlaceFormula::PlaceFormula(SceneTable table, std::string const& key,
-                           std::vector<std::string> const& otherwise)
-    : variables_(axes().begin(), axes().begin() + static_cast<long>(otherwise.size())) {
-  if (!table.has(key)) table.set(key, otherwise);
-  auto const texts = table.formulas(key);
-  if (texts.size() != otherwise.size())
-    table.fail(key, fmt::format("{}: {} formulas in {} are expected, one for each dimension, found {}", key,
-                                otherwise.size(), listed(variables_), texts.size()));
-  for (std::size_t k = 0; k < texts.size(); ++k)
-    formulas_.emplace_back(texts[k], variables_, table.text_place(key, k));
-  place_ = table.text_place(key, 0);
-}
-PlaceFormula::PlaceFormula(std::string const& text, int dimension, TextPlace const& place)
-    : variables_(axes().begin(), axes().begin() + dimension), place_(place) {
-  formulas_.emplace_back(text, variables_, place);
-}
-bool PlaceFormula::is_constant() const {
-  for (auto const& formula : formulas_)
-    for (auto const& variable : variables_)
-      if (formula.uses(variable)) return false;
-  return true;
 }
 
 MediumStart read_medium_start(SceneFile const& file, int dimension) {

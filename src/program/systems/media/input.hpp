@@ -9,9 +9,9 @@
 
 #include "actio/multisymplectic/body_mesh.hpp"
 #include "actio/multisymplectic/side.hpp"
-#include "program/document/expression.hpp"
 #include "program/document/schedule.hpp"
 #include "program/registry/system.hpp"
+#include "program/systems/media/place_formula.hpp"
 
 namespace actio::scene {
 
@@ -42,34 +42,6 @@ MediumMesh read_medium_mesh(SceneFile const& file);
 /// The records of the keys of [system] and [initial] of a medium.
 /// @param fluid  whether they are those of a fluid
 std::vector<Parameter> medium_parameters(bool fluid);
-
-/// Formulas of a place or a velocity in X, Y, Z.
-class PlaceFormula {
- public:
-  /// The list of texts at a key, or these where it is not there; these are written back then.
-  /// @throws SceneError  where they are not as many as there are dimensions, or no formulas
-  PlaceFormula(SceneTable table, std::string const& key, std::vector<std::string> const& otherwise);
-  /// Of one text.
-  PlaceFormula(std::string const& text, int dimension, TextPlace const& place);
-
-  /// Writes the values at X, as many as there are formulas.
-  /// @throws SceneError  where one is a NaN or infinite there
-  template <std::size_t d>
-  void operator()(std::array<double, d> const& X, double* out) {
-    for (auto& formula : formulas_) *out++ = formula(std::span<double const>(X));
-  }
-  /// Whether a coordinate occurs in them.
-  bool is_constant() const;
-  /// Where the first one stands.
-  TextPlace const& place() const { return place_; }
-  /// The first one.
-  std::string const& text() const { return formulas_.front().text(); }
-
- private:
-  std::vector<Expression> formulas_;
-  std::vector<std::string> variables_;
-  TextPlace place_;
-};
 
 /// A medium at the start, as formulas.
 struct MediumStart {

@@ -19,15 +19,13 @@
 namespace actio::scene {
 namespace {
 
-/// Before anything of that size is touched.
-double require_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
-  double const needed = bytes_for_medium(mesh, fast, request), there = bytes_of_machine();
-  if (needed > there)
-    file.section("system.mesh")
-        .fail("cells", fmt::format("cells: {:.0f} cells take about {} of memory in this scene, where {} "
-                                   "are there; about {:.0f} would do",
-                                   mesh.cell_count(), bytes_in_words(needed), bytes_in_words(there),
-                                   std::floor(0.9 * mesh.cell_count() * there / needed)));
+/// The memory that it takes, refused before anything of that size is touched.
+double checked_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
+  double const cells = mesh.cell_count(), needed = bytes_for_medium(mesh, fast, request);
+  require_memory(needed, file.section("system.mesh").place("cells"),
+                 fmt::format("cells: {:.0f} cells", cells), [&](double there) {
+                   return fmt::format("about {:.0f} would do", std::floor(0.9 * cells * there / needed));
+                 });
   return needed;
 }
 
@@ -76,7 +74,7 @@ std::function<double(std::array<double, d> const&)> density_of(std::shared_ptr<M
 /// When characteristics cross, of a plane wave, where that is before the end.
 template <int d>
 void tell_crossing(Simulation& simulation, Request const& request, MediumMesh const& mesh,
-                   Material const& material, MediumStart& start) {
+                   Material const& material, MediumStart const& start) {
   auto const crossing = crossing_of_characteristics<d>(mesh, start, *stored_energy_of<d>(material));
   if (!crossing || crossing->time > request.schedule.until()) return;
   bool const spread = request.file.section("method").has("viscosity");
@@ -115,7 +113,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   start->density(std::array<double, d>{}, &rho);
   auto const road = fast_road(material, *box, rho);
   if (!road) return false;
-  simulation.bytes = require_memory(request.file, mesh, true, request);
+  simulation.bytes = checked_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
   BoxCells<Box> const cells(*box);
   // Places of the start are let go of before there is a motion.
@@ -157,15 +155,10 @@ template <int d>
 std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, MeshRoad<d>& road) {
   try {
     return road.motion();
-  } catch (media::NotABodyMesh const& error) {
-    for (auto const& [name, side] : road.loads.sides)
-      if (std::string(error.what()).starts_with("side '" + name + "'"))
-        file.section("system.boundary").fail(name, std::string("boundary: ") + error.what());
-    throw;
-  } catch (OutsideDomain const& error) {
-    if (std::string(error.what()).starts_with("density"))
-      file.section("system").fail("density", error.what());
-    throw;
+  } catch (media::BentSide const& error) {
+    file.section("system.boundary").fail(error.side, std::string("boundary: ") + error.what());
+  } catch (media::NotADensity const& error) {
+    file.section("system").fail("density", error.what());
   }
 }
 
@@ -238,7 +231,7 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, material, start) ||
                       prepare_fast<media::FastBox3d>(simulation, request, mesh, material, start)))
     return simulation;
-  simulation.bytes = require_memory(request.file, mesh, false, request);
+  simulation.bytes = checked_memory(request.file, mesh, false, request);
   if (d == 1)
     prepare_on_mesh<1>(simulation, request, mesh, material, method, start);
   else if (d == 2)

@@ -67,20 +67,18 @@ SphereScheme scheme_of(MethodChoice const& choice, SceneTable const& method, boo
 }
 
 /// Before anything of that size is touched.
-void require_memory(SceneTable const& system, SphereScheme const& scheme,
-                    std::vector<std::string> const& quantities) {
+void require_memory_of_matrices(SceneTable const& system, SphereScheme const& scheme,
+                                std::vector<std::string> const& quantities) {
   int const n = read_matrix_size(system);
   auto const bytes = [&](int size) {
     return bytes_for_vorticity(size, scheme.fractions.size(), scheme.conserved, scheme.to_rounding,
                                quantities);
   };
-  double const needed = bytes(n), there = bytes_of_machine();
-  if (needed <= there) return;
-  int const largest = static_cast<int>(n * std::sqrt(there / needed));
-  system.fail("N", fmt::format("N: matrices of the size {} take about {} of memory in this scene, "
-                               "where {} are there; N = {} takes {}",
-                               n, bytes_in_words(needed), bytes_in_words(there), largest,
-                               bytes_in_words(bytes(largest))));
+  double const needed = bytes(n);
+  require_memory(needed, system.place("N"), fmt::format("N: matrices of the size {}", n), [&](double there) {
+    int const largest = static_cast<int>(n * std::sqrt(there / needed));
+    return fmt::format("N = {} takes {}", largest, bytes_in_words(bytes(largest)));
+  });
 }
 
 /// Squares and cubes of the numbers, and what else was asked for, are numbers.
@@ -178,7 +176,7 @@ Simulation prepare(Request const& request) {
   };
   MethodChoice const choice = read_method(method, methods());
   SphereScheme const scheme = scheme_of(choice, method, read_hamiltonian(system).layer());
-  require_memory(system, scheme, request.quantities);
+  require_memory_of_matrices(system, scheme, request.quantities);
 
   Simulation simulation(with_conserved("vorticity_sphere", vorticity_quantities()));
   VorticityStart start = read_vorticity_start(request.file, simulation.remarks);
