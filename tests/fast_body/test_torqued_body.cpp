@@ -272,7 +272,6 @@ BOOST_AUTO_TEST_CASE(no_unit_is_too_small_or_too_large) {
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   Start const start;
-  auto const torque = gravity_gradient(start.inertia, 1.5, towards);
   auto const still = [](Four<double> const&, double) { return Three<double>{0, 0, 0}; };
   CHECK_REFUSED(TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.0), OutsideDomain);
   CHECK_REFUSED(TorquedBody(start.inertia, start.momentum, start.attitude, still, std::nan("")), NotFinite);

@@ -26,11 +26,11 @@ auto const no_torque = [](Four<double> const&, double) { return Three<double>{0,
 
 /// The measured number and the bound of a refusal.
 template <class F>
-std::pair<double, double> refused(F const& f) {
+std::pair<double, double> refusal(F const& f) {
   try {
     f();
-  } catch (OutsideDomain const& refusal) {
-    return {refusal.measured, refusal.bound};
+  } catch (OutsideDomain const& why) {
+    return {why.measured, why.bound};
   }
   throw std::logic_error("nothing was refused");
 }
@@ -82,8 +82,8 @@ BOOST_AUTO_TEST_CASE(the_torque_in_an_orbit_is_what_the_potential_falls_by_at_ea
 
 BOOST_AUTO_TEST_CASE(directions_and_strengths_that_are_none_are_named) {
   using Pair = std::pair<double, double>;
-  BOOST_TEST((refused([] { gravity_gradient(inertia, -0.5, towards); }) == Pair{-0.5, 0}));
-  BOOST_TEST((refused([] { gravity_gradient(inertia, 1, Vector3d::Zero()); }) == Pair{0, 0}));
+  BOOST_TEST((refusal([] { gravity_gradient(inertia, -0.5, towards); }) == Pair{-0.5, 0}));
+  BOOST_TEST((refusal([] { gravity_gradient(inertia, 1, Vector3d::Zero()); }) == Pair{0, 0}));
   BOOST_CHECK_NO_THROW(gravity_gradient(inertia, 0, towards));
   BOOST_CHECK_NO_THROW(gravity_gradient(inertia, 1, 1e-300 * towards));
   CHECK_REFUSED(gravity_gradient(inertia, std::nan(""), towards), NotFinite);
@@ -94,17 +94,17 @@ BOOST_AUTO_TEST_CASE(directions_and_strengths_that_are_none_are_named) {
   for (double const sine : {0x1p-30, 0x1p-27}) {
     Vector3d const beside(sine, 1, 0);
     auto const [measured, bound] =
-        refused([&] { gravity_gradient_in_orbit(inertia, 1, Vector3d(0, 3, 0), beside); });
+        refusal([&] { gravity_gradient_in_orbit(inertia, 1, Vector3d(0, 3, 0), beside); });
     BOOST_TEST(std::abs(measured / sine - 1) <= 1e-12);
     BOOST_TEST(bound == 1e-8);
   }
   BOOST_CHECK_NO_THROW(gravity_gradient_in_orbit(inertia, 1, Vector3d(0, 3, 0), Vector3d(0x1p-26, 1, 0)));
-  BOOST_TEST((refused([] { uniform_gravity(Vector3d(1, 2, 3), Vector3d::Zero()); }) == Pair{0, 0}));
+  BOOST_TEST((refusal([] { uniform_gravity(Vector3d(1, 2, 3), Vector3d::Zero()); }) == Pair{0, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(splittings_have_one_kick_more_than_drifts_and_parts_that_add_up) {
   using Pair = std::pair<double, double>;
-  auto const [sum, one] = refused([] { composed_splitting("short", 2, {0.5, 0.25}); });
+  auto const [sum, one] = refusal([] { composed_splitting("short", 2, {0.5, 0.25}); });
   BOOST_TEST((sum == 0.75 && one == 1));
   CHECK_REFUSED(composed_splitting("none", 2, {0.5, std::nan("")}), NotFinite);
   CHECK_REFUSED(composed_splitting("near", 2, {0.5, 0.5 + 64 * eps}), OutsideDomain);
@@ -123,19 +123,19 @@ BOOST_AUTO_TEST_CASE(splittings_have_one_kick_more_than_drifts_and_parts_that_ad
     BOOST_TEST(std::abs(drifts - 1) <= 8 * eps);
   }
   Splitting const bad{"bad", 1, {1}, {0.5, 0.5}}, empty{"empty", 1, {1}, {}};
-  BOOST_TEST((refused([&] { TorquedBody(inertia, start, attitude, no_torque, 0.1, bad); }) == Pair{1, 3}));
-  BOOST_TEST((refused([&] { TorquedBody(inertia, start, attitude, no_torque, 0.1, empty); }) == Pair{1, 1}));
+  BOOST_TEST((refusal([&] { TorquedBody(inertia, start, attitude, no_torque, 0.1, bad); }) == Pair{1, 3}));
+  BOOST_TEST((refusal([&] { TorquedBody(inertia, start, attitude, no_torque, 0.1, empty); }) == Pair{1, 1}));
 }
 
 BOOST_AUTO_TEST_CASE(steps_and_counts_that_are_none_are_named) {
   using Pair = std::pair<double, double>;
   TorquedBody body(inertia, start, attitude, no_torque, 0.25, strang_splitting(), 3);
-  BOOST_TEST((refused([&] { body.step(-2); }) == Pair{-2, 0}));
+  BOOST_TEST((refusal([&] { body.step(-2); }) == Pair{-2, 0}));
   BOOST_TEST(body.time() == 3);
   body.step(0), body.step(4);
   BOOST_TEST((body.time() == 4 && body.step_length() == 0.25 && body.method().name == "Strang"));
   CHECK_REFUSED(TorquedBody(inertia, start, attitude, no_torque, 0.25, strang_splitting(), NAN), NotFinite);
-  BOOST_TEST((refused([] { TorquedBody(inertia, start, attitude, no_torque, 0.0); }) == Pair{0, 0}));
+  BOOST_TEST((refusal([] { TorquedBody(inertia, start, attitude, no_torque, 0.0); }) == Pair{0, 0}));
   CHECK_REFUSED(TorquedBody(inertia, {SO<3>{}, 1e200 * start.components}, attitude, no_torque, 1.0),
                 NotFinite);
 }
