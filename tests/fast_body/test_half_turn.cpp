@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(the_four_roots_are_the_ways_to_choose_the_spectrum) {
   // Choices with the wrong determinant are no roots.
   double const wrong = (lambda.sum() + x[0] - x[1] - x[2]) / 2 / size;
   BOOST_TEST(std::abs(equation.residual(wrong)) > 1e-3);
-  BOOST_TEST(std::abs(solve_twist<double>(j, r).kappa - roots[0]) <= 16 * eps * lambda.sum() / size);
+  BOOST_TEST(std::abs(smallest_root<double>(equation, r).kappa - roots[0]) <= 16 * eps * lambda.sum() / size);
   BOOST_TEST(roots[0] == *std::min_element(roots.begin(), roots.end()));
 }
 

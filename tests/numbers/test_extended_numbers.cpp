@@ -1,10 +1,9 @@
-// Dual numbers and numbers that carry a divergence against truncated polynomials, of which they are
-// quotients.
+// Dual numbers against truncated polynomials, of which they are quotients.
 #include <boost/test/unit_test.hpp>
 
 #include <random>
 
-#include "actio/numbers/divergence_functions.hpp"
+#include "actio/numbers/dual.hpp"
 #include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/square_root.hpp"
@@ -25,30 +24,6 @@ SecondOrder<S, m> drawn_polynomial() {
   return x;
 }
 
-/// Of a polynomial in delta_mu and epsilon_a^mu, in this order, what is left where all products vanish but
-/// delta_mu epsilon_a^mu = tau_a.
-template <int m, int N, class S>
-DivergenceNumber<S, m, N> quotient(SecondOrder<S, m + m * N> const& x) {
-  DivergenceNumber<S, m, N> y(x.value);
-  for (int a = 0; a < N; ++a) {
-    S sum(0);
-    for (int mu = 0; mu < m; ++mu) sum += x.second[x.at(mu, m + N * mu + a)];
-    y.set_sum(a, sum);
-    BOOST_TEST((y.sum(a) == sum));
-  }
-  for (int mu = 0; mu < m; ++mu) {
-    y.set_rate(mu, x.first[mu]);
-    for (int a = 0; a < N; ++a) y.set_slope(mu, a, x.first[m + N * mu + a]);
-  }
-  // What was written is read.
-  bool same = y.value() == x.value;
-  for (int mu = 0; mu < m; ++mu) {
-    same = same && y.rate(mu) == x.first[mu];
-    for (int a = 0; a < N; ++a) same = same && y.slope(mu, a) == x.first[m + N * mu + a];
-  }
-  BOOST_TEST(same);
-  return y;
-}
 /// What is left where all products vanish.
 template <int N, class S>
 Dual<S, N> quotient(SecondOrder<S, N> const& x) {
@@ -124,12 +99,6 @@ void same_of(SecondOrder<S, m> const& x, SecondOrder<S, m> const& y, Take const&
     if (bound == 0) BOOST_TEST((quotients[k] == expected));
   }
 }
-template <int m, int N, class S, class Operations>
-void divergences_agree(Operations const& operations, double bound) {
-  auto const take = [](SecondOrder<S, m + m * N> const& x) { return quotient<m, N>(x); };
-  same_of<DivergenceNumber<S, m, N>>(drawn_polynomial<S, m + m * N>(), drawn_polynomial<S, m + m * N>(), take,
-                                     operations, bound);
-}
 template <int N, class S, class Operations>
 void duals_agree(Operations const& operations, double bound) {
   auto const take = [](SecondOrder<S, N> const& x) { return quotient<N>(x); };
@@ -144,16 +113,6 @@ double const rounding = 1e5 * epsilon<double>();
 
 BOOST_AUTO_TEST_SUITE(extended_numbers)
 
-// Rows of an even number of doubles go in pairs, others do not.
-BOOST_AUTO_TEST_CASE(a_number_that_carries_a_divergence_is_a_quotient_of_truncated_polynomials) {
-  for (int k = 0; k < 2; ++k) {
-    divergences_agree<2, 2, rational>(FieldOperations{}, 0);
-    divergences_agree<2, 1, rational>(FieldOperations{}, 0);
-    divergences_agree<3, 3, double>(FieldOperations{}, rounding);
-    divergences_agree<3, 3, double>(Functions{}, rounding);
-    divergences_agree<2, 2, double>(Functions{}, rounding);
-  }
-}
 BOOST_AUTO_TEST_CASE(a_dual_number_is_a_quotient_of_truncated_polynomials) {
   for (int k = 0; k < 2; ++k) {
     duals_agree<2, rational>(FieldOperations{}, 0);
@@ -183,9 +142,6 @@ void angles(T const& radius, T const& turn) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(an_angle_has_the_rates_of_the_turn) {
-  auto x = drawn_polynomial<double, 12>(), y = x;
-  y.value = 0.3;
-  angles(quotient<3, 3>(x), quotient<3, 3>(y));
   auto u = drawn_polynomial<double, 3>(), v = drawn_polynomial<double, 3>();
   v.value = 0.3;
   angles(quotient<3>(u), quotient<3>(v));

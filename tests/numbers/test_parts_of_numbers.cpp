@@ -1,7 +1,7 @@
 // Order, size and finiteness of numbers that carry derivatives: each of their parts counts.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/divergence_number.hpp"
+#include "actio/numbers/dual.hpp"
 #include "actio/numbers/second_order.hpp"
 
 using namespace actio;
@@ -18,18 +18,6 @@ void visit_parts(SecondOrder<S, m>& x, Visit const& visit) {
   visit(x.value);
   for (S& p : x.first) visit(p);
   for (S& p : x.second) visit(p);
-}
-template <class S, int m, int N, class Visit>
-void visit_parts(DivergenceNumber<S, m, N>& x, Visit const& visit) {
-  for (int j = 0; j <= N; ++j) {
-    S part = x.head[j];
-    visit(part), x.head.set(j, part);
-  }
-  for (auto& row : x.row)
-    for (int j = 0; j <= N; ++j) {
-      S part = row[j];
-      visit(part), row.set(j, part);
-    }
 }
 /// With its k-th part replaced.
 template <class T>
@@ -80,8 +68,6 @@ BOOST_AUTO_TEST_CASE(order_is_that_of_the_values_and_size_that_of_the_largest_pa
   order_size_and_finiteness<Dual<double, 2>>(3);
   order_size_and_finiteness<Dual<double, 3>>(4);
   order_size_and_finiteness<SecondOrder<double, 2>>(6);
-  order_size_and_finiteness<DivergenceNumber<double, 2, 2>>(9);
-  order_size_and_finiteness<DivergenceNumber<double, 2, 3>>(12);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

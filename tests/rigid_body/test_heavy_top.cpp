@@ -35,6 +35,17 @@ HeavyTop<double> const lagrange =
 HeavyTopState<double> const lagrange_start =
     release(lagrange, exp(velocity(turns, Vector3d(0.5, 0, 0))), velocity(turns, Vector3d(0.3, 0.4, 6)));
 
+/// The element of SE(3) by whose coadjoint action a step of second order moves momentum and vertical: the
+/// relative motion f between two shifts by \f$-\tfrac h2p\f$, since the impulse of gravity is a shift of the
+/// semidirect product.
+Element<SE<3>, double> step_as_motion(HeavyTop<double> const& top, double h,
+                                      Element<SO<3>, double> const& f) {
+  auto shift = identity<double>(SE<3>{}), turn = shift;
+  shift.value.topRightCorner<3, 1>() = top.lever() * (-h / 2);
+  turn.value.topLeftCorner<3, 3>() = f.value;
+  return shift * turn * shift;
+}
+
 Vector6d flow(HeavyTop<double> const& top, HeavyTopState<double> const& start, double duration) {
   EulerPoisson<double> const equations{top.inertia.moments, top.lever()};
   return reference_solution([&](double, Vector6d const& y) { return equations(y); }, together(start), 0,

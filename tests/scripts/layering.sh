@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# layering.sh ROOT: every #include of src/ and chapters/ follows the arrows.
+# layering.sh ROOT: every #include of src/ and chapters/ follows the arrows, and every import of src/python.
 #
 # The arrows are read from where they are declared: `actio_module(NAME USES ...)` in CMakeLists.txt,
 # `actio_room(NAME USES ...)` in src/program/CMakeLists.txt and `actio_chapter(chNN USES ...)` in
@@ -8,7 +8,8 @@
 # the command, and src/python, the module for Python, every room and all of the library; src/book no module;
 # src/program/loaded, modules that the program loads, what files of arrays are and all of the library;
 # src/witness, for checks, tests and programs, numbers and groups. Includes that run in a circle are reported
-# as well. At the end a violation is planted in a copy, and must be found.
+# as well; so are imports of the package for Python from one another, and those that do not stand at the top,
+# where they would hide a circle. At the end a violation is planted in a copy, and must be found.
 set -euo pipefail
 root=$1
 
@@ -30,6 +31,9 @@ violations() (
     sed -nE 's/^actio_chapter\(([a-z0-9]+)(.*)\)$/chapter \1\2/p' chapters/CMakeLists.txt
     find src chapters -name '*.[hc]pp' | LC_ALL=C sort | xargs -r grep -noE '^ *# *include *"[^"]+"' /dev/null |
       sed -E 's/^([^:]+):([0-9]+):.*"([^"]+)"/include \1 \2 \3/'
+    find src/python -name '*.py' | LC_ALL=C sort | xargs -r grep -noE '^ *from actio\._[a-z_]+ import' /dev/null |
+      sed -E 's/^([^:]+):([0-9]+):from actio\.([a-z_]+) .*/import \1 \2 \3/
+        s/^([^:]+):([0-9]+): +from actio\.([a-z_]+) .*/import \1 \2 \3 late/'
   } | awk '
     function room(file) { sub(/\/[^\/]*$/, "", file); return file }
     $1 == "module" || $1 == "chapter" {
@@ -61,11 +65,15 @@ violations() (
         print $2 ":" $3 ": write the path from src/, not " $4
       edges[$2] = edges[$2] " src/" $4
     }
+    $1 == "import" {
+      if (NF > 4) print $2 ":" $3 ": the import of " $4 " has to stand at the top"
+      edges[$2] = edges[$2] " src/python/actio/" $4 ".py"
+    }
     function visit(file,   list, n, i) {
       state[file] = 1
       n = split(edges[file], list, " ")
       for (i = 1; i <= n; i++) {
-        if (state[list[i]] == 1) print file ": includes run in a circle through " list[i]
+        if (state[list[i]] == 1) print file ": includes or imports run in a circle through " list[i]
         else if (!state[list[i]]) visit(list[i])
       }
       state[file] = 2
@@ -75,7 +83,7 @@ violations() (
 
 found=$(violations "$root")
 if [[ -n $found ]]; then
-  printf '%s\n' "Includes against the arrows:" "$found"
+  printf '%s\n' "Includes or imports against the arrows:" "$found"
   exit 1
 fi
 
@@ -110,5 +118,7 @@ plant src/book/planted.hpp '#include "actio/numbers/x.hpp"' "book may not includ
 plant chapters/planted.hpp '#include "actio/reduction/x.hpp"' "ch02 may not include actio/reduction/x.hpp"
 plant chapters/ch02_planted/planted.cpp '#include "actio/reduction/x.hpp"' "ch02 may not include actio/reduction/x.hpp"
 plant src/actio/numbers/planted.hpp '#include "actio/numbers/planted.hpp"' "in a circle"
+plant src/python/actio/_planted.py 'from actio._planted import planted' "in a circle"
+plant src/python/actio/_planted.py '    from actio._run import Run' "has to stand at the top"
 
-echo "$(find "$root/src" "$root/chapters" -name '*.[hc]pp' | wc -l) files follow the arrows; $planted planted violations were found."
+echo "$(find "$root/src" "$root/chapters" -name '*.[hc]pp' -o -name '*.py' | wc -l) files follow the arrows; $planted planted violations were found."

@@ -37,7 +37,7 @@ template <class S, int n, int N, class Phi>
   requires ConstraintOver<Phi, S, n, N>
 Matrix<S, N, 1> reaction(Phi const& constraint, SecondJet<S, n, N> const& j,
                          Jet<S, n, Phi::components> const& lambda) {
-  return euler_lagrange_by_terms(PairedConstraint<S, n, Phi>{constraint, lambda}, j);
+  return euler_lagrange(PairedConstraint<S, n, Phi>{constraint, lambda}, j);
 }
 
 /// The left side of the constrained field equations as the thesis has them (7.2).

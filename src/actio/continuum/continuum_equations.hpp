@@ -95,9 +95,9 @@ Matrix<S, N, 1> stress_divergence(Medium const& medium, SecondJet<S, n, N> const
 
 /// The equation of motion with stresses (6.20),
 /// \f$\rho\,g_{ab}\bigl(\tfrac{D_g\dot\phi}{Dt}\bigr)^b - \mathcal P_a{}^i{}_{|i} - \gamma^b_{ac}\,(\mathcal
-/// P_b{}^jF^c{}_j - J\,g_{bd}\,\sigma^{dc})\f$.
+/// P_b{}^jF^c{}_j - J\,g_{bd}\,\sigma^{dc})\f$. Where the metrics are constant, the last term is zero.
 ///
-/// \implements{eq_6_20}
+/// \implements{eq_6_20,claim_6_2_euclidean_elasticity}
 /// @throws NoDerivative  where W has no second derivative; and what the medium refuses
 template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n>

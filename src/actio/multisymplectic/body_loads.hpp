@@ -84,8 +84,6 @@ class LoadsOnBody {
 
   /// The outside pressure.
   double outside_pressure() const { return loads_.outside_pressure; }
-  /// Whether energy is kept: no pressure follows a side.
-  bool conservative() const { return pressed_.empty(); }
 
   /// \f$\sum mV(x)-\sum f\cdot x\f$ with dead loads f; the outside pressure is not in it.
   double energy(BodyQuadrature<d> const& body, std::vector<double> const& x) const {

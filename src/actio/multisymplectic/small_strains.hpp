@@ -31,12 +31,6 @@ std::array<double, 2> minors_of(Matrix<double, d, d> const& A) {
                            A(2, 0) * (A(0, 1) * A(1, 2) - A(0, 2) * A(1, 1))};
   }
 }
-/// \f$\det(1+A)-1\f$.
-template <int d>
-double change_of_volume(Matrix<double, d, d> const& A) {
-  auto const [second, third] = minors_of(A);
-  return A.trace() + (second + third);
-}
 
 /// \f$E = \tfrac12(H+H^T+H^TH)\f$.
 template <int d>

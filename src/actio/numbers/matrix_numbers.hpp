@@ -26,7 +26,6 @@ struct MatrixNumbers {
   Index rows() const { return self().rows(); }
   Index cols() const { return self().cols(); }
   Index size() const { return self().rows() * self().cols(); }
-  Index innerSize() const { return self().rows(); }
   /// A copy.
   PlainObject eval() const { return PlainObject(self()); }
   M& noalias() { return self(); }

@@ -115,20 +115,6 @@ class HeavyTopScheme {
   std::vector<Stage> stages_;
 };
 
-/// The element of SE(3) by whose coadjoint action a step of second order moves momentum and vertical:
-/// \f$(\Pi_1, \Gamma_1) = \mathrm{Ad}^*_{k^{-1}}(\Pi_0, \Gamma_0)\f$.
-///
-/// Here \f$k = s\,f\,s\f$ with the shift s by \f$-\tfrac h2p\f$: the impulse of gravity is a shift of the
-/// semidirect product, and the Casimirs cannot change.
-/// @param f  the relative motion of the step
-template <Real S>
-Element<SE<3>, S> step_as_motion(HeavyTop<S> const& top, S const& h, Element<SO<3>, S> const& f) {
-  Element<SE<3>, S> shift = identity<S>(SE<3>{}), turn = shift;
-  shift.value.template topRightCorner<3, 1>() = top.lever() * S(-h / S(2));
-  turn.value.template topLeftCorner<3, 3>() = f.value;
-  return shift * turn * shift;
-}
-
 // Two tops that are known by name.
 
 /// A top and the body velocity it is let go with, standing as its body frame does in space.

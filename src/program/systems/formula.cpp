@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "actio/formula/formula_names.hpp"
 #include "actio/formula/formula_text.hpp"
-#include "actio/formula/operation.hpp"
 
 namespace actio::scene {
 

@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from actio._trace import Entry, Trace
-from actio._traced import Traced
 
 # How tightly the last operation of a text binds; one whose arguments bind less puts these in brackets.
 _SUM, _PRODUCT, _POWER, _ATOM = 1, 2, 3, 4
@@ -40,11 +39,11 @@ def _constant(value: Any) -> _Text:
     return _Text(text, _ATOM if value >= 0 else _SUM, 0)
 
 
-def reached(number: Traced) -> list[int]:
-    """The entries of the table that a number depends on, itself included, arguments first."""
-    entries, ahead, found = number._trace.entries, [number._index], {number._index}
+def reached(trace: Trace, index: int) -> list[int]:
+    """The entries of the table that an entry depends on, itself included, arguments first."""
+    ahead, found = [index], {index}
     while ahead:
-        for argument in arguments(entries[ahead.pop()]):
+        for argument in arguments(trace.entries[ahead.pop()]):
             if argument not in found:
                 found.add(argument)
                 ahead.append(argument)
@@ -56,10 +55,10 @@ def arguments(entry: Entry) -> tuple[int, ...]:
     return () if entry[0] in ("symbol", "constant") else entry[1:]
 
 
-def names_of(number: Traced) -> set[str]:
-    """The names of the symbols that a number depends on."""
-    entries = number._trace.entries
-    return {entries[index][1] for index in reached(number) if entries[index][0] == "symbol"}
+def names_of(trace: Trace, index: int) -> set[str]:
+    """The names of the symbols that an entry depends on."""
+    entries = [trace.entries[each] for each in reached(trace, index)]
+    return {entry[1] for entry in entries if entry[0] == "symbol"}
 
 
 def _prefix(names: Iterable[str]) -> str:
@@ -111,13 +110,13 @@ class _Writer:
         return _Text(text, binds, depth if opened else depth - 1)
 
 
-def formula_text(number: Traced, taken: Iterable[str] = ()) -> str:
-    """The formula whose value the number is. What enters it more than once is defined first, `t1 = ...; `.
+def formula_text(trace: Trace, index: int, taken: Iterable[str] = ()) -> str:
+    """The formula whose value the entry is. What enters it more than once is defined first, `t1 = ...; `.
 
     taken: names that a definition does not have, besides those of the formula itself.
     """
-    needed = reached(number)
-    writer = _Writer(number._trace, needed, _prefix([*names_of(number), *taken]))
-    for index in needed:
-        writer.write(index)
-    return "".join(writer.definitions) + writer.texts[number._index].text
+    needed = reached(trace, index)
+    writer = _Writer(trace, needed, _prefix([*names_of(trace, index), *taken]))
+    for each in needed:
+        writer.write(each)
+    return "".join(writer.definitions) + writer.texts[index].text

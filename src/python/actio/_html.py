@@ -2,10 +2,7 @@
 
 import html
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from actio._run import Run
+from typing import Any
 
 MOST_COLUMNS = 12
 
@@ -30,21 +27,7 @@ def table(names: Sequence[str], rows: Iterable[Sequence[Any]], caption: str) -> 
     )
 
 
-def _figures(title: str, values: dict[str, float]) -> str:
+def figures(title: str, values: dict[str, float]) -> str:
+    """Names and sizes as they follow a heading; nothing where there are none."""
     told = [f"{html.escape(name)} {value:.1e}" for name, value in values.items()]
     return f"; {title}: {', '.join(told)}" if told else ""
-
-
-def run_in_html(run: "Run") -> str:
-    """The head of the table, and above it what the closing line of the command says."""
-    summary = run.summary
-    caption = (
-        f"<b>{cell(summary.get('title', ''))}</b> ({cell(summary.get('system', ''))},"
-        f" {cell(summary.get('status', ''))}): {run.rows} rows"
-    )
-    caption += f" to t = {run.t[-1]:g}" if run.rows else ""
-    caption += _figures("drift", run.drift) + _figures("error", run.error)
-    caption += "".join(f"; error of {html.escape(name)}: {html.escape(said)}" for name, said in run.untold.items())
-    first = [[float(x) for x in row] for row in run.table[:5]]
-    rest = f"<p>… {run.rows - 5} rows more</p>" if run.rows > 5 else ""
-    return "<div>" + table(run.columns, first, caption) + rest + "</div>"

@@ -94,10 +94,10 @@ def _its_value(found: Any, trace: Trace, surroundings: Surroundings) -> Traced:
                 "lagrangian: it returned a number of another call; a Lagrangian is made of what it is given"
                 " by this very call"
             )
-        if names_of(found).isdisjoint(surroundings.components):
+        if names_of(trace, found._index).isdisjoint(surroundings.components):
             raise SceneError(
-                f"lagrangian: it returned {formula_text(found)}, which does not depend on the velocity"
-                f" ({', '.join(surroundings.components)})"
+                f"lagrangian: it returned {formula_text(trace, found._index)}, which does not depend on the"
+                f" velocity ({', '.join(surroundings.components)})"
             )
         return found
     if inspect.iscoroutine(found):
@@ -133,5 +133,4 @@ def formula_of(lagrangian: Callable[..., Any], surroundings: Surroundings) -> st
     value = _its_value(_called(lagrangian, given[:count]), trace, surroundings)
     items = [item for each in carried.values() for item in each]
     taken = [*surroundings.components, *surroundings.parameters, *items]
-    text = formula_text(value, taken)
-    return text
+    return formula_text(trace, value._index, taken)

@@ -1,18 +1,20 @@
 """A run, held in memory as one table."""
 
 import difflib
+import html
 import json
-import os
 import re
 import warnings
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy
 from numpy.typing import NDArray
 
 from actio import _actio
 from actio._errors import SceneError
+from actio._html import cell, figures, table
+from actio._paths import Path, encoded_path
 from actio._snapshots import Snapshots
 from actio._values import shown
 
@@ -227,12 +229,10 @@ class Run(Mapping[str, Array]):
         frame.attrs.update(title=self.summary.get("title", ""), units=self.units)
         return frame
 
-    def save(self, folder: "Union[str, os.PathLike[str]]", *, plots: bool = False) -> None:
+    def save(self, folder: Path, *, plots: bool = False) -> None:
         """Writes what the command leaves, but no checkpoint: scene.toml, the table in the formats that the
         scene names, and summary.json. plots: with the pictures and their page, plots/index.html. The folder
         is made; one that is not empty is refused. Snapshots are not written, which is warned of."""
-        from actio._running import encoded_path
-
         where = encoded_path(folder, "folder")
         if self._about["with_snapshots"]:
             warnings.warn(
@@ -254,6 +254,16 @@ class Run(Mapping[str, Array]):
         return f"<actio.Run: {self.rows} rows{until} of {', '.join(self.quantities)}{ended}>"
 
     def _repr_html_(self) -> str:
-        from actio._html import run_in_html
-
-        return run_in_html(self)
+        """The head of the table, and above it what the closing line of the command says."""
+        summary = self.summary
+        caption = (
+            f"<b>{cell(summary.get('title', ''))}</b> ({cell(summary.get('system', ''))},"
+            f" {cell(summary.get('status', ''))}): {self.rows} rows"
+        )
+        caption += f" to t = {self.t[-1]:g}" if self.rows else ""
+        caption += figures("drift", self.drift) + figures("error", self.error)
+        for name, said in self.untold.items():
+            caption += f"; error of {html.escape(name)}: {html.escape(said)}"
+        first = [[float(x) for x in row] for row in self.table[:5]]
+        rest = f"<p>… {self.rows - 5} rows more</p>" if self.rows > 5 else ""
+        return "<div>" + table(self.columns, first, caption) + rest + "</div>"

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Optional, overload
 import numpy
 
 from actio._errors import Error, FileError, NumericsError, SceneError, Stopped
+from actio._html import table
 from actio._run import Run, import_pandas
 from actio._running import SceneLike, Source, attach, checked_call, checked_choice, outcome, warn_of_files
 from actio._values import changes, kind, shown
@@ -131,8 +132,6 @@ class Sweep(Sequence[Member]):
         return f"<actio.Sweep of {', '.join(self._keys)}: {len(self)} members{told}>"
 
     def _repr_html_(self) -> str:
-        from actio._html import table
-
         columns = {
             name: values for name, values in self[:20].table.items() if name != "message" or any(values)
         }

@@ -2,24 +2,29 @@
 
 A Lagrangian that is a function of Python is called once, with such numbers in place of velocity, parameters
 and carried vectors. What comes back names the entry of the table that is the Lagrangian; `_formula_text`
-writes it as a formula, and Python has no part in the run.
+writes it as a formula, and Python has no part in the run. Arrays of them are NumPy's arrays of objects, on
+which its functions are those of a formula.
 """
 
+import math
 import numbers
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+import numpy
+
 from actio._formula_functions import FUNCTIONS
-from actio._refusals import refuse, refuse_branch, refuse_corner, refuse_float, refuse_whole
+from actio._formula_text import formula_text
+from actio._refusals import refuse, refuse_branch, refuse_corner
 from actio._trace import Trace, constant
 from actio._values import kind, shown
+from actio._without_value import WithoutValue
 
 
-class Traced:
+class Traced(WithoutValue):
     """A number that is traced: it has no value, and records what is done with it."""
 
     __slots__ = ("_trace", "_index")
-    __hash__ = object.__hash__
 
     def __init__(self, trace: Trace, index: int) -> None:
         self._trace, self._index = trace, index
@@ -103,80 +108,10 @@ class Traced:
         return self
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
-        from actio._traced_arrays import apply
-
         return apply(ufunc, method, inputs, options)
 
-    # ---- What needs a value, which it has not
-
-    def __bool__(self) -> bool:
-        refuse_branch("whether a number is true is asked")
-
-    def __lt__(self, other: Any) -> bool:
-        refuse_branch("numbers are compared by <")
-
-    def __le__(self, other: Any) -> bool:
-        refuse_branch("numbers are compared by <=")
-
-    def __gt__(self, other: Any) -> bool:
-        refuse_branch("numbers are compared by >")
-
-    def __ge__(self, other: Any) -> bool:
-        refuse_branch("numbers are compared by >=")
-
-    def __eq__(self, other: Any) -> bool:
-        refuse_branch("numbers are compared by ==")
-
-    def __ne__(self, other: Any) -> bool:
-        refuse_branch("numbers are compared by !=")
-
-    def __float__(self) -> float:
-        refuse_float()
-
-    def __complex__(self) -> complex:
-        refuse("a complex number is needed here, and a Lagrangian is real")
-
-    def __index__(self) -> int:
-        refuse_whole()
-
-    __int__ = __index__
-
-    # ---- What is not smooth
-
-    def __abs__(self) -> "Traced":
-        refuse_corner("abs")
-
-    def __round__(self, digits: Any = None) -> "Traced":
-        refuse_corner("round")
-
-    def __floor__(self) -> "Traced":
-        refuse_corner("floor")
-
-    def __ceil__(self) -> "Traced":
-        refuse_corner("ceil")
-
-    def __trunc__(self) -> "Traced":
-        refuse_corner("trunc")
-
-    def __floordiv__(self, other: Any) -> "Traced":
-        refuse_corner("//")
-
-    __rfloordiv__ = __floordiv__
-
-    def __mod__(self, other: Any) -> "Traced":
-        refuse_corner("%")
-
-    __rmod__ = __mod__
-
-    def __divmod__(self, other: Any) -> "Traced":
-        refuse_corner("divmod")
-
-    __rdivmod__ = __divmod__
-
     def __repr__(self) -> str:
-        from actio._formula_text import formula_text
-
-        return f"<traced number {shown(formula_text(self))[1:-1]}>"
+        return f"<traced number {shown(formula_text(self._trace, self._index))[1:-1]}>"
 
     def __format__(self, how: str) -> str:
         if how:
@@ -199,3 +134,94 @@ for _name, (_numpys, _count) in FUNCTIONS.items():
     setattr(
         Traced, _numpys, (lambda name: lambda self, *others: recorded(name, (self, *others)))(_name)
     )
+
+
+# ---- Arrays of them, and NumPy's functions
+
+
+def _function(name: str) -> Any:
+    def apply_to(*arguments: Any) -> Any:
+        if any(isinstance(each, Traced) for each in arguments):
+            return recorded(name, arguments)
+        return getattr(numpy, FUNCTIONS[name][0])(*arguments)
+
+    return apply_to
+
+
+_sinh, _exp, _atanh = _function("sinh"), _function("exp"), _function("atanh")
+
+# What NumPy's functions of numbers are on traced ones.
+_SMOOTH: dict[str, Any] = {
+    "add": lambda x, y: x + y,
+    "subtract": lambda x, y: x - y,
+    "multiply": lambda x, y: x * y,
+    "divide": lambda x, y: x / y,
+    "power": lambda x, y: x**y,
+    "float_power": lambda x, y: x**y,
+    "negative": lambda x: -x,
+    "positive": lambda x: x,
+    "conjugate": lambda x: x,
+    "square": lambda x: x**2,
+    "reciprocal": lambda x: 1 / x,
+    "exp2": lambda x: 2**x,
+    "expm1": lambda x: 2 * _exp(x / 2) * _sinh(x / 2),
+    "log1p": lambda x: 2 * _atanh(x / (2 + x)),
+    "deg2rad": lambda x: x * (math.pi / 180),
+    "radians": lambda x: x * (math.pi / 180),
+    "rad2deg": lambda x: x * (180 / math.pi),
+    "degrees": lambda x: x * (180 / math.pi),
+    **{numpys: _function(name) for name, (numpys, _) in FUNCTIONS.items()},
+}
+_COMPARED = "greater greater_equal less less_equal equal not_equal isnan isinf isfinite signbit".split() + [
+    "logical_and",
+    "logical_or",
+    "logical_not",
+    "logical_xor",
+]
+_CORNERED = (
+    "absolute fabs sign maximum minimum fmax fmin clip floor ceil rint trunc heaviside remainder fmod"
+    " floor_divide divmod modf copysign"
+).split()
+
+
+def _plain(value: Any) -> Any:
+    """The same as an array of objects that NumPy does not hand back to us."""
+    if isinstance(value, Traced):
+        held = numpy.empty((), object)
+        held[()] = value
+        return held
+    return numpy.asarray(value) if isinstance(value, TracedArray) else value
+
+
+def _wrapped(value: Any) -> Any:
+    """An array of objects as one of traced numbers."""
+    if isinstance(value, numpy.ndarray) and value.dtype == object:
+        return value.view(TracedArray)
+    return tuple(_wrapped(each) for each in value) if isinstance(value, tuple) else value
+
+
+def apply(ufunc: Any, method: str, inputs: Sequence[Any], options: Mapping[str, Any]) -> Any:
+    """A function of NumPy where an argument is traced."""
+    name = ufunc.__name__
+    if name in _COMPARED:
+        refuse_branch(f"numpy.{name} asks for the values of numbers")
+    if name in _CORNERED:
+        refuse_corner(f"numpy.{name}")
+    plain = [_plain(value) for value in inputs]
+    out = options.get("out")
+    if method == "__call__" and name in _SMOOTH:
+        ufunc = numpy.frompyfunc(_SMOOTH[name], len(inputs), 1)
+        options = {key: value for key, value in options.items() if key in ("out", "where")}
+    elif name not in _SMOOTH and ufunc is not numpy.matmul:
+        refuse(f"numpy.{name} is no function of a formula, which has {', '.join(FUNCTIONS)}")
+    if out is None:
+        return _wrapped(getattr(ufunc, method)(*plain, **options))
+    getattr(ufunc, method)(*plain, **{**options, "out": tuple(_plain(each) for each in out)})
+    return out[0] if len(out) == 1 else out
+
+
+class TracedArray(numpy.ndarray):  # type: ignore[type-arg]
+    """An array of traced numbers."""
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        return apply(ufunc, method, inputs, options)

@@ -1,8 +1,8 @@
 // Matrices as arrays of blocks of four by four numbers, and their columns as four doubles side by side.
 //
 // A function that works on lanes is written once, always inlined, and compiled twice, plain and for AVX2
-// (pack.hpp). Here lanes are read where matrices have them, in memory, and never cross a function boundary by
-// value.
+// (machine.hpp). Here lanes are read where matrices have them, in memory, and never cross a function boundary
+// by value.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <new>
 #include <utility>
 
-#include "actio/fast_body/pack.hpp"
+#include "actio/fast_body/machine.hpp"
 
 namespace actio::bodies::detail {
 

@@ -147,10 +147,6 @@ Twist<S> smallest_root(Equation const& equation, S const& r) {
   return {kappa, 60, false};
 }
 
-/// Of the equation of the fourth degree as it stands.
-template <Real S>
-Twist<S> solve_twist(Three<S> const& j, S const& r) { return smallest_root<S>(TwistEquation<S>(j, r), r); }
-
 /// The parameters of a step of the Moser-Veselov scheme; `found` tells whether there is one. A step back in
 /// time is one with all signs changed.
 template <Real S>

@@ -15,10 +15,9 @@
 namespace actio::bodies {
 
 /// \f$R^Tn\f$: a vector of space in the frame of a body with the attitude q.
-template <class T>
-[[gnu::always_inline]] inline Three<T> seen_from(Four<T> const& q, Three<T> const& n) {
-  Three<T> const d{n[0] + n[0], n[1] + n[1], n[2] + n[2]};
-  Three<T> const t{q[2] * d[2] - q[3] * d[1], q[3] * d[0] - q[1] * d[2], q[1] * d[1] - q[2] * d[0]};
+[[gnu::always_inline]] inline Three<double> seen_from(Four<double> const& q, Three<double> const& n) {
+  Three<double> const d{n[0] + n[0], n[1] + n[1], n[2] + n[2]};
+  Three<double> const t{q[2] * d[2] - q[3] * d[1], q[3] * d[0] - q[1] * d[2], q[1] * d[1] - q[2] * d[0]};
   return {(n[0] - q[0] * t[0]) + (q[2] * t[2] - q[3] * t[1]),
           (n[1] - q[0] * t[1]) + (q[3] * t[0] - q[1] * t[2]),
           (n[2] - q[0] * t[2]) + (q[1] * t[1] - q[2] * t[0])};
@@ -47,22 +46,16 @@ class GravityGradient {
   /// The torque on the body, in its own axes, energy. In time too where the direction moves.
   /// @param q  unit quaternion, body to space
   [[gnu::always_inline]] Three<double> operator()(Four<double> const& q, double time) const {
-    return of_direction(coefficients(), q, direction(time));
-  }
-  /// The same with everything at hand.
-  template <class T>
-  [[gnu::always_inline]] static Three<T> of_direction(Three<T> const& coefficients, Four<T> const& q,
-                                                      Three<T> const& direction) {
     // [gravity_gradient]
-    Three<T> const n = seen_from(q, direction);
-    return {coefficients[0] * (n[1] * n[2]), coefficients[1] * (n[2] * n[0]),
-            coefficients[2] * (n[0] * n[1])};
+    Three<double> const c = coefficients();
+    Three<double> const n = seen_from(q, direction(time));
+    return {c[0] * (n[1] * n[2]), c[1] * (n[2] * n[0]), c[2] * (n[0] * n[1])};
     // [gravity_gradient]
   }
   /// V, energy.
   double potential(Element<SU2, double> const& attitude, double time = 0) const {
     auto const& q = attitude.value;
-    Three<double> const n = seen_from<double>({q[0], q[1], q[2], q[3]}, direction(time));
+    Three<double> const n = seen_from({q[0], q[1], q[2], q[3]}, direction(time));
     return strength / 2 * (moments[0] * n[0] * n[0] + moments[1] * n[1] * n[1] + moments[2] * n[2] * n[2]);
   }
   /// The same torque in the axes in which the body is moved.

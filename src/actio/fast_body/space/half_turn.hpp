@@ -24,7 +24,7 @@
 
 namespace actio::bodies {
 
-/// Three numbers of any kind: double, many digits, or the lanes of a SIMD register.
+/// Three numbers of any kind: double or of many digits.
 template <class T>
 using Three = std::array<T, 3>;
 /// A quaternion, scalar first.
@@ -100,7 +100,7 @@ template <class T>
 ///
 /// Off the orbit that the numbers belong to, rounding is propagated and not magnified, while steps are short.
 /// Long ones, where a \f$|\delta_i|\f$ exceeds 1, may magnify it in each step: many of them in a row are
-/// taken by `FreeSteps` and `BodyBatch`, which project back onto the orbit.
+/// taken by `FreeSteps`, which projects back onto the orbit.
 template <class T>
 class HalfTurn {
  public:

@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "actio/fast_body/machine.hpp"
 #include "actio/fast_body/space/gravity_gradient.hpp"
 #include "actio/fast_body/space/short_step.hpp"
 #include "actio/fast_body/space/splitting.hpp"
@@ -64,9 +65,8 @@ class TorquedFrame {
 };
 
 /// The same inverse moments, times c.
-template <class T>
-[[gnu::always_inline]] inline InverseMoments<T> scaled(InverseMoments<T> const& body, T const& c) {
-  InverseMoments<T> part;
+inline InverseMoments<double> scaled(InverseMoments<double> const& body, double c) {
+  InverseMoments<double> part;
   part.J = {body.J[0] * c, body.J[1] * c, body.J[2] * c};
   part.d12 = body.d12 * c, part.d23 = body.d23 * c, part.d13 = body.d13 * c;
   return part;
@@ -96,20 +96,19 @@ template <class T>
                                                  TorquedState const& state, int& terms) {
   if (terms == 5) {
     TorquedState next = state;
-    if (all_within<5>(short_step(StepTable<5, double>::get(), part, next.p, next.q))) [[likely]]
+    if (all_within<5>(short_step(StepTable<5>::get(), part, next.p, next.q))) [[likely]]
       return next;
   }
   TorquedState next = state;
-  auto const reach = short_step(StepTable<8, double>::get(), part, next.p, next.q);
+  auto const reach = short_step(StepTable<8>::get(), part, next.p, next.q);
   terms = reach.turn <= short_reach<5> / 2 && reach.twist <= short_twist<5> / 2 ? 5 : 8;
   if (all_within<8>(reach)) return next;
   return long_step(body, c, state);
 }
 
 /// \f$|q|\to1\f$ without a root, for it is nearly so.
-template <class T>
-[[gnu::always_inline]] inline void tidy(Four<T>& q) {
-  T const shorter = 1.5 - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+[[gnu::always_inline]] inline void tidy(Four<double>& q) {
+  double const shorter = 1.5 - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   for (int i = 0; i < 4; ++i) q[i] = q[i] * shorter;
 }
 
@@ -200,12 +199,11 @@ class TorquedBody {
   ///         the quaternion is not near unit length
   TorquedBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum,
               Element<SU2, double> const& attitude, Torque const& torque, double h,
-              Splitting method = strang_splitting(), double start = 0, Machine machine = best_machine())
+              Splitting method = strang_splitting(), double start = 0)
       : frame_(inertia, h),
         torque_(detail::in_axes_of(frame_.axes(), torque)),
         method_(std::move(method)),
         start_(start),
-        machine_(machine),
         state_(frame_.enter(momentum, attitude)) {
     if (!is_finite(start)) throw NotFinite("torqued body: time at the start");
     if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
@@ -229,7 +227,7 @@ class TorquedBody {
     };
     detail::TorquedSteps<decltype(shifted)> steps{frame_.body(), parts_, method_, shifted, frame_.step(),
                                                   frame_.kick(), steps_, count,   state_,  terms_};
-    run_on(machine_, steps);
+    run_on_best_machine(steps);
     if (!std::isfinite(dot(steps.state.p, steps.state.p))) throw NotFinite("torqued body: torque");
     state_ = steps.state, terms_ = steps.terms, steps_ += count;
   }
@@ -256,7 +254,6 @@ class TorquedBody {
   TorqueInAxes torque_;
   Splitting method_;
   double start_;
-  Machine machine_;
   detail::TorquedState state_;
   std::vector<InverseMoments<double>> parts_;
   int terms_ = 5;

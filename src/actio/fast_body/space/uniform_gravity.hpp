@@ -42,7 +42,7 @@ class UniformGravity {
   /// V, energy; zero with the centre of mass as high as the fixed point.
   double potential(Element<SU2, double> const& attitude) const {
     auto const& q = attitude.value;
-    return -dot(lever, seen_from<double>({q[0], q[1], q[2], q[3]}, towards));
+    return -dot(lever, seen_from({q[0], q[1], q[2], q[3]}, towards));
   }
   /// The same torque in the axes in which the body is moved.
   UniformGravity in(MiddleAxisFrame const& frame) const {

@@ -1,4 +1,4 @@
-#include "actio/fast_body/pack.hpp"
+#include "actio/fast_body/machine.hpp"
 
 namespace actio::bodies {
 
