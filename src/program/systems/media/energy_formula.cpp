@@ -81,6 +81,15 @@ double rounding(AtRest const& body) { return 1e-10 * body.size; }
 
 }  // namespace
 
+/// \cond
+std::vector<MaterialConstant> EnergyFormula::said() {
+  return {
+      {"energy", "w, a text; with it, the name may be left out", 0,
+       "\"mu/2*(I1 - 2 - 2*log(J)) + kappa/2*(J - 1)^2\"", "energy/volume"},
+      {"constants", "a table of the numbers that the formula has by names", 0, "{ mu = 1, kappa = 2 }", "1"}};
+}
+/// \endcond
+
 EnergyFormula EnergyFormula::read(SceneTable const& table, int d) {
   table.allow({"name", "energy", "constants"});
   auto const names = inputs(d);

@@ -21,18 +21,12 @@ struct EnergyFormula {
       "space I2 = ((tr C)^2 - tr C^2)/2, and the components C11, C12, ... of C. Of d dimensions I1 = d at "
       "rest. Bulk and shear modulus at rest are positive.";
   static constexpr char const* formula = "\\rho W = w(I_1, I_2, J, C_{ij})";
-  static std::vector<MaterialConstant> said() {
-    return {{"energy", "w, a text; with energy, the name may be left out", 0,
-             "\"mu/2*(I1 - 2 - 2*log(J)) + kappa/2*(J - 1)^2\"", "energy/volume"},
-            {"constants", "a table of the numbers that the formula has by names", 0, "{ mu = 1, kappa = 2 }",
-             "1"}};
-  }
+  static std::vector<MaterialConstant> said();
   auto stored() const { return media::per_volume(*this); }
   /// \endcond
 
   /// The formula at `energy`, with the constants.
-  /// @throws SceneError  where it is none, is not smooth, or has a name that is not known; where a constant is
-  ///   not used
+  /// @throws SceneError  where it is none or not smooth, has an unknown name, or leaves a constant unused
   static EnergyFormula read(SceneTable const& table, int d);
   /// That the second derivatives at C = 1 have a positive bulk modulus and positive shear moduli.
   /// @throws SceneError  where they have not, with the modulus
