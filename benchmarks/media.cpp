@@ -5,7 +5,7 @@
 // that reads and writes each number once, as one step of a medium does that is larger than the caches. A pass
 // of the fast road makes several steps, so that it may come below the second. Times are those of a clock on
 // the wall, since two threads are no cheaper than one by processor time.
-#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
 #include "media_cost.hpp"
 
 using namespace actio;

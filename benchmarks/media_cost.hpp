@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "actio/multisymplectic/fast_medium.hpp"
+#include "actio/fast_media/fast_medium.hpp"
 #include "benchmark.hpp"
 #include "peers/gathered_medium.hpp"
 #include "timing.hpp"

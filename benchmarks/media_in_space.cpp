@@ -1,7 +1,7 @@
 // What a step of a medium in space costs, with eight corners a cell: nanoseconds for a cell, on one thread
 // and on two, beside a plain loop of the same scheme in matrices of Eigen, in the same rounds. The plane is
 // measured by media.cpp.
-#include "actio/multisymplectic/fast_medium_3d.hpp"
+#include "actio/fast_media/fast_medium_3d.hpp"
 #include "media_cost.hpp"
 
 using namespace actio;

@@ -9,9 +9,9 @@
 
 #include <random>
 
-#include "actio/vorticity/blas_products.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
+#include "actio/skew_matrices/blas_products.hpp"
 #include "actio/vorticity/fast_vorticity_step.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
 #include "benchmark.hpp"
 #include "peers/fixed_point_midpoint.hpp"
 #include "timing.hpp"

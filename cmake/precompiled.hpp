@@ -15,4 +15,4 @@
 #include <utility>
 #include <vector>
 
-#include "actio/numbers/compiled_doubles.hpp"
+#include "actio/linear_algebra/compiled_doubles.hpp"

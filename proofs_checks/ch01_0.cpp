@@ -7,7 +7,7 @@
 #include "actio/rigid_body/isospectral.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/variational/lie_poisson.hpp"
-#include "generalized_bodies.hpp"
+#include "models/generalized_bodies.hpp"
 #include "statement.hpp"
 
 using namespace actio;

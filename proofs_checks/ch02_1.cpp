@@ -7,8 +7,8 @@
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/lagrange_forms.hpp"
 
-#include "charts.hpp"
-#include "exact_motions.hpp"
+#include "models/charts.hpp"
+#include "models/exact_motions.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -8,10 +8,10 @@
 #include "actio/variational/lagrange_forms.hpp"
 #include "actio/variational/momentum_map.hpp"
 
-#include "charts.hpp"
-#include "exact_motions.hpp"
+#include "models/charts.hpp"
+#include "models/exact_motions.hpp"
+#include "models/top_in_any_group.hpp"
 #include "statement.hpp"
-#include "top_in_any_group.hpp"
 
 using namespace actio;
 using namespace actio::checks;

@@ -8,7 +8,7 @@
 #include "actio/variational/hamilton.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "charts.hpp"
+#include "models/charts.hpp"
 #include "statement.hpp"
 
 using namespace actio;

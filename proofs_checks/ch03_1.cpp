@@ -1,6 +1,6 @@
 // Section 3.1, the discrete action, its differential and the equations that come out of it.
 
-#include "pairs.hpp"
+#include "models/pairs.hpp"
 #include "statement.hpp"
 
 using namespace actio;

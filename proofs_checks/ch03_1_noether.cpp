@@ -2,7 +2,7 @@
 
 #include "actio/variational/momentum_map.hpp"
 
-#include "pairs.hpp"
+#include "models/pairs.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -2,8 +2,8 @@
 
 #include "actio/variational/legendre.hpp"
 
-#include "enclosures.hpp"
-#include "pairs.hpp"
+#include "models/enclosures.hpp"
+#include "models/pairs.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -3,7 +3,7 @@
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/relative_motion.hpp"
 
-#include "sequences.hpp"
+#include "models/sequences.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -5,8 +5,8 @@
 #include "actio/reduction/discrete_poisson.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "enclosures.hpp"
-#include "sequences.hpp"
+#include "models/enclosures.hpp"
+#include "models/sequences.hpp"
 #include "statement.hpp"
 
 using namespace actio;

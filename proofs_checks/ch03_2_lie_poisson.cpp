@@ -1,14 +1,14 @@
 // Section 3.2, third part: body and spatial momenta in time and in steps, the coadjoint action, the
 // discrete Lie-Poisson algorithm.
 
-#include "actio/numbers/rank.hpp"
+#include "actio/linear_algebra/rank.hpp"
 #include "actio/reduction/discrete_forms.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "sequences.hpp"
+#include "models/sequences.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -7,11 +7,11 @@
 #include "actio/variational/action.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "chart_models.hpp"
-#include "limits.hpp"
-#include "sequences.hpp"
+#include "models/chart_models.hpp"
+#include "models/limits.hpp"
+#include "models/sequences.hpp"
+#include "models/top_in_any_group.hpp"
 #include "statement.hpp"
-#include "top_in_any_group.hpp"
 
 using namespace actio;
 using namespace actio::checks;

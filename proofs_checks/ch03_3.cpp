@@ -6,7 +6,7 @@
 
 #include "actio/variational/euler_poincare.hpp"
 
-#include "chart_models.hpp"
+#include "models/chart_models.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -5,11 +5,11 @@
 #include "actio/reduction/algebra_euler_poincare.hpp"
 #include "actio/variational/euler_poincare.hpp"
 
-#include "chart_models.hpp"
-#include "enclosures.hpp"
-#include "limits.hpp"
+#include "models/chart_models.hpp"
+#include "models/enclosures.hpp"
+#include "models/limits.hpp"
+#include "models/top_in_any_group.hpp"
 #include "statement.hpp"
-#include "top_in_any_group.hpp"
 
 using namespace actio;
 using namespace actio::checks;

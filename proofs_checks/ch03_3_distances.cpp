@@ -2,8 +2,8 @@
 
 #include "actio/variational/euler_poincare.hpp"
 
-#include "chart_models.hpp"
-#include "enclosures.hpp"
+#include "models/chart_models.hpp"
+#include "models/enclosures.hpp"
 #include "statement.hpp"
 
 using namespace actio;

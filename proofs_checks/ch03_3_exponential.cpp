@@ -1,9 +1,9 @@
 // Section 3.3: the exponential map is a chart near the identity, and where there are infinitely many
 // dimensions it need not be.
-#include "actio/numbers/determinant.hpp"
+#include "actio/linear_algebra/determinant.hpp"
 
-#include "chart_models.hpp"
-#include "enclosures.hpp"
+#include "models/chart_models.hpp"
+#include "models/enclosures.hpp"
 #include "statement.hpp"
 
 using namespace actio;

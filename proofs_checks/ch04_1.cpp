@@ -7,8 +7,8 @@
 #include "actio/reduction/discrete_euler_poincare.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "groupoids.hpp"
-#include "sequences.hpp"
+#include "models/groupoids.hpp"
+#include "models/sequences.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -8,11 +8,11 @@
 #include "actio/reduction/natural_chart.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "exact_motions.hpp"
-#include "limits.hpp"
-#include "sequences.hpp"
+#include "models/exact_motions.hpp"
+#include "models/limits.hpp"
+#include "models/sequences.hpp"
+#include "models/top_in_any_group.hpp"
 #include "statement.hpp"
-#include "top_in_any_group.hpp"
 
 using namespace actio;
 using namespace actio::checks;

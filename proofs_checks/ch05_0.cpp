@@ -2,7 +2,7 @@
 //
 // The witness is a body of point masses, described without Lambda.
 #include "actio/rigid_body/inertia.hpp"
-#include "bodies.hpp"
+#include "models/bodies.hpp"
 #include "statement.hpp"
 
 using namespace actio;

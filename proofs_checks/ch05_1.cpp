@@ -6,8 +6,8 @@
 // four and five dimensions.
 #include "actio/reduction/algebra_euler_poincare.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
-#include "bodies.hpp"
-#include "chart_update.hpp"
+#include "models/bodies.hpp"
+#include "models/chart_update.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -2,8 +2,8 @@
 
 #include "actio/rigid_body/moser_veselov.hpp"
 
-#include "bodies.hpp"
-#include "charts.hpp"
+#include "models/bodies.hpp"
+#include "models/charts.hpp"
 #include "statement.hpp"
 
 using namespace actio;

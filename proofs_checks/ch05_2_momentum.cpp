@@ -10,9 +10,9 @@
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 
-#include "bodies.hpp"
-#include "charts.hpp"
-#include "moser_veselov_runs.hpp"
+#include "models/bodies.hpp"
+#include "models/charts.hpp"
+#include "models/moser_veselov_runs.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -10,8 +10,8 @@
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/multiplier.hpp"
 
-#include "bodies.hpp"
-#include "moser_veselov_runs.hpp"
+#include "models/bodies.hpp"
+#include "models/moser_veselov_runs.hpp"
 #include "statement.hpp"
 
 using namespace actio;

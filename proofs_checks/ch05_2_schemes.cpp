@@ -1,15 +1,15 @@
 // The schemes of chapter 5 as algorithms: which equation has which roots, what the motions approach, what
 // they keep down to rounding, and over many steps.
 
-#include "actio/numbers/determinant.hpp"
+#include "actio/linear_algebra/determinant.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/rigid_body/casimirs.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "bodies.hpp"
-#include "chart_update.hpp"
-#include "enclosures.hpp"
-#include "moser_veselov_runs.hpp"
+#include "models/bodies.hpp"
+#include "models/chart_update.hpp"
+#include "models/enclosures.hpp"
+#include "models/moser_veselov_runs.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -9,9 +9,9 @@
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
-#include "body_flow.hpp"
-#include "enclosures.hpp"
-#include "generalized_bodies.hpp"
+#include "models/body_flow.hpp"
+#include "models/enclosures.hpp"
+#include "models/generalized_bodies.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -1,13 +1,13 @@
 // Section 6.1: the jet bundle, the dual jet bundle and their forms.
 
-#include "bundle_maps.hpp"
-#include "enclosures.hpp"
-#include "fields.hpp"
+#include "fields/bundle_maps.hpp"
+#include "fields/fields.hpp"
+#include "fields/variations.hpp"
+#include "models/enclosures.hpp"
 #include "statement.hpp"
-#include "variations.hpp"
 
 #include "actio/jets/field_equations.hpp"
-#include "actio/numbers/rank.hpp"
+#include "actio/linear_algebra/rank.hpp"
 
 using namespace actio;
 using namespace actio::checks;

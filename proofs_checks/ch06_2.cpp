@@ -1,11 +1,11 @@
 // Section 6.2: the density of a continuous medium, its Legendre transformation, its energy and its Cartan
 // form.
 
-#include "fields.hpp"
-#include "medium_at_a_jet.hpp"
-#include "off_shell.hpp"
+#include "fields/fields.hpp"
+#include "fields/medium_at_a_jet.hpp"
+#include "fields/off_shell.hpp"
+#include "fields/variations.hpp"
 #include "statement.hpp"
-#include "variations.hpp"
 
 using namespace actio;
 using namespace actio::checks;

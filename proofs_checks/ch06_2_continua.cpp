@@ -2,8 +2,8 @@
 // identity; stresses, fluids and solids. The second source of the section: a compiler wants 2 GB for all of
 // it.
 
-#include "fields.hpp"
-#include "media.hpp"
+#include "fields/fields.hpp"
+#include "fields/media.hpp"
 #include "statement.hpp"
 
 using namespace actio;

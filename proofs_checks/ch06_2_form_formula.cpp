@@ -3,11 +3,11 @@
 //
 // In a unit of its own, which is as large as a unit may be.
 
-#include "bundle_maps.hpp"
-#include "fields.hpp"
-#include "off_shell.hpp"
+#include "fields/bundle_maps.hpp"
+#include "fields/fields.hpp"
+#include "fields/off_shell.hpp"
+#include "fields/variations.hpp"
 #include "statement.hpp"
-#include "variations.hpp"
 
 using namespace actio;
 using namespace actio::checks;

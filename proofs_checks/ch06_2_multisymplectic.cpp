@@ -1,11 +1,11 @@
 // Section 6.2: where the first jet bundle with the form of a density is a multisymplectic manifold.
 #include "actio/continuum/stresses.hpp"
-#include "actio/numbers/determinant.hpp"
-#include "actio/numbers/rank.hpp"
+#include "actio/linear_algebra/determinant.hpp"
+#include "actio/linear_algebra/rank.hpp"
 
-#include "off_shell.hpp"
+#include "fields/off_shell.hpp"
+#include "fields/variations.hpp"
 #include "statement.hpp"
-#include "variations.hpp"
 
 using namespace actio;
 using namespace actio::checks;

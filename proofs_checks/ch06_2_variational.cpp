@@ -3,10 +3,10 @@
 //
 // In a unit of its own, which is as large as a unit may be.
 
-#include "fields.hpp"
-#include "off_shell.hpp"
+#include "fields/fields.hpp"
+#include "fields/off_shell.hpp"
+#include "fields/variations.hpp"
 #include "statement.hpp"
-#include "variations.hpp"
 
 using namespace actio;
 using namespace actio::checks;

@@ -2,7 +2,7 @@
 #include "statement.hpp"
 
 #include "actio/constraints/multiplier_theorem.hpp"
-#include "velocity_constraints.hpp"
+#include "fields/velocity_constraints.hpp"
 
 namespace {
 

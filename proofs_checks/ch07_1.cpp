@@ -2,7 +2,7 @@
 #include "statement.hpp"
 
 #include "actio/constraints/multiplier_theorem.hpp"
-#include "constrained_models.hpp"
+#include "fields/constrained_models.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 // In a unit of its own, which is as large as a unit may be.
 #include "actio/constraints/augmented.hpp"
 #include "actio/jets/action.hpp"
-#include "constrained_models.hpp"
-#include "incompressible_models.hpp"
+#include "fields/constrained_models.hpp"
+#include "fields/incompressible_models.hpp"
 #include "statement.hpp"
 
 namespace {

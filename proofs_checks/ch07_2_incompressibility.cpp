@@ -2,8 +2,8 @@
 // derivative reaches.
 #include <map>
 
-#include "constrained_models.hpp"
-#include "incompressible_models.hpp"
+#include "fields/constrained_models.hpp"
+#include "fields/incompressible_models.hpp"
 #include "statement.hpp"
 
 namespace {

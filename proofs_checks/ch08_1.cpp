@@ -1,7 +1,7 @@
 // Section 8.1: the extended bundle, its canonical forms, the constraint and its multiplier.
 #include <bit>
 
-#include "incompressible_models.hpp"
+#include "fields/incompressible_models.hpp"
 
 #include "actio/jets/cartan.hpp"
 #include "statement.hpp"

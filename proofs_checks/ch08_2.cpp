@@ -1,9 +1,9 @@
 // Section 8.2: the density of an incompressible medium, its momenta and what its Legendre transformation
 // loses.
 
-#include "actio/numbers/rank.hpp"
+#include "actio/linear_algebra/rank.hpp"
 
-#include "incompressible_models.hpp"
+#include "fields/incompressible_models.hpp"
 #include "statement.hpp"
 
 using namespace actio;

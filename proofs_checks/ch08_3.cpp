@@ -1,6 +1,6 @@
 // Section 8.3: the ideal incompressible fluid on the body, and its two pressures.
 
-#include "incompressible_models.hpp"
+#include "fields/incompressible_models.hpp"
 #include "statement.hpp"
 
 using namespace actio;

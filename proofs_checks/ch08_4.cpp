@@ -1,5 +1,5 @@
 // Section 8.4: incompressible elastic solids.
-#include "incompressible_models.hpp"
+#include "fields/incompressible_models.hpp"
 
 #include "statement.hpp"
 

@@ -1,13 +1,13 @@
 // Chapter 9, introduction: relabelling of inhomogeneous fluids, isometries of space, translation of time.
-#include "fields.hpp"
+#include "fields/fields.hpp"
 
 #include "actio/groups/rotations.hpp"
+#include "actio/linear_algebra/rank.hpp"
 #include "actio/noether/isometries.hpp"
 #include "actio/noether/time_translation.hpp"
-#include "actio/numbers/rank.hpp"
+#include "fields/stored_energies.hpp"
+#include "fields/symmetries.hpp"
 #include "statement.hpp"
-#include "stored_energies.hpp"
-#include "symmetries.hpp"
 
 namespace {
 

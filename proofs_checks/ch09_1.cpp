@@ -1,8 +1,8 @@
 // Section 9.1: the relabelling action, its prolongations, and which densities are equivariant.
 
-#include "fields.hpp"
+#include "fields/fields.hpp"
+#include "fields/symmetries.hpp"
 #include "statement.hpp"
-#include "symmetries.hpp"
 
 #include "actio/jets/tilted_section.hpp"
 

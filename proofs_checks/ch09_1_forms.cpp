@@ -6,9 +6,9 @@
 #include "actio/noether/isometries.hpp"
 #include "actio/noether/time_translation.hpp"
 
+#include "fields/symmetries.hpp"
+#include "fields/variations.hpp"
 #include "statement.hpp"
-#include "symmetries.hpp"
-#include "variations.hpp"
 
 using namespace actio;
 using namespace actio::checks;

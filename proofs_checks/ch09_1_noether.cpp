@@ -3,13 +3,13 @@
 // In a unit of its own, which is as large as a unit may be.
 
 #include "actio/jets/first_variation.hpp"
+#include "actio/linear_algebra/rank.hpp"
 #include "actio/noether/isometries.hpp"
 #include "actio/noether/time_translation.hpp"
-#include "actio/numbers/rank.hpp"
 
+#include "fields/symmetries.hpp"
+#include "fields/variations.hpp"
 #include "statement.hpp"
-#include "symmetries.hpp"
-#include "variations.hpp"
 
 using namespace actio;
 using namespace actio::checks;

@@ -1,11 +1,11 @@
 // Section 9.2: translations of time and the continuity of energy.
-#include "fields.hpp"
+#include "fields/fields.hpp"
 
 #include "actio/continuum/stresses.hpp"
 #include "actio/noether/time_translation.hpp"
+#include "fields/stored_energies.hpp"
+#include "fields/symmetries.hpp"
 #include "statement.hpp"
-#include "stored_energies.hpp"
-#include "symmetries.hpp"
 
 namespace {
 

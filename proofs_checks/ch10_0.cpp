@@ -1,5 +1,5 @@
 // Chapter 10: what Part II says of other models. Rods and shells with directors.
-#include "fields.hpp"
+#include "fields/fields.hpp"
 
 #include "actio/constraints/constrained_equations.hpp"
 #include "actio/constraints/directors.hpp"

@@ -1,7 +1,7 @@
 // Chapter 10: the restricted principle of Hamilton where constraints contain velocities.
 #include "statement.hpp"
 
-#include "velocity_constraints.hpp"
+#include "fields/velocity_constraints.hpp"
 
 namespace {
 

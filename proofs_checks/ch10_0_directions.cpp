@@ -1,9 +1,9 @@
 // Chapter 10: what the multisymplectic form formula says of a variation along space-time.
 #include "actio/continuum/stresses.hpp"
 
-#include "off_shell.hpp"
+#include "fields/off_shell.hpp"
+#include "fields/variations.hpp"
 #include "statement.hpp"
-#include "variations.hpp"
 
 using namespace actio;
 using namespace actio::checks;

@@ -1,7 +1,7 @@
 // Chapter 10: discretization of fields in space and time by the variational principle, on the meshes,
 // discrete jets and discrete Cartan forms of the library.
 #include "actio/jets/field_equations.hpp"
-#include "discrete_fields.hpp"
+#include "fields/discrete_fields.hpp"
 #include "statement.hpp"
 
 using namespace actio;

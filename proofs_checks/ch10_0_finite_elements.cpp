@@ -1,8 +1,8 @@
 // Chapter 10: the multisymplectic form formula in elasticity, and finite elements in space and time.
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/first_variation.hpp"
+#include "fields/stored_energies.hpp"
 #include "statement.hpp"
-#include "stored_energies.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Chapter 10: field theories of second order, and the averaged Euler equations as one of them.
 //
 // In a unit of its own, which is as large as a unit may be.
-#include "bundle_maps.hpp"
-#include "fields.hpp"
-#include "second_order_theory.hpp"
+#include "fields/bundle_maps.hpp"
+#include "fields/fields.hpp"
+#include "fields/second_order_theory.hpp"
 #include "statement.hpp"
 
 namespace {

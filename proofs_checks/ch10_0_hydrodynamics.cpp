@@ -8,8 +8,8 @@
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 
-#include "models.hpp"
-#include "node_fluid.hpp"
+#include "fields/node_fluid.hpp"
+#include "models/models.hpp"
 #include "statement.hpp"
 
 using namespace actio;

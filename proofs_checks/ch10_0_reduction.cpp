@@ -1,10 +1,10 @@
 // Chapter 10: reduction of pairs of a configuration space that is larger than its symmetry group.
-#include "actio/numbers/rank.hpp"
+#include "actio/linear_algebra/rank.hpp"
 #include "actio/reduction/discrete_poisson.hpp"
 #include "actio/variational/lie_poisson.hpp"
 #include "actio/variational/momentum_map.hpp"
 
-#include "pairs.hpp"
+#include "models/pairs.hpp"
 #include "statement.hpp"
 
 using namespace actio;

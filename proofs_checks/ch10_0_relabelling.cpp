@@ -2,8 +2,8 @@
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/incompressible/bracket_of_fields.hpp"
 
-#include "box_fields.hpp"
-#include "incompressible_models.hpp"
+#include "fields/box_fields.hpp"
+#include "fields/incompressible_models.hpp"
 #include "statement.hpp"
 
 using namespace actio;

@@ -3,7 +3,7 @@
 // In the plane, with velocity u = (psi_y, -psi_x) and vorticity curl u. Kernels are given without the factor
 // 1/(2 pi), which goes into the strengths.
 
-#include "box_fields.hpp"
+#include "fields/box_fields.hpp"
 #include "statement.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 // rounding.
 #pragma once
 
-#include "actio/vorticity/laplacian.hpp"
+#include "actio/quantized_sphere/laplacian.hpp"
 
 extern "C" void zgemm_(char const* a_transposed, char const* b_transposed, int const* m, int const* n,
                        int const* k, void const* alpha, void const* a, int const* lda, void const* b,

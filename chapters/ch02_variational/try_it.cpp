@@ -1,15 +1,15 @@
 // Lines to try of chapter 2.
-#include "book/try_it.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/rotations.hpp"
+#include "actio/linear_algebra/rank.hpp"
 #include "actio/numbers/print.hpp"
-#include "actio/numbers/rank.hpp"
 #include "actio/variational/action.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/euler_poincare.hpp"
 #include "actio/variational/lie_poisson.hpp"
 #include "actio/variational/momentum_map.hpp"
+#include "book/try_it.hpp"
 #include "running_examples.hpp"
 using namespace actio;
 using Vector1 = actio::Vector<double, 1>;

@@ -10,7 +10,7 @@
 
 #include "actio/constraints/constrained_equations.hpp"
 #include "actio/constraints/inextensible.hpp"
-#include "actio/numbers/linear.hpp"
+#include "actio/linear_algebra/linear.hpp"
 #include "strings.hpp"
 
 // The largest of what the constrained field equations leave, over the largest force that they balance: rho

@@ -10,7 +10,7 @@
 #include <array>
 #include <numbers>
 
-#include "actio/multisymplectic/body_shapes.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
 #include "ch06_continuum/gas_ellipse.hpp"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "actio/vorticity/products.hpp"
+#include "actio/skew_matrices/products.hpp"
 
 struct CountingProducts : actio::sphere::ProductsBy<CountingProducts> {
   mutable double complex_products = 0;

@@ -12,8 +12,8 @@
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Core>
 
+#include "actio/quantized_sphere/sphere_invariants.hpp"
 #include "actio/vorticity/fast_vorticity_step.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "actio/vorticity/matrix_harmonics.hpp"
+#include "actio/quantized_sphere/matrix_harmonics.hpp"
 
 // Its vorticity: of the degrees `first` to `last` the parts of every harmonic are drawn from the normal
 // distribution of variance 1; the others are zero.

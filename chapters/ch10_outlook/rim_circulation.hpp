@@ -1,7 +1,7 @@
 // The circulation of the velocity along the rim of a body in the plane that is star-shaped about the origin.
 #pragma once
 
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
 
 // Along the edges of all sides, counter-clockwise, by the mean of the velocities at both ends: exact where
 // the velocity is linear.

@@ -11,8 +11,8 @@
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Core>
 
-#include "actio/vorticity/sphere_invariants.hpp"
-#include "actio/vorticity/sphere_transform.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
+#include "actio/sphere_fields/sphere_transform.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

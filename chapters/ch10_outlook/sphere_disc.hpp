@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "actio/vorticity/sphere_grid.hpp"
+#include "actio/sphere_fields/sphere_grid.hpp"
 #include "book/svg.hpp"
 
 namespace book {

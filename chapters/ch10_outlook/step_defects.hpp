@@ -10,8 +10,8 @@
 #include <functional>
 #include <vector>
 
-#include "actio/vorticity/matrix_harmonics.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/quantized_sphere/matrix_harmonics.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
 
 namespace step_defects {
 

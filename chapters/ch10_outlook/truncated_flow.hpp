@@ -2,7 +2,7 @@
 // a degree are kept.
 #pragma once
 
-#include "actio/vorticity/sphere_flow.hpp"
+#include "actio/sphere_fields/sphere_flow.hpp"
 
 // Steps of the truncated equations. Products are made on a grid that integrates them exactly.
 class TruncatedFlow {

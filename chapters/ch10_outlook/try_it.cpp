@@ -4,10 +4,10 @@
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Core>
 
+#include "actio/fast_media/fast_medium_2d.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "actio/multisymplectic/asynchronous_steps.hpp"
-#include "actio/multisymplectic/body_shapes.hpp"
 #include "actio/multisymplectic/discrete_noether.hpp"
-#include "actio/multisymplectic/fast_medium_2d.hpp"
 #include "actio/multisymplectic/step_field_equations.hpp"
 #include "actio/numbers/print.hpp"
 #include "book/try_it.hpp"
@@ -81,7 +81,7 @@ TRY_IT(asynchronous) {
   print("energy, relative", run.energy(100) / energy - 1);
 }
 
-#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 using namespace actio::sphere;
 

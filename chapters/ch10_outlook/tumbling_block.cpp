@@ -9,7 +9,7 @@
 // Compiled at -O2: it takes many steps.
 #include <numbers>
 
-#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
 

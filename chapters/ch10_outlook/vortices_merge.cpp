@@ -8,9 +8,9 @@
 //   W   vorticity as a matrix, of angular momentum zero       l   degree of a harmonic
 //
 // Compiled at -O2: it takes many steps.
-#include "actio/vorticity/sphere_invariants.hpp"
-#include "actio/vorticity/sphere_transform.hpp"
-#include "actio/vorticity/symbols.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
+#include "actio/sphere_fields/sphere_transform.hpp"
+#include "actio/sphere_fields/symbols.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"

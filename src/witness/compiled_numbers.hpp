@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "actio/linear_algebra/linear.hpp"
 #include "actio/numbers/derivative.hpp"
-#include "actio/numbers/linear.hpp"
 
 namespace actio {
 

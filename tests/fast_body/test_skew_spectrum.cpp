@@ -6,7 +6,7 @@
 
 #include "actio/fast_body/any_dimension/matrix_algebra.hpp"
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
 #include "refused.hpp"
 
 using namespace actio;

@@ -15,7 +15,7 @@
 
 #include "any_group.hpp"
 
-#include "actio/numbers/iex.hpp"
+#include "actio/linear_algebra/iex.hpp"
 #include "witness/draw.hpp"
 
 namespace actio::laws {

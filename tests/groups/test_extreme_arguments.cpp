@@ -6,7 +6,7 @@
 #include "actio/groups/group.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/rotations.hpp"
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
 #include "refused.hpp"
 #include "witness/reference_solution.hpp"
 

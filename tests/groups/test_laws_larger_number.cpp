@@ -1,7 +1,7 @@
 // The laws of the larger groups over the rationals and in many digits.
 //
 // In a unit of its own, which is as large as a unit may be.
-#include "actio/numbers/schur_form_in_digits.hpp"
+#include "actio/linear_algebra/schur_form_in_digits.hpp"
 #include "laws_of_more_groups.hpp"
 
 using namespace actio;

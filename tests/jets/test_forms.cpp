@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/forms/wedge.hpp"
-#include "actio/numbers/determinant.hpp"
+#include "actio/linear_algebra/determinant.hpp"
 #include "polynomial_models.hpp"
 #include "witness/number.hpp"
 

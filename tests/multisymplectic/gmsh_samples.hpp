@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/gmsh_mesh.hpp"
+#include "actio/meshes/gmsh_mesh.hpp"
 
 namespace actio::testing::gmsh {
 

@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_forces.hpp"
+#include "actio/media_on_meshes/body_forces.hpp"
 #include "witness/draw.hpp"
 
 namespace actio::testing {

@@ -1,8 +1,8 @@
 // Von Neumann and Richtmyer's viscosity of media on meshes: its ledger, its shock, what it leaves alone.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_shapes.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "refused.hpp"
 
 using namespace actio;

@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "actio/multisymplectic/body_mesh_check.hpp"
-#include "actio/multisymplectic/body_shapes.hpp"
+#include "actio/meshes/body_mesh_check.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "refused.hpp"
 
 using namespace actio;

@@ -1,7 +1,7 @@
 // Points and weights on cells: what they integrate exactly, against the integrals in closed form.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_quadrature.hpp"
+#include "actio/media_on_meshes/body_quadrature.hpp"
 
 using namespace actio;
 using namespace actio::media;

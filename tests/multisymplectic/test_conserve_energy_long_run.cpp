@@ -1,8 +1,8 @@
 // Steps that conserve energy by a discrete gradient, and steps of order 4 by composition.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_shapes.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;

@@ -3,8 +3,8 @@
 // discrete equations have a closed solution; then momenta over many steps.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_shapes.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "simple_wave.hpp"
 
 using namespace actio;

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/continuum/materials.hpp"
-#include "actio/multisymplectic/fast_medium_3d.hpp"
+#include "actio/fast_media/fast_medium_3d.hpp"
 #include "actio/multisymplectic/step_field_equations.hpp"
 #include "refused.hpp"
 

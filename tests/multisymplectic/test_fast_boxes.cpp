@@ -1,7 +1,7 @@
 // Boxes of the fast road: what sides make of the nodes there, periods, and what is no box.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/fast_box_3d.hpp"
+#include "actio/fast_media/fast_box_3d.hpp"
 #include "refused.hpp"
 
 using namespace actio;

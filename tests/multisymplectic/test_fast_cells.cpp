@@ -4,7 +4,7 @@
 #include <functional>
 #include <random>
 
-#include "actio/multisymplectic/fast_forces.hpp"
+#include "actio/fast_media/fast_forces.hpp"
 
 using namespace actio;
 using namespace actio::media;

@@ -2,7 +2,7 @@
 // and motions of which the discrete equations have a closed solution.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
 #include "simple_wave.hpp"
 
 using namespace actio;

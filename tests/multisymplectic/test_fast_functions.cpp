@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "actio/multisymplectic/fast_volume_laws.hpp"
+#include "actio/stored_energy/fast_volume_laws.hpp"
 
 using namespace actio;
 using namespace actio::media;

@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "actio/multisymplectic/fast_medium_2d.hpp"
-#include "actio/multisymplectic/fast_medium_3d.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_3d.hpp"
 
 using namespace actio;
 using namespace actio::media;

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "../../benchmarks/peers/gathered_medium.hpp"
-#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
 
 using namespace actio;
 using namespace actio::media;

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 
-#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
 #include "refused.hpp"
 
 using namespace actio;

@@ -2,7 +2,7 @@
 // is refused at which byte and line.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/gmsh_mesh.hpp"
+#include "actio/meshes/gmsh_mesh.hpp"
 
 using namespace actio;
 using namespace actio::media;

@@ -2,7 +2,7 @@
 // they are moved.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_sides.hpp"
+#include "actio/meshes/body_sides.hpp"
 #include "refused.hpp"
 
 using namespace actio;

@@ -1,8 +1,8 @@
 // Loads and sides of media on meshes: what they do to momenta, what they refuse.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_shapes.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
+#include "actio/meshes/body_shapes.hpp"
 
 using namespace actio;
 using namespace actio::media;

@@ -1,8 +1,8 @@
 // The plain road of media on meshes: held to the fast road, and what it says of itself.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/fast_medium_2d.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "plain_body.hpp"
 #include "refused.hpp"
 

@@ -2,7 +2,7 @@
 // numbers that were measured; and the largest frequency of a chain, which is known.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "refused.hpp"
 
 using namespace actio;

@@ -2,8 +2,8 @@
 // with the number that was measured and the bound.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/body_mesh_check.hpp"
-#include "actio/multisymplectic/body_shapes.hpp"
+#include "actio/meshes/body_mesh_check.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "refused.hpp"
 
 using namespace actio;

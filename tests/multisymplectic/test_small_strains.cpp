@@ -1,9 +1,9 @@
 // Stored energies and stresses of small strains against 50 digits: nothing is lost, however small they are.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/fast_medium_2d.hpp"
-#include "actio/multisymplectic/fast_medium_3d.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_3d.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
 

@@ -2,7 +2,7 @@
 // rates against derivatives of these.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/discrete_stress.hpp"
+#include "actio/media_on_meshes/discrete_stress.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
 

@@ -1,7 +1,7 @@
 // The forces of von Neumann and Richtmyer's viscosity against their formula, corner by corner.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/multisymplectic/artificial_viscosity.hpp"
+#include "actio/media_on_meshes/artificial_viscosity.hpp"
 #include "plain_body.hpp"
 #include "refused.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "actio/multisymplectic/body_mesh_check.hpp"
-#include "actio/multisymplectic/body_shapes.hpp"
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
+#include "actio/meshes/body_mesh_check.hpp"
+#include "actio/meshes/body_shapes.hpp"
 #include "plain_body.hpp"
 #include "witness/number.hpp"
 

@@ -3,11 +3,11 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
+#include "actio/linear_algebra/matrix_logarithm.hpp"
+#include "actio/linear_algebra/schur_form.hpp"
 #include "actio/numbers/gauss_quadrature.hpp"
-#include "actio/numbers/matrix_logarithm.hpp"
 #include "actio/numbers/nearest_name.hpp"
-#include "actio/numbers/schur_form.hpp"
 #include "caught.hpp"
 #include "refused.hpp"
 #include "witness/number.hpp"

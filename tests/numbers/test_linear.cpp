@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "actio/numbers/linear.hpp"
+#include "actio/linear_algebra/linear.hpp"
 
 using namespace actio;
 

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "actio/numbers/matrix.hpp"
+#include "actio/matrices/matrix.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;

@@ -4,8 +4,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "actio/matrices/matrix.hpp"
 #include "actio/numbers/errors.hpp"
-#include "actio/numbers/matrix.hpp"
 #include "actio/numbers/multiprecision.hpp"
 #include "refused.hpp"
 

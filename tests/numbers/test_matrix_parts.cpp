@@ -6,8 +6,8 @@
 
 #include <sstream>
 
+#include "actio/matrices/matrix.hpp"
 #include "actio/numbers/errors.hpp"
-#include "actio/numbers/matrix.hpp"
 
 using namespace actio;
 

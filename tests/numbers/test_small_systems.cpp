@@ -6,10 +6,10 @@
 #include <numeric>
 #include <random>
 
-#include "actio/numbers/determinant.hpp"
+#include "actio/linear_algebra/determinant.hpp"
+#include "actio/linear_algebra/rank.hpp"
 #include "actio/numbers/extrapolation.hpp"
 #include "actio/numbers/multiprecision.hpp"
-#include "actio/numbers/rank.hpp"
 #include "actio/numbers/square_root.hpp"
 #include "caught.hpp"
 #include "refused.hpp"

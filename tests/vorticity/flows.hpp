@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "actio/vorticity/laplacian.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/quantized_sphere/laplacian.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
 
 namespace actio::testing {
 

@@ -2,7 +2,7 @@
 // exchanged.
 #pragma once
 
-#include "actio/vorticity/blas_products.hpp"
+#include "actio/skew_matrices/blas_products.hpp"
 
 namespace actio::testing {
 

@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/numbers/gauss_quadrature.hpp"
-#include "actio/vorticity/resolution.hpp"
+#include "actio/quantized_sphere/resolution.hpp"
 #include "flows.hpp"
 
 using namespace actio;

@@ -7,8 +7,8 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "actio/quantized_sphere/sphere_invariants.hpp"
 #include "actio/vorticity/fast_vorticity_step.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
 #include "refused.hpp"
 
 using namespace actio;

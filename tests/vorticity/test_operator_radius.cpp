@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/vorticity/operator_radius.hpp"
+#include "actio/skew_matrices/operator_radius.hpp"
 #include "flows.hpp"
 
 using namespace actio;

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <set>
 
-#include "actio/vorticity/blas_products.hpp"
-#include "actio/vorticity/bracket_blocks.hpp"
+#include "actio/skew_matrices/blas_products.hpp"
+#include "actio/skew_matrices/bracket_blocks.hpp"
 #include "flows.hpp"
 #include "loops_blas.hpp"
 

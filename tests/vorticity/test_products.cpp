@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "actio/vorticity/blas_products.hpp"
-#include "actio/vorticity/products.hpp"
+#include "actio/skew_matrices/blas_products.hpp"
+#include "actio/skew_matrices/products.hpp"
 #include "loops_blas.hpp"
 
 using namespace actio;

@@ -1,7 +1,7 @@
 // The quantised sphere: spin matrices, commutators with them, and matrices in two parts.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/vorticity/products.hpp"
+#include "actio/skew_matrices/products.hpp"
 #include "flows.hpp"
 #include "refused.hpp"
 

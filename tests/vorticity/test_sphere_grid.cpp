@@ -8,7 +8,7 @@
 #include <random>
 
 #include "actio/numbers/gauss_quadrature.hpp"
-#include "actio/vorticity/sphere_flow.hpp"
+#include "actio/sphere_fields/sphere_flow.hpp"
 
 using namespace actio;
 using namespace actio::sphere;

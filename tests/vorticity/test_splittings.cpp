@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/vorticity/bracket_blocks.hpp"
+#include "actio/skew_matrices/bracket_blocks.hpp"
 #include "actio/vorticity/canonical_splitting.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "flows.hpp"

@@ -1,7 +1,7 @@
 // A step of a symmetric flow on its blocks.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/vorticity/bracket_blocks.hpp"
+#include "actio/skew_matrices/bracket_blocks.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "flows.hpp"
 

@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "actio/vorticity/sphere_transform.hpp"
-#include "actio/vorticity/symbols.hpp"
+#include "actio/sphere_fields/sphere_transform.hpp"
+#include "actio/sphere_fields/symbols.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 
 using namespace actio;

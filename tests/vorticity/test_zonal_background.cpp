@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/vorticity/helmholtz_stream.hpp"
+#include "actio/quantized_sphere/helmholtz_stream.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 #include "flows.hpp"
 

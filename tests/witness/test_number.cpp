@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "actio/forms/metric.hpp"
-#include "actio/numbers/linear.hpp"
+#include "actio/linear_algebra/linear.hpp"
 #include "actio/numbers/multiprecision.hpp"
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/square_root.hpp"

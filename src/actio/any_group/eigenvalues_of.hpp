@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
 
 namespace actio::systems {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "actio/any_group/legendre_velocity.hpp"
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
 
 namespace actio::systems {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "actio/any_group/reduced_system.hpp"
-#include "actio/numbers/iex.hpp"
+#include "actio/linear_algebra/iex.hpp"
 
 namespace actio::systems {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "actio/any_group/span_of_matrices.hpp"
-#include "actio/numbers/determinant.hpp"
+#include "actio/linear_algebra/determinant.hpp"
 
 namespace actio::systems {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "actio/numbers/linear.hpp"
+#include "actio/linear_algebra/linear.hpp"
 
 namespace actio {
 

@@ -5,7 +5,7 @@
 // and written once for every scalar, so that pull-back and exterior derivative are exact.
 #pragma once
 
-#include "actio/numbers/linear.hpp"
+#include "actio/linear_algebra/linear.hpp"
 
 namespace actio {
 

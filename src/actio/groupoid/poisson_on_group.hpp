@@ -6,7 +6,7 @@
 // pull back the same bracket. Coordinates at f are those of \f$\delta f\,f^{-1}\f$.
 #pragma once
 
-#include "actio/numbers/rank.hpp"
+#include "actio/linear_algebra/rank.hpp"
 #include "actio/reduction/discrete_euler_poincare.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/lie_poisson.hpp"

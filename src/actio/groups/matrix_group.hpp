@@ -6,8 +6,8 @@
 // library but SL(n), n > 2), exp and log are those of matrices.
 #pragma once
 
-#include "actio/numbers/iex.hpp"
-#include "actio/numbers/matrix_logarithm.hpp"
+#include "actio/linear_algebra/iex.hpp"
+#include "actio/linear_algebra/matrix_logarithm.hpp"
 
 namespace actio {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "actio/groups/matrix_group.hpp"
-#include "actio/numbers/schur_form.hpp"
+#include "actio/linear_algebra/schur_form.hpp"
 
 namespace actio {
 

@@ -7,7 +7,7 @@
 
 #include "actio/groups/algebra_logarithm.hpp"
 #include "actio/groups/order.hpp"
-#include "actio/numbers/determinant.hpp"
+#include "actio/linear_algebra/determinant.hpp"
 
 namespace actio {
 

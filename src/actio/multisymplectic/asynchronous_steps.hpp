@@ -24,8 +24,8 @@
 #include <functional>
 #include <queue>
 
+#include "actio/meshes/simplex_geometry.hpp"
 #include "actio/multisymplectic/discrete_section.hpp"
-#include "actio/multisymplectic/simplex_geometry.hpp"
 
 namespace actio::media {
 

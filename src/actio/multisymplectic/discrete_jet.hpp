@@ -7,7 +7,7 @@
 // differ in one bit are neighbours, and the jet at a node contains the node and its neighbours.
 #pragma once
 
-#include "actio/multisymplectic/cell_geometry.hpp"
+#include "actio/meshes/cell_geometry.hpp"
 
 namespace actio::media {
 

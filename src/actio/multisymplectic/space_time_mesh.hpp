@@ -11,8 +11,8 @@
 #include <limits>
 #include <vector>
 
-#include "actio/multisymplectic/cell_geometry.hpp"
-#include "actio/multisymplectic/side.hpp"
+#include "actio/meshes/cell_geometry.hpp"
+#include "actio/meshes/side.hpp"
 
 namespace actio::media {
 

@@ -7,7 +7,7 @@
 
 #include "actio/jets/density.hpp"
 #include "actio/jets/prolongation.hpp"
-#include "actio/numbers/linear.hpp"
+#include "actio/linear_algebra/linear.hpp"
 
 namespace actio {
 

@@ -11,7 +11,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "actio/numbers/matrix.hpp"
+#include "actio/matrices/matrix.hpp"
 
 namespace actio {
 

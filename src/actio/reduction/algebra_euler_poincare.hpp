@@ -6,7 +6,7 @@
 
 #include "actio/groups/solve.hpp"
 #include "actio/groups/unipotent_groups.hpp"
-#include "actio/numbers/iex.hpp"
+#include "actio/linear_algebra/iex.hpp"
 #include "actio/reduction/natural_chart.hpp"
 
 namespace actio {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "actio/groups/group.hpp"
-#include "actio/numbers/iex.hpp"
+#include "actio/linear_algebra/iex.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/variational/state.hpp"
 

@@ -8,7 +8,7 @@
 // the rationals included.
 #pragma once
 
-#include "actio/numbers/linear.hpp"
+#include "actio/linear_algebra/linear.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
 namespace actio {

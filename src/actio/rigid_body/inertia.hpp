@@ -16,7 +16,7 @@
 
 #include "actio/groups/group.hpp"
 #include "actio/groups/rotations_of_any_size.hpp"
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
 
 namespace actio {
 

@@ -7,8 +7,8 @@
 // Wr the filaments.
 #pragma once
 
-#include "actio/vorticity/dense_matrices.hpp"
-#include "actio/vorticity/quantized_sphere.hpp"
+#include "actio/quantized_sphere/quantized_sphere.hpp"
+#include "actio/skew_matrices/dense_matrices.hpp"
 
 namespace actio::sphere {
 

@@ -1,6 +1,6 @@
 // The step of a layer of fluid, compiled once.
 // In a unit of its own
-#include "actio/vorticity/helmholtz_stream.hpp"
+#include "actio/quantized_sphere/helmholtz_stream.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
 
 namespace actio::sphere {

@@ -18,8 +18,8 @@
 
 #include <Eigen/Core>
 
+#include "actio/skew_matrices/operator_radius.hpp"
 #include "actio/vorticity/isospectral_finish.hpp"
-#include "actio/vorticity/operator_radius.hpp"
 #include "actio/vorticity/orbit_move.hpp"
 #include "actio/vorticity/past_steps.hpp"
 #include "actio/vorticity/vorticity_step.hpp"

@@ -16,7 +16,7 @@
 
 #include <cmath>
 
-#include "actio/vorticity/single_cayley.hpp"
+#include "actio/skew_matrices/single_cayley.hpp"
 
 namespace actio::sphere {
 

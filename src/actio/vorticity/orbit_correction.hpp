@@ -18,9 +18,9 @@
 #include <optional>
 #include <vector>
 
-#include "actio/vorticity/dense_matrices.hpp"
-#include "actio/vorticity/spin_commutator.hpp"
-#include "actio/vorticity/turning_frame.hpp"
+#include "actio/quantized_sphere/spin_commutator.hpp"
+#include "actio/quantized_sphere/turning_frame.hpp"
+#include "actio/skew_matrices/dense_matrices.hpp"
 
 namespace actio::sphere {
 

@@ -15,10 +15,10 @@
 
 #include <Eigen/Core>
 
-#include "actio/vorticity/banded_commutator.hpp"
-#include "actio/vorticity/dense_matrices.hpp"
-#include "actio/vorticity/single_cayley.hpp"
-#include "actio/vorticity/spin_columns.hpp"
+#include "actio/quantized_sphere/spin_columns.hpp"
+#include "actio/skew_matrices/banded_commutator.hpp"
+#include "actio/skew_matrices/dense_matrices.hpp"
+#include "actio/skew_matrices/single_cayley.hpp"
 
 namespace actio::sphere {
 

@@ -22,9 +22,9 @@
 #include <array>
 #include <limits>
 
-#include "actio/vorticity/laplacian.hpp"
-#include "actio/vorticity/products.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/quantized_sphere/laplacian.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
+#include "actio/skew_matrices/products.hpp"
 
 namespace actio::sphere {
 

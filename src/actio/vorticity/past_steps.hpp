@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "actio/vorticity/skew_hermitian.hpp"
+#include "actio/skew_matrices/skew_hermitian.hpp"
 
 namespace actio::sphere {
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "actio/vorticity/products.hpp"
-#include "actio/vorticity/turning_frame.hpp"
+#include "actio/quantized_sphere/turning_frame.hpp"
+#include "actio/skew_matrices/products.hpp"
 
 namespace actio::sphere {
 

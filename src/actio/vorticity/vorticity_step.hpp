@@ -26,13 +26,13 @@
 #include <deque>
 #include <limits>
 
-#include "actio/vorticity/cayley_middle.hpp"
-#include "actio/vorticity/laplacian.hpp"
-#include "actio/vorticity/operator_radius.hpp"
+#include "actio/quantized_sphere/laplacian.hpp"
+#include "actio/quantized_sphere/zonal_background.hpp"
+#include "actio/skew_matrices/cayley_middle.hpp"
+#include "actio/skew_matrices/operator_radius.hpp"
 #include "actio/vorticity/orbit_correction.hpp"
 #include "actio/vorticity/past_steps.hpp"
 #include "actio/vorticity/step_setting.hpp"
-#include "actio/vorticity/zonal_background.hpp"
 
 namespace actio::sphere {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/vorticity/blas_products.hpp"
+#include "actio/skew_matrices/blas_products.hpp"
 
 namespace actio::scene {
 

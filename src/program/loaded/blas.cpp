@@ -1,5 +1,5 @@
 // Products of matrices by OpenBLAS.
-#include "actio/vorticity/blas_products.hpp"
+#include "actio/skew_matrices/blas_products.hpp"
 
 extern "C" {
 /// \cond

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
 
 namespace actio::bodies::detail {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "actio/fast_body/any_dimension/natural_chart_equation.hpp"
-#include "actio/numbers/eigenvalues.hpp"
+#include "actio/linear_algebra/eigenvalues.hpp"
 
 namespace actio::bodies::detail {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "actio/multisymplectic/stored_energies.hpp"
+#include "actio/stored_energy/stored_energies.hpp"
 #include "program/systems/media/input.hpp"
 
 namespace actio::scene {

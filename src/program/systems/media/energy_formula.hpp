@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "actio/formula/tape.hpp"
-#include "actio/multisymplectic/energies_of_gradients.hpp"
+#include "actio/stored_energy/energies_of_gradients.hpp"
 #include "program/systems/media/constants.hpp"
 
 namespace actio::scene::materials {

@@ -1,5 +1,5 @@
 // Media of the library in the plane on the fast road.
-#include "actio/multisymplectic/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_2d.hpp"
 #include "program/systems/media/fast_media.hpp"
 
 namespace actio::scene {

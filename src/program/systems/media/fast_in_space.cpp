@@ -1,6 +1,6 @@
 // Media of the library in space on the fast road.
 // In a unit of its own
-#include "actio/multisymplectic/fast_medium_3d.hpp"
+#include "actio/fast_media/fast_medium_3d.hpp"
 #include "program/systems/media/fast_media.hpp"
 
 namespace actio::scene {

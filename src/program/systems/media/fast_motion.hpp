@@ -4,7 +4,7 @@
 #include <span>
 #include <thread>
 
-#include "actio/multisymplectic/fast_medium.hpp"
+#include "actio/fast_media/fast_medium.hpp"
 #include "program/systems/media/fast_road.hpp"
 #include "program/systems/media/laws.hpp"
 #include "program/systems/media/watch.hpp"

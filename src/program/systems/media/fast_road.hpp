@@ -1,7 +1,7 @@
 // Media on boxes of cells of one size and density, by the fused steps of the fast road.
 #pragma once
 
-#include "actio/multisymplectic/fast_box_3d.hpp"
+#include "actio/fast_media/fast_box_3d.hpp"
 #include "program/systems/media/input.hpp"
 #include "program/systems/media/material.hpp"
 #include "program/systems/media/motion.hpp"

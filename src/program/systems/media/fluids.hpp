@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actio/multisymplectic/strain_energies.hpp"
+#include "actio/stored_energy/strain_energies.hpp"
 #include "program/systems/media/constants.hpp"
 #include "program/systems/media/laws.hpp"
 

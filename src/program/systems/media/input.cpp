@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actio/multisymplectic/body_mesh_check.hpp"
-#include "actio/multisymplectic/body_shapes.hpp"
-#include "actio/multisymplectic/gmsh_mesh.hpp"
+#include "actio/meshes/body_mesh_check.hpp"
+#include "actio/meshes/body_shapes.hpp"
+#include "actio/meshes/gmsh_mesh.hpp"
 #include "actio/numbers/nearest_name.hpp"
 
 namespace actio::scene {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "actio/multisymplectic/body_mesh.hpp"
-#include "actio/multisymplectic/side.hpp"
+#include "actio/meshes/body_mesh.hpp"
+#include "actio/meshes/side.hpp"
 #include "program/document/schedule.hpp"
 #include "program/registry/system.hpp"
 #include "program/systems/media/place_formula.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "actio/multisymplectic/fast_cell_2d.hpp"
-#include "actio/multisymplectic/small_strains.hpp"
+#include "actio/stored_energy/fast_cell_2d.hpp"
+#include "actio/stored_energy/small_strains.hpp"
 
 namespace actio::scene {
 

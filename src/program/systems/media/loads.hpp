@@ -3,7 +3,7 @@
 #pragma once
 
 #include "actio/formula/tape.hpp"
-#include "actio/multisymplectic/body_loads.hpp"
+#include "actio/media_on_meshes/body_loads.hpp"
 #include "program/systems/media/input.hpp"
 
 namespace actio::scene {

@@ -16,7 +16,7 @@
 #include <memory>
 #include <variant>
 
-#include "actio/multisymplectic/stored_energies.hpp"
+#include "actio/stored_energy/stored_energies.hpp"
 #include "program/systems/media/energy_formula.hpp"
 #include "program/systems/media/fluids.hpp"
 #include "program/systems/media/solids.hpp"

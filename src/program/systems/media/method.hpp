@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actio/multisymplectic/body_start.hpp"
+#include "actio/media_on_meshes/body_start.hpp"
 #include "program/registry/system.hpp"
 
 namespace actio::scene {

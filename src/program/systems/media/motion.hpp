@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "actio/multisymplectic/medium_on_mesh.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "program/registry/simulation.hpp"
 
 namespace actio::scene {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "actio/continuum/materials.hpp"
-#include "actio/multisymplectic/strain_energies.hpp"
+#include "actio/stored_energy/strain_energies.hpp"
 #include "program/systems/media/constants.hpp"
 
 namespace actio::scene::materials {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actio/quantized_sphere/sphere_invariants.hpp"
 #include "actio/vorticity/canonical_splitting.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
 #include "program/systems/sphere/powers.hpp"
 #include "program/systems/sphere/quantities.hpp"
 

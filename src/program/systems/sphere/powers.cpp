@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "actio/vorticity/bracket_blocks.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
+#include "actio/skew_matrices/bracket_blocks.hpp"
 
 namespace actio::scene {
 namespace {

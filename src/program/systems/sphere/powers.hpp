@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "actio/vorticity/products.hpp"
+#include "actio/skew_matrices/products.hpp"
 
 namespace actio::scene {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "actio/vorticity/bracket_blocks.hpp"
+#include "actio/skew_matrices/bracket_blocks.hpp"
 #include "program/base/blas_library.hpp"
 
 namespace actio::scene {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/vorticity/products.hpp"
+#include "actio/skew_matrices/products.hpp"
 
 namespace actio::scene {
 

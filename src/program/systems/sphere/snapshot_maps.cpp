@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "actio/vorticity/sphere_transform.hpp"
-#include "actio/vorticity/symbols.hpp"
+#include "actio/sphere_fields/sphere_transform.hpp"
+#include "actio/sphere_fields/symbols.hpp"
 #include "book/plot.hpp"
 #include "book/png.hpp"
 #include "book/svg.hpp"

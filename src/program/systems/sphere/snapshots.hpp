@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
-#include "actio/vorticity/sphere_flow.hpp"
-#include "actio/vorticity/symbols.hpp"
+#include "actio/sphere_fields/sphere_flow.hpp"
+#include "actio/sphere_fields/symbols.hpp"
 #include "program/registry/system.hpp"
 #include "program/systems/sphere/hamiltonian.hpp"
 #include "program/systems/sphere/motion.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "actio/vorticity/matrix_harmonics.hpp"
+#include "actio/quantized_sphere/matrix_harmonics.hpp"
 
 namespace actio::scene {
 

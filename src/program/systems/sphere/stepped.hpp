@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/quantized_sphere/sphere_invariants.hpp"
 #include "program/systems/sphere/steps.hpp"
 
 namespace actio::scene {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <variant>
 
+#include "actio/quantized_sphere/helmholtz_stream.hpp"
 #include "actio/vorticity/fast_vorticity_step.hpp"
-#include "actio/vorticity/helmholtz_stream.hpp"
 #include "program/systems/sphere/hamiltonian.hpp"
 #include "program/systems/sphere/motion.hpp"
 
@@ -38,8 +38,8 @@ struct SphereScheme {
   double longest() const;
 };
 
-/// A flow on a sphere that turns fast, apart from what turns as a whole (vorticity/zonal_background.hpp). It
-/// is stepped along axes of which the third is that of the frame.
+/// A flow on a sphere that turns fast, apart from what turns as a whole
+/// (quantized_sphere/zonal_background.hpp). It is stepped along axes of which the third is that of the frame.
 struct ApartFromPlanet {
   sphere::ZonalBackground background;  ///< what turns as a whole, about the axis of the frame
   sphere::SkewHermitian<> flow;        ///< the rest at the start, along the axes of the steps

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "actio/quantized_sphere/resolution.hpp"
 #include "actio/reduction/composition.hpp"
-#include "actio/vorticity/resolution.hpp"
 #include "program/base/memory.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"

@@ -1,0 +1,199 @@
+// The rows of nodes of a medium in the plane, as the fused steps have them: registers in memory, bands of
+// rows for threads, copies where bands meet.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "actio/fast_media/fast_options.hpp"
+#include "actio/fast_media/fast_sweep_2d.hpp"
+#include "actio/fast_media/fast_team.hpp"
+
+namespace actio::media {
+
+namespace detail {
+
+/// Places and velocities of all nodes, and their steps.
+template <class Cell>
+class FusedRows2d {
+ public:
+  using Register = Plane<Quad>;
+
+  FusedRows2d(FastBox2d const& box, Cell const& cell, double dt, FastOptions const& options)
+      : box_(box),
+        cell_(cell),
+        dt_(dt),
+        registers_(options.registers),
+        strips_(box),
+        // Rows that are a multiple of a page apart would be in each other's way.
+        stride_(2 * static_cast<std::size_t>(strips_.packs) + (strips_.packs % 16 == 0 ? 2 : 0)),
+        state_(stride_ * static_cast<std::size_t>(box.nodes(1)), {Quad(0), Quad(0)}) {
+    prepare(options);
+  }
+
+  /// All of the state, for copies.
+  std::vector<Register> const& state() const { return state_; }
+  /// Back to a copy.
+  void restore(std::vector<Register> const& copy) { state_ = copy; }
+  /// How many steps a pass makes.
+  int levels() const { return levels_; }
+  /// Memory, bytes.
+  std::size_t bytes() const {
+    std::size_t sum = state_.capacity();
+    for (auto const& band : bands_) sum += band.copies.capacity() + band.forces.capacity();
+    return sum * sizeof(Register);
+  }
+
+  /// Sets places, and velocities half a step back, of the nodes row by row.
+  void put(std::vector<Plane<double>> const& x, std::vector<Plane<double>> const& v) {
+    int const n = box_.nodes(0);
+    for (int j = 0; j < box_.nodes(1); ++j)
+      for (int i = 0; i <= box_.cells[0]; ++i) {
+        bool const round = i == n;
+        auto const k = static_cast<std::size_t>(j) * static_cast<std::size_t>(n) +
+                       static_cast<std::size_t>(round ? 0 : i);
+        int const s = strips_.pack(i), lane = strips_.lane(i);
+        Register &place = row(static_cast<std::size_t>(j))[s],
+                 &rate = row(static_cast<std::size_t>(j))[strips_.packs + s];
+        place.x.lane[lane] = x[k].x + (round ? box_.shift(0).x : 0);
+        place.y.lane[lane] = x[k].y + (round ? box_.shift(0).y : 0);
+        rate.x.lane[lane] = v[k].x, rate.y.lane[lane] = v[k].y;
+      }
+  }
+  /// Places of the nodes row by row, or their velocities.
+  std::vector<Plane<double>> read(bool velocity) const {
+    std::vector<Plane<double>> out;
+    out.reserve(static_cast<std::size_t>(box_.count()));
+    for (int j = 0; j < box_.nodes(1); ++j)
+      for (int i = 0; i < box_.nodes(0); ++i) {
+        Register const& r =
+            row(static_cast<std::size_t>(j))[strips_.pack(i) + (velocity ? strips_.packs : 0)];
+        out.push_back({r.x.lane[strips_.lane(i)], r.y.lane[strips_.lane(i)]});
+      }
+    return out;
+  }
+  /// So many steps on. @return whether no Jacobian was seen that is negative
+  bool advance(long count);
+  /// Whether all cells of the state have positive Jacobians.
+  bool examine() const {
+    std::vector<Register const*> rows;
+    for (int j = 0; j < box_.nodes(1); ++j) rows.push_back(row(static_cast<std::size_t>(j)));
+    std::vector<Register> above;
+    if (box_.periodic(1)) {
+      Quad const x(box_.shift(1).x), y(box_.shift(1).y);
+      for (int s = 0; s < strips_.packs; ++s) above.push_back({row(0)[s].x + x, row(0)[s].y + y});
+      rows.push_back(above.data());
+    }
+    Examination2d examination{strips_, rows.data(), static_cast<int>(rows.size())};
+    run_with(registers_, examination);
+    return !any(examination.bad);
+  }
+
+ private:
+  /// Rows that one thread steps.
+  struct Band {
+    int from, to;                  ///< its own rows
+    int low, high;                 ///< with those of its neighbours
+    std::vector<Register> copies;  ///< of the neighbours' rows
+    std::vector<Register> forces;  ///< one row a level
+    std::vector<Register> lifted;  ///< the first row of a period, where the next period has it
+    std::vector<NodeRow2d> rows;
+    alignas(32) Quad::Bits signs;
+  };
+
+  Register* row(std::size_t j) { return state_.data() + j * stride_; }
+  Register const* row(std::size_t j) const { return state_.data() + j * stride_; }
+
+  /// Bands, levels and room for them.
+  void prepare(FastOptions const& options) {
+    int const rows = box_.nodes(1);
+    // The rows of all levels together fit into half of a second cache of a megabyte.
+    double const row_bytes = 192.0 * strips_.packs;
+    levels_ = options.levels > 0 ? options.levels : std::clamp(static_cast<int>(500000 / row_bytes), 1, 8);
+    levels_ = std::min(levels_, 64);
+    int const bands = std::clamp(options.threads, 1, rows);
+    bands_.resize(static_cast<std::size_t>(bands));
+    for (int b = 0; b < bands; ++b) {
+      Band& band = bands_[static_cast<std::size_t>(b)];
+      band.from = static_cast<int>(static_cast<long>(rows) * b / bands);
+      band.to = static_cast<int>(static_cast<long>(rows) * (b + 1) / bands);
+      band.copies.assign(2 * static_cast<std::size_t>(levels_) * stride_, {Quad(0), Quad(0)});
+      band.forces.assign(static_cast<std::size_t>(levels_ * strips_.packs), {Quad(0), Quad(0)});
+      band.lifted.assign(static_cast<std::size_t>(strips_.packs), {Quad(0), Quad(0)});
+      band.rows.reserve(static_cast<std::size_t>(band.to - band.from + 2 * levels_));
+    }
+  }
+  /// Where the rows of a band lie for a pass of so many levels; those of neighbours are copied.
+  void take_rows(Band& band, int levels) {
+    int const rows = box_.nodes(1);
+    bool const round = box_.periodic(1);
+    band.low = round ? band.from - levels : std::max(0, band.from - levels);
+    band.high = round ? band.to + levels : std::min(rows, band.to + levels);
+    band.rows.clear();
+    Register* copy = band.copies.data();
+    for (int j = band.low; j < band.high; ++j) {
+      int const k = (j % rows + rows) % rows;
+      Register* at = row(static_cast<std::size_t>(k));
+      if (j < band.from || j >= band.to) {
+        std::copy_n(at, 2 * strips_.packs, copy);
+        at = copy, copy += stride_;
+      }
+      double const kick = dt_ / (box_.share(1, k) * box_.spacing[0] * box_.spacing[1]);
+      band.rows.push_back({at,
+                           at + strips_.packs,
+                           {box_.moves(1, k, 0) ? kick : 0, box_.moves(1, k, 1) ? kick : 0},
+                           round && k == 0});
+    }
+  }
+  Edges<double> rest() const {
+    double const h1 = box_.spacing[0], h2 = box_.spacing[1];
+    return {{h1, 0}, {h1, 0}, {0, h2}, {0, h2}};
+  }
+
+  FastBox2d box_;
+  Cell cell_;
+  double dt_;
+  Registers registers_;
+  Strips strips_;
+  std::size_t stride_;
+  int levels_ = 1;
+  std::vector<Register> state_;
+  std::vector<Band> bands_;
+};
+
+template <class Cell>
+bool FusedRows2d<Cell>::advance(long count) {
+  for (auto& band : bands_) band.signs = Quad::Bits{};
+  as_team(static_cast<int>(bands_.size()), [&](int b, Meeting& meeting) {
+    Band& band = bands_[static_cast<std::size_t>(b)];
+    for (long done = 0; done < count;) {
+      int const levels = static_cast<int>(std::min<long>(levels_, count - done));
+      take_rows(band, levels);
+      meeting.wait();
+      bool const round = box_.periodic(1);
+      Sweep2d<Cell> sweep{cell_,
+                          strips_,
+                          rest(),
+                          box_.shift(0),
+                          dt_,
+                          band.rows.data(),
+                          static_cast<int>(band.rows.size()),
+                          levels,
+                          !round && band.low == 0 && band.from - levels <= 0,
+                          !round && band.high == box_.nodes(1),
+                          band.forces.data(),
+                          box_.shift(1),
+                          band.lifted.data()};
+      run_with(registers_, sweep);
+      band.signs |= sweep.signs;
+      done += levels;
+      meeting.wait();
+    }
+  });
+  bool sound = true;
+  for (auto const& band : bands_) sound = sound && !any_sign(band.signs);
+  return sound;
+}
+
+}  // namespace detail
+}  // namespace actio::media

@@ -1,8 +1,0 @@
-#include "actio/numbers/compiled_doubles.hpp"
-
-namespace actio::detail {
-
-#define ACTIO_TEMPLATE template
-ACTIO_COMPILED_DOUBLES
-
-}  // namespace actio::detail
