@@ -2,8 +2,8 @@
 //
 // Euler's fluid has a fixed depth, and Laplacian psi = vorticity. In a quasi-geostrophic layer the depth may
 // change a little, and (Laplacian - gamma) psi = potential vorticity, gamma being the square of the radius of
-// the sphere over that of deformation (quantized_sphere/helmholtz_stream.hpp). Energy, waves and what a rotation
-// of the sphere does follow from the stream function.
+// the sphere over that of deformation (helmholtz_stream.hpp). Energy, waves and what a rotation of the sphere
+// does follow from the stream function.
 #pragma once
 
 #include "actio/quantized_sphere/matrix_harmonics.hpp"

@@ -1,8 +1,8 @@
 // A flow on the sphere that moves on, and the frames that it is looked at in.
 //
 // What is stepped is the absolute vorticity, that of the sphere's own rotation included, in a frame that
-// turns uniformly about the angular momentum (quantized_sphere/turning_frame.hpp); where the sphere turns fast,
-// but for what turns as a whole. What is told of it is told in the frame of the rotating sphere: turned by an
+// turns uniformly about the angular momentum (turning_frame.hpp); where the sphere turns fast, but for what
+// turns as a whole. What is told of it is told in the frame of the rotating sphere: turned by an
 // angle that is the rate times the time, multiplied and never accumulated.
 #pragma once
 
