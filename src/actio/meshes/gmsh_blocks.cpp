@@ -74,7 +74,7 @@ std::pair<std::size_t, std::size_t> GmshBlocks::read_counts(std::string const& w
 }
 
 std::pair<int, int> GmshBlocks::read_entity() {
-  int numbers[2];
+  int numbers[2] = {};
   for (int k = 0; k < 2; ++k) {
     bool const is_dimension = (k == 0) != old_blocks_;
     numbers[is_dimension ? 0 : 1] =
