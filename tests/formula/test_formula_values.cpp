@@ -87,19 +87,6 @@ BOOST_AUTO_TEST_CASE(odd_functions_vanish_at_zero_in_50_digits) {
     BOOST_TEST_CONTEXT(f) BOOST_TEST((value<Number>(std::string(f) + "(x)", {Number(0)}) == 0));
 }
 
-BOOST_AUTO_TEST_CASE(a_power_binds_before_a_sign_and_to_the_right) {
-  BOOST_TEST(value("-2^2") == -4);
-  BOOST_TEST(value("2^3^2") == 512);
-  BOOST_TEST(value("2^-1") == 0.5);
-  BOOST_TEST(value("2^-2^2") == 1. / 16);
-  BOOST_TEST(value("1 - 2 - 3") == -4);
-  BOOST_TEST(value("8/4/2") == 1);
-  BOOST_TEST(value("2*-3 + --4") == -2);
-  BOOST_TEST(value("-x^2", {3}) == -9);
-  BOOST_TEST(value("(2 + 3)*4 - 6/(1 + 1)") == 17);
-  BOOST_TEST(value("\t1\n+\r 1") == 2);
-}
-
 BOOST_AUTO_TEST_CASE(powers_are_products_roots_or_exponentials) {
   double const x = 1.7, y = -0.3;
   BOOST_TEST(value("x^-3", {-x}) == 1 / std::pow(-x, 3), boost::test_tools::tolerance(4 * eps));

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(several_formulas_are_told_apart) {
   BOOST_TEST((y[0] == 4 && y[1] == 0.25));
   BOOST_TEST(said_by([&] {
                both(std::array{1.0, -1.0}, y.data());
-             }) == "f:2:15: a finite value is expected, found inf at X = 1, Y = -1");
+             }) == "f:2:16: a finite value is expected, found inf at X = 1, Y = -1");
   BOOST_TEST(said_by([&] {
                PlaceFormula(table, "y", {"X", "Y"});
              }) == "f:3:5: y: 2 formulas in X, Y are expected, one for each dimension, found 1");
