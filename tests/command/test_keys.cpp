@@ -75,19 +75,6 @@ std::map<std::string, std::string> with_example(std::map<std::string, std::strin
   return values;
 }
 
-/// The keys of a scene that a run has written, with their sections.
-std::set<std::string> keys_in(std::string const& scene) {
-  std::set<std::string> out;
-  std::istringstream lines(scene);
-  std::string section;
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with('['))
-      section = line.substr(1, line.find(']') - 1);
-    else if (std::size_t const equals = line.find(" = "); equals != std::string::npos)
-      out.insert(section + "." + line.substr(0, equals));
-  return out;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(keys)
@@ -155,19 +142,14 @@ BOOST_AUTO_TEST_CASE(a_key_that_is_not_in_the_records_is_refused_in_every_table)
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_a_run_writes_back_is_in_the_records) {
+BOOST_AUTO_TEST_CASE(what_a_run_writes_back_is_taken_again) {
+  command::Folder const folder;
   for (auto const& system : systems()) {
-    std::set<std::string> known;
-    for (auto const& key : system["parameters"]) known.insert(key["key"]);
-    command::Folder const folder;
-    auto const outcome = actio(
-        {"run", folder.write("scene.toml", scene_of(example_of(system["name"]))), "--out", folder / "out"});
+    std::string const scene = folder.write("scene.toml", scene_of(example_of(system["name"])));
+    auto const outcome = actio({"run", scene, "--out", folder / "out", "--force"});
     BOOST_TEST(outcome.status == 0, outcome.err);
-    auto const written = keys_in(command::contents(folder / "out/scene.toml"));
-    BOOST_TEST(written.size() > 8u);
-    // A table whose keys have no records of their own is told as a whole.
-    for (auto const& key : written)
-      BOOST_TEST(known.count(key) + known.count(table_of(key)) == 1u, system["name"] << ": " << key);
+    auto const again = actio({"run", folder / "out/scene.toml", "--dry-run"});
+    BOOST_TEST(again.status == 0, system["name"] << ": " << again.err);
   }
 }
 

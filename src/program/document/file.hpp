@@ -80,7 +80,7 @@ class SceneTable {
   Eigen::MatrixXd matrix(std::string const& key, long n) const;
   /// A list of rows of `size` finite numbers each; any number of rows, none as well. `place(key, row)` is
   /// that of a row.
-  std::vector<std::vector<double>> rows(std::string const& key, long size) const;
+  Eigen::MatrixXd rows(std::string const& key, long size) const;
   /// A list of square matrices of one size, each a list of rows; at least one.
   std::vector<Eigen::MatrixXd> matrices(std::string const& key) const;
   /// Whether the value is a list whose first item is a list.

@@ -17,63 +17,64 @@ bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= n
 }  // namespace
 
 Schedule::Schedule(SceneTable run) {
-  if (run.has("between_steps")) between_steps_ = run.boolean("between_steps");
-  if (run.has("at")) {
-    if (run.has("every"))
+  between_steps_ = run_keys.between_steps.find(run).value_or(false);
+  if (run_keys.at.given(run)) {
+    if (run_keys.every.given(run))
       run.fail("at",
                "at and every exclude each other: rows at the times listed, or at the multiples of every");
-    bool const bounded = run.has("until");
-    if (bounded) until_ = run.positive("until");
-    read_times(run, "at", bounded);
+    auto const until = run_keys.until.find(run);
+    until_ = until.value_or(0);
+    read_times(run, run_keys.at, until.has_value());
     if (!(until_ > 0))
-      run.fail("at", "at: where 0 is the only time, [run] needs 'until', for example until = 1");
-    if (!bounded) run.set("until", until_);
+      run_keys.at.fail(run, "where 0 is the only time, [run] needs 'until', for example until = 1");
+    if (!until) run_keys.until.write(run, until_);
     return;
   }
-  until_ = run.positive("until");
-  if (run.has("every"))
-    read_interval(run, "every");
+  until_ = run_keys.until.read(run);
+  if (run_keys.every.given(run))
+    read_interval(run, run_keys.every);
   else
     at_ = {0, until_}, rows_ = 2;
 }
 
 Schedule::Schedule(SceneTable const& output, Schedule const& rows)
     : until_(rows.until_), between_steps_(rows.between_steps_) {
-  bool const listed = output.has("snapshot_at"), regular = output.has("snapshot_every");
+  auto const& keys = snapshot_times_keys;
+  bool const listed = keys.at.given(output), regular = keys.every.given(output);
   if (listed && regular)
     output.fail("snapshot_at",
                 "snapshot_at and snapshot_every exclude each other: snapshots at the times listed, or at "
                 "the multiples of snapshot_every");
   if (listed)
-    read_times(output, "snapshot_at", true);
+    read_times(output, keys.at, true);
   else if (regular)
-    read_interval(output, "snapshot_every");
+    read_interval(output, keys.every);
   else
     at_ = {0, until_}, rows_ = 2;
 }
 
-void Schedule::read_times(SceneTable const& table, std::string const& key, bool bounded) {
-  at_ = table.numbers(key);
-  if (at_.empty()) table.fail(key, key + ": at least one time is expected");
+void Schedule::read_times(SceneTable const& table, Key<std::vector<double>> const& key, bool bounded) {
+  at_ = key.read(table);
+  if (at_.empty()) key.fail(table, "at least one time is expected");
   if (!bounded) until_ = at_.back();
   for (std::size_t i = 0; i < at_.size(); ++i) {
     if (at_[i] < 0 || (bounded && at_[i] > until_))
-      throw SceneError(table.place(key, i),
-                       fmt::format("{}: times from 0 {} are expected, found {}", key,
-                                   bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
+      key.fail_at(table, i,
+                  fmt::format("times from 0 {} are expected, found {}",
+                              bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
     if (i > 0 && !(at_[i] > at_[i - 1]))
-      throw SceneError(table.place(key, i),
-                       fmt::format("{}: each time is later than the one before; found {} after {}", key,
-                                   at_[i], at_[i - 1]));
+      key.fail_at(
+          table, i,
+          fmt::format("each time is later than the one before; found {} after {}", at_[i], at_[i - 1]));
   }
   rows_ = static_cast<long>(at_.size());
 }
 
-void Schedule::read_interval(SceneTable const& table, std::string const& key) {
-  every_ = table.positive(key);
+void Schedule::read_interval(SceneTable const& table, Key<double> const& key) {
+  every_ = key.read(table);
   double const ratio = until_ / every_;
   if (!(ratio < most_whole))
-    table.fail(key, fmt::format("{}: at most 2^53 rows are possible; until/{} is {}", key, key, ratio));
+    key.fail(table, fmt::format("at most 2^53 rows are possible; until/{} is {}", key.name(), ratio));
   // A quarter: the last multiple of a short interval is not mistaken for another one.
   last_beside_ = std::round(ratio) < 1 ||
                  !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));

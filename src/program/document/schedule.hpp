@@ -8,9 +8,47 @@
 // them. With `at`: these times. With neither: the first and the last.
 #pragma once
 
-#include "program/document/file.hpp"
+#include "program/document/key.hpp"
 
 namespace actio::scene {
+
+/// Numbers that increase, from 0 on.
+inline Pattern<std::vector<double>> const increasing_times =
+    Patterns::numbers("a list of numbers, each greater than the one before, from 0 to run.until").in("time");
+
+/// [run]
+struct RunKeys : KeyTable {
+  Key<double> until = key("until", positive.in("time"), LeftOut{"needed; with run.at the last of its times"},
+                          "The time at which the run ends; it begins at 0.", "10");
+  Key<double> every =
+      key("every", positive.in("time"), LeftOut{"or run.at; with neither, rows at 0 and at run.until"},
+          "The time from row to row: there are rows at its multiples, from 0 on, and at run.until.", "0.1");
+  Key<std::vector<double>> at =
+      key("at", increasing_times, LeftOut{"or run.every; with neither, rows at 0 and at run.until"},
+          "The times of the rows.", "[0, 0.5, 2]");
+  Key<bool> between_steps = key(
+      "between_steps", truth,
+      LeftOut{"false; true where no step is given and the default step does not divide the times of the "
+              "rows"},
+      "Whether rows may lie between two steps: one shorter step of the same scheme goes to each of these, "
+      "for that row alone. It changes nothing where the method is exact.",
+      "true");
+};
+inline RunKeys const run_keys{{"run"}};  ///< its keys
+
+/// When [output] has snapshots.
+struct SnapshotTimesKeys : KeyTable {
+  Key<std::vector<double>> at =
+      key("snapshot_at", increasing_times,
+          LeftOut{"or output.snapshot_every; with neither, snapshots at 0 and at run.until"},
+          "The times of the snapshots.", "[0.5, 1]");
+  Key<double> every =
+      key("snapshot_every", positive.in("time"),
+          LeftOut{"or output.snapshot_at; with neither, snapshots at 0 and at run.until"},
+          "The time from snapshot to snapshot: there are some at its multiples, from 0 on, and at run.until.",
+          "0.5");
+};
+inline SnapshotTimesKeys const snapshot_times_keys{{"output"}};  ///< its keys
 
 /// The times of the rows.
 class Schedule {
@@ -57,8 +95,8 @@ class Schedule {
   long rows_ = 0;
   std::vector<double> besides_;  // landmarks of another schedule
 
-  void read_times(SceneTable const& table, std::string const& key, bool bounded);
-  void read_interval(SceneTable const& table, std::string const& key);
+  void read_times(SceneTable const& table, Key<std::vector<double>> const& key, bool bounded);
+  void read_interval(SceneTable const& table, Key<double> const& key);
 };
 
 /// The number of steps to each row, for a method with steps.

@@ -185,13 +185,14 @@ Eigen::Vector3d SceneTable::vector(std::string const& key) const {
 Eigen::MatrixXd SceneTable::matrix(std::string const& key, long n) const {
   return matrix_in(value_of(*document_, path_, key, *this), place(key), key, n, document_->name);
 }
-std::vector<std::vector<double>> SceneTable::rows(std::string const& key, long size) const {
+Eigen::MatrixXd SceneTable::rows(std::string const& key, long size) const {
   auto const& list = list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of rows");
-  std::vector<std::vector<double>> out;
+  Eigen::MatrixXd out(static_cast<Eigen::Index>(list.size()), size);
   for (std::size_t i = 0; i < list.size(); ++i) {
     Place const where = place(key, i);
-    out.push_back(numbers_in(list_of(list[i], where, key, "a list of numbers in each row"), where, key, size,
-                             document_->name));
+    auto const row = numbers_in(list_of(list[i], where, key, "a list of numbers in each row"), where, key,
+                                size, document_->name);
+    out.row(static_cast<Eigen::Index>(i)) = Eigen::Map<Eigen::RowVectorXd const>(row.data(), size);
   }
   return out;
 }

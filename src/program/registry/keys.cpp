@@ -155,11 +155,13 @@ void allow_keys(SceneFile const& file, System const& system) {
 void refuse_words_of_other_systems(SceneFile const& file, System const& system) {
   SceneTable const method = file.section("method"), output = file.section("output");
   if (method.is_text("name"))
-    refuse_of_others(method.place("name"), method.text("name"), "method", system, names_of_methods);
+    refuse_of_others(method.place("name"), method.text("name"), "method", system,
+                     [](System const& other) { return names_of(other.methods); });
   if (!output.has("quantities")) return;
   auto const quantities = output.texts("quantities");
   for (std::size_t i = 0; i < quantities.size(); ++i)
-    refuse_of_others(output.place("quantities", i), quantities[i], "quantity", system, names_of_quantities);
+    refuse_of_others(output.place("quantities", i), quantities[i], "quantity", system,
+                     [](System const& other) { return names_of(other.quantities); });
 }
 
 }  // namespace actio::scene

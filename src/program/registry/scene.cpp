@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "actio/numbers/nearest_name.hpp"
+#include "program/registry/common_keys.hpp"
 #include "program/registry/keys.hpp"
 #include "program/registry/units.hpp"
 
@@ -14,14 +15,13 @@ namespace actio::scene {
 namespace {
 
 System const& system_of(SceneFile const& file) {
-  std::vector<std::string> kinds;
-  for (auto const& system : systems()) kinds.push_back(system.name);
+  KindKeys const keys{{"system"}, systems().front().name};
   SceneTable const table = file.section("system");
   if (!table.has("kind"))
     for (auto const& key : table.keys())
       if (std::string const meant = did_you_mean(key, {"kind"}); !meant.empty())
         table.fail(key, "unknown key of [system] '" + shown(key) + "'" + meant);
-  return *find_system(file.section("system").choice("kind", "system", kinds, "actio list systems"));
+  return *find_system(keys.kind.read(table));
 }
 
 /// Whether the format is one of snapshots alone.
@@ -29,12 +29,6 @@ bool is_of_snapshots(std::string const& format, System const& system) {
   if (!system.snapshots) return false;
   auto const& formats = system.snapshots->formats;
   return std::any_of(formats.begin(), formats.end(), [&](auto const& known) { return known.name == format; });
-}
-
-std::vector<std::string> names(std::vector<Quantity> const& quantities) {
-  std::vector<std::string> out;
-  for (auto const& q : quantities) out.push_back(q.name);
-  return out;
 }
 
 std::string why_between_steps(Schedule const& schedule, double step) {
@@ -92,20 +86,17 @@ std::optional<SnapshotRequest> snapshots_of(SceneTable const& output, System con
                          "formats: " + formats[i] + " is for snapshots: " + needs);
     return {};
   }
-  std::vector<std::string> known;
-  for (auto const& column : system.snapshots->columns) known.push_back(column.name);
-  auto columns = output.texts("snapshots");
-  if (!columns.empty()) columns = output.choices("snapshots", "column", known);
-  return SnapshotRequest{columns, formats};
+  return SnapshotRequest{SnapshotKeys{{"output"}, *system.snapshots}.snapshots.read(output), formats};
 }
 
 /// When there are snapshots.
 Schedule snapshot_times(SceneTable const& output, Schedule const& rows) {
   Schedule const schedule(output, rows);
   if (schedule.rows() > most_snapshots) {
-    std::string const key = output.has("snapshot_every") ? "snapshot_every" : "snapshot_at";
-    output.fail(key, fmt::format("{}: at most {} snapshots are possible, and these are {}", key,
-                                 most_snapshots, schedule.rows()));
+    auto const& [every, at] = std::tie(snapshot_times_keys.every, snapshot_times_keys.at);
+    (every.given(output) ? AnyKey(every) : AnyKey(at))
+        .fail(output, fmt::format("at most {} snapshots are possible, and these are {}", most_snapshots,
+                                  schedule.rows()));
   }
   return schedule;
 }
@@ -118,35 +109,26 @@ Scene Scene::read(SceneFile file) {
   allow_keys(file, system);
   refuse_words_of_other_systems(file, system);
   read_units(file);
-  SceneTable head = file.section("scene"), output = file.section("output");
-  if (!head.has("title")) head.set("title", printable(std::filesystem::path(file.name()).stem().string()));
-  if (!head.has("seed")) head.set("seed", 1L);
-  std::string const title = head.text("title");
-  long const seed = head.integer("seed", 0, std::numeric_limits<long>::max());
+  SceneTable output = file.section("output");
+  std::string const title =
+      scene_keys.title.read_or(file, printable(std::filesystem::path(file.name()).stem().string()));
+  long const seed = scene_keys.seed.read(file);
 
   Schedule schedule(file.section("run"));
 
-  if (!output.has("formats")) output.set("formats", std::vector<std::string>{"csv"});
-  if (!output.has("plots")) output.set("plots", false);
-  auto known = names(system.quantities);
+  auto known = names_of(system.quantities);
   if (system.own_quantities)
-    for (auto const& own : names(system.own_quantities(file))) known.push_back(own);
-  auto const quantities = output.choices("quantities", "quantity", known, "actio list quantities");
-  std::vector<std::string> known_formats{"csv", "hdf5"};
-  if (system.snapshots)
-    for (auto const& format : system.snapshots->formats) known_formats.push_back(format.name);
-  auto const formats = output.choices("formats", "format", known_formats);
+    for (auto const& own : system.own_quantities(file)) known.push_back(own.name);
+  OutputKeys const keys{{"output"}, system, known};
+  auto const quantities = keys.quantities.read(file), formats = keys.formats.read(file);
   auto const snapshots = snapshots_of(output, system, formats);
   std::optional<Schedule> times;
   if (snapshots) schedule.meet(times.emplace(snapshot_times(output, schedule)));
-  bool const plots = output.boolean("plots");
-
-  bool const wanted = output.has("error_estimate"), estimate = wanted && output.boolean("error_estimate");
-  Simulation simulation = prepared(
-      system, {file, schedule, quantities, wanted ? std::optional(estimate) : std::nullopt, snapshots},
-      schedule);
+  bool const plots = keys.plots.read(file);
+  auto const wanted = keys.error_estimate.find(file);
+  Simulation simulation = prepared(system, {file, schedule, quantities, wanted, snapshots}, schedule);
   if (times && schedule.between_steps()) times->allow_between_steps();
-  if (!wanted) output.set("error_estimate", simulation.companion.motion != nullptr);
+  if (!wanted) keys.error_estimate.write(file, simulation.companion.motion != nullptr);
   return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation), times};
 }
 

@@ -7,22 +7,11 @@
 
 #include <optional>
 
+#include "program/document/key.hpp"
 #include "program/document/schedule.hpp"
 #include "program/registry/simulation.hpp"
 
 namespace actio::scene {
-
-/// A key of a scene. What a scene may hold is read from these: a key without a record is refused (keys.hpp).
-struct Parameter {
-  std::string key;      ///< with its section: "system.body"
-  std::string expects;  ///< "three numbers, or a symmetric 3 by 3 matrix"
-  /// what stands where it is left out; "needed"; "or KEY" where that other key excludes it
-  std::string fallback;
-  std::string meaning;                    ///< a sentence or two
-  std::string unit = "";                  ///< in words: "mass x length^2"; empty where there is none
-  std::string example = "";               ///< a value, as a scene writes it
-  std::vector<std::string> allowed = {};  ///< the words that it may be, where these are few
-};
 
 /// A method that a system can be stepped by.
 struct Method {
@@ -95,5 +84,13 @@ struct System {
 std::vector<System> const& systems();
 /// The one of that name; null where there is none.
 System const* find_system(std::string const& name);
+
+/// The names of systems, of methods, of quantities, ...
+template <class List>
+std::vector<std::string> names_of(List const& list) {
+  std::vector<std::string> out;
+  for (auto const& one : list) out.emplace_back(one.name);
+  return out;
+}
 
 }  // namespace actio::scene

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "program/catalogue/bodies.hpp"
+#include "program/registry/common_keys.hpp"
 
 namespace actio::scene {
 namespace {
@@ -24,15 +25,14 @@ Units with_energy(std::string time, std::string moment) {
 }
 
 /// A name that stands in axes of pictures and in attributes of files as it is.
-std::string unit_named(SceneTable const& units, std::string const& key) {
-  if (!units.has(key)) return "";
-  std::string const name = units.text(key);
+std::string unit_named(SceneFile const& file, Key<std::string> const& key) {
+  if (!key.given(file)) return "";
+  std::string const name = key.read(file);
   bool const plain = std::all_of(name.begin(), name.end(),
                                  [](unsigned char c) { return c >= 0x80 || std::isalpha(c) || c == '_'; });
   if (name.empty() || name.size() > 16 || !plain || printable(name) != name)
-    units.fail(key,
-               key + ": the name of a unit is expected, of at most 16 letters, for example \"m\"; found '" +
-                   shown(name, 40) + "'");
+    key.fail(file, "the name of a unit is expected, of at most 16 letters, for example \"m\"; found '" +
+                       shown(name, 40) + "'");
   return name;
 }
 
@@ -63,9 +63,8 @@ Units read_units(SceneFile const& file) {
     scene.fail("units",
                fmt::format("units: {} has its own, {} and {}; a scene with a body of the library names none",
                            body->name, body->time, body->unit));
-  SceneTable const units = scene.inside("units");
-  std::string const mass = unit_named(units, "mass"), length = unit_named(units, "length");
-  Units out = with_energy(unit_named(units, "time"),
+  std::string const mass = unit_named(file, unit_keys.mass), length = unit_named(file, unit_keys.length);
+  Units out = with_energy(unit_named(file, unit_keys.time),
                           mass.empty() || length.empty() ? "" : mass + " " + length + "^2");
   out.mass = mass, out.length = length;
   return out;

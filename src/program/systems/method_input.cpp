@@ -6,24 +6,22 @@
 #include <cmath>
 #include <limits>
 
+#include "program/registry/common_keys.hpp"
 #include "program/systems/step_hint.hpp"
 
 namespace actio::scene {
 namespace {
 
-bool is_number(std::string const& order) {
-  return order.find_first_not_of("0123456789") == std::string::npos;
-}
-std::string as_written(std::string const& order) { return is_number(order) ? order : "\"" + order + "\""; }
+bool is_number(std::string const& order) { return order_as_written(order) == order; }
 
 /// `2, 4 or "exact"`, numbers first.
 std::string alternatives(std::vector<std::string> orders) {
   std::stable_sort(orders.begin(), orders.end(), [](auto const& a, auto const& b) {
     return is_number(a) && (!is_number(b) || std::stoi(a) < std::stoi(b));
   });
-  std::string out = as_written(orders.front());
+  std::string out = order_as_written(orders.front());
   for (std::size_t i = 1; i < orders.size(); ++i)
-    out += (i + 1 < orders.size() ? ", " : " or ") + as_written(orders[i]);
+    out += (i + 1 < orders.size() ? ", " : " or ") + order_as_written(orders[i]);
   return out;
 }
 
@@ -63,12 +61,9 @@ double default_step(Schedule const& schedule, double longest) {
 }  // namespace
 
 MethodChoice read_method(SceneTable method, std::vector<Method> const& known) {
-  std::vector<std::string> names;
-  for (auto const& m : known) names.push_back(m.name);
-  if (!method.has("name")) method.set("name", names.front());
-  std::string const name = method.choice("name", "method", names, "actio list methods");
-  auto const& orders =
-      std::find_if(known.begin(), known.end(), [&](Method const& m) { return m.name == name; })->orders;
+  MethodKeys const keys{{"method"}, known};
+  std::string const name = keys.name.read(method);
+  auto const& orders = std::ranges::find(known, name, &Method::name)->orders;
 
   if (!method.has("order")) {
     if (is_number(orders.front()))
@@ -81,17 +76,15 @@ MethodChoice read_method(SceneTable method, std::vector<Method> const& known) {
                                  : std::to_string(method.integer("order", std::numeric_limits<long>::min(),
                                                                  std::numeric_limits<long>::max()));
   if (std::find(orders.begin(), orders.end(), order) == orders.end() || word == is_number(order))
-    method.fail("order", fmt::format("order: {} takes {}, found {}", name, alternatives(orders),
-                                     word ? "\"" + order + "\"" : order));
+    keys.order.fail(method, fmt::format("{} takes {}, found {}", name, alternatives(orders),
+                                        word ? as_written(order) : order));
   return {name, order};
 }
 
 double read_step(SceneTable method, Schedule const& schedule, double fastest, double turn) {
-  if (!method.has("step")) {
-    double const longest = fastest > 0 ? turn / fastest : HUGE_VAL, step = default_step(schedule, longest);
-    method.set("step", step > 0 && std::isfinite(step) ? step : longest);
-  }
-  return method.positive("step");
+  if (auto const given = step_keys.step.find(method)) return *given;
+  double const longest = fastest > 0 ? turn / fastest : HUGE_VAL, step = default_step(schedule, longest);
+  return step_keys.step.read_or(method, step > 0 && std::isfinite(step) ? step : longest);
 }
 
 void fail_for_long_step(SceneTable const& method, Schedule const& schedule, StepTooLong const& error,

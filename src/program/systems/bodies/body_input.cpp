@@ -6,11 +6,26 @@
 
 #include "actio/groups/unit_quaternions.hpp"
 #include "actio/numbers/nearest_name.hpp"
-#include "program/catalogue/bodies.hpp"
 #include "program/systems/bodies/angle_input.hpp"
 #include "program/systems/bodies/body_n_input.hpp"
 
 namespace actio::scene {
+
+namespace {
+
+AngleKeys const angular_velocity{
+    {"initial.angular_velocity", LeftOut{"or initial.angular_momentum"},
+     "The angular velocity at the start, in the frame of the body; a list is in radians.", "[0.1, 2, 0.1]",
+     "three numbers; or a table with degrees", "1/time"},
+    "three numbers",
+    "[5, 90, 5]"};
+
+}  // namespace
+
+BodyKeys const& body_keys() {
+  static BodyKeys const keys{{"system"}};
+  return keys;
+}
 
 PrincipalInertia read_inertia(SceneTable const& system) {
   try {
@@ -24,11 +39,11 @@ PrincipalInertia read_inertia(SceneTable const& system) {
 }
 
 PrincipalInertia read_body_or_inertia(SceneTable const& system) {
-  if (system.has("body") && system.has("inertia"))
+  auto const& [body, inertia] = std::tie(body_keys().body, body_keys().inertia);
+  if (body.given(system) && inertia.given(system))
     system.fail("inertia",
                 "body and inertia exclude each other: a body of the library has its inertia with it");
-  if (!system.has("body")) return read_inertia(system);
-  return find_body(system.choice("body", "body", names_of_bodies(), "actio list bodies"))->principal;
+  return body.given(system) ? find_body(body.read(system))->principal : read_inertia(system);
 }
 
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks) {
@@ -58,7 +73,7 @@ Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInerti
                      by_velocity ? "angular_velocity and angular_momentum exclude each other"
                                  : "[initial] needs 'angular_velocity' or 'angular_momentum'");
   std::string const key = by_velocity ? "angular_velocity" : "angular_momentum";
-  Eigen::Vector3d const given(by_velocity ? read_angles(initial, key, 3).data()
+  Eigen::Vector3d const given(by_velocity ? angular_velocity.read(initial, 3).data()
                                           : initial.numbers(key, 3).data());
   Momentum<SO<3>, double> const M =
       by_velocity ? body_momentum(inertia, velocity(SO<3>{}, given)) : momentum(SO<3>{}, given);
@@ -84,17 +99,8 @@ bodies::FreeState read_start(SceneTable const& initial, PrincipalInertia const& 
   return {read_momentum(initial, inertia), attitude};
 }
 
-std::vector<Parameter> initial_parameters(std::string const& momentum) {
-  auto all = attitude_parameters();
-  auto const velocities =
-      angle_parameters({"initial.angular_velocity", "three numbers", "or initial.angular_momentum",
-                        "The angular velocity at the start, in the frame of the body; a list is in radians.",
-                        "1/time", "[0.1, 2, 0.1]"},
-                       "[5, 90, 5]");
-  all.insert(all.end(), velocities.begin(), velocities.end());
-  all.push_back({"initial.angular_momentum", "three numbers", "or initial.angular_velocity", momentum,
-                 "energy x time", "[0.1, 4, 0.3]"});
-  return all;
+std::vector<Parameter> initial_parameters(MomentumKeys const& momentum) {
+  return records_of({attitude_keys, angular_velocity, momentum});
 }
 
 Eigen::Matrix3d rotation(Eigen::Vector4d const& q) {

@@ -5,9 +5,23 @@
 #include <Eigen/Core>
 
 #include "actio/fast_body/space/free_body.hpp"
+#include "program/catalogue/bodies.hpp"
 #include "program/registry/system.hpp"
 
 namespace actio::scene {
+
+/// A free body, of the library or by its inertia.
+struct BodyKeys : KeyTable {
+  Key<std::string> body =
+      key("body", one_of("body", names_of_bodies(), "actio list bodies"), LeftOut{"or system.inertia"},
+          "A body of the library, with its inertia (actio list bodies).", "\"apophis\"");
+  AnyKey inertia = key("inertia", "three numbers, or a symmetric 3 by 3 matrix", LeftOut{"or system.body"},
+                       "The moments of inertia about the centre of mass, along the axes of the body "
+                       "frame, or the tensor in that frame.",
+                       "[1, 2, 3]", "mass x length^2");
+};
+/// Its keys.
+BodyKeys const& body_keys();
 
 /// `inertia`, principal or a tensor.
 /// @throws SceneError  where no body has it
@@ -27,9 +41,15 @@ Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInerti
 bodies::FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia,
                              std::vector<std::string>& remarks);
 
-/// The records of `attitude`, `angular_velocity` and `angular_momentum`.
-/// @param momentum  what is said of the momentum
-std::vector<Parameter> initial_parameters(std::string const& momentum);
+/// `angular_momentum` of [initial], with what is said of it.
+struct MomentumKeys : KeyTable {
+  std::string meaning;  ///< of its record
+  Key<Eigen::Vector3d> angular_momentum =
+      key("angular_momentum", vector.in("energy x time"), LeftOut{"or initial.angular_velocity"}, meaning,
+          "[0.1, 4, 0.3]");
+};
+/// The records of [initial].
+std::vector<Parameter> initial_parameters(MomentumKeys const& momentum);
 
 /// The rotation matrix of a unit quaternion.
 Eigen::Matrix3d rotation(Eigen::Vector4d const& q);

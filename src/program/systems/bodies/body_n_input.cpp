@@ -37,13 +37,41 @@ std::string written(Eigen::MatrixXd const& g) {
   return "[" + rows + "]";
 }
 
+struct LambdaKeys : KeyTable {
+  Key<std::vector<double>> lambda =
+      key("lambda", numbers(fmt::format("n numbers, n from 2 to {}", most_dimensions)).in("mass x length^2"),
+          needed,
+          "The diagonal of Lambda: second moments of the mass along the body axes. The sum of any two is "
+          "positive, and is the moment of inertia in their plane.",
+          "[1, 2, 3, 4]");
+} const lambda_keys{{"system"}};
+struct AttitudeNKeys : KeyTable {
+  AnyKey attitude =
+      key("attitude", "a list of n rows of n numbers, a rotation", LeftOut{"the identity"},
+          "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said.",
+          "[[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]");
+} const attitude_n{{"initial"}};
+AngleKeys const angular_velocity_n{
+    {"initial.angular_velocity", needed,
+     "The upper triangle of the body velocity g^-1 g', row by row: "
+     "xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = "
+     "3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
+     "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]", "n(n-1)/2 numbers; or a table with degrees", "1/time"},
+    "n(n-1)/2 numbers",
+    "[5, 10, 15, 20, 25, 30]"};
+
 }  // namespace
 
+std::vector<Parameter> body_n_parameters() {
+  return records_of({lambda_keys, attitude_n, angular_velocity_n});
+}
+
 Inertia<Eigen::Dynamic> read_lambda(SceneTable const& system) {
-  auto const lambda = system.numbers("lambda");
+  auto const& key = lambda_keys.lambda;
+  auto const lambda = key.read(system);
   if (lambda.size() < 2 || lambda.size() > most_dimensions)
-    system.fail("lambda", fmt::format("lambda: from 2 to {} numbers are expected, found {}", most_dimensions,
-                                      lambda.size()));
+    key.fail(system,
+             fmt::format("from 2 to {} numbers are expected, found {}", most_dimensions, lambda.size()));
   try {
     return inertia_from_lambda<Eigen::Dynamic, double>(
         Eigen::Map<Eigen::VectorXd const>(lambda.data(), static_cast<Eigen::Index>(lambda.size())));
@@ -57,18 +85,18 @@ Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::stri
   if (!initial.has("attitude")) initial.set("attitude", Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)));
   Eigen::MatrixXd g = initial.matrix("attitude", n);
   double const off = g.cwiseAbs().maxCoeff() <= 2 ? Excess(g).largest : HUGE_VAL;
+  auto const& key = attitude_n.attitude;
   if (!(off <= most)) {
     // Within a half in each row the iteration finds it; a matrix of more than four rows is too long to paste.
     bool const near = n <= 4 && n * off < 0.5;
-    initial.fail("attitude",
-                 fmt::format("attitude: a rotation is expected; the largest entry of g^T g - 1 "
-                             "is {:.2g} where 1e-9 is taken{}",
-                             off, near ? "; normalised it is " + written(nearest_orthogonal(g)) : ""));
+    key.fail(
+        initial,
+        fmt::format("a rotation is expected; the largest entry of g^T g - 1 is {:.2g} where 1e-9 is taken{}",
+                    off, near ? "; normalised it is " + written(nearest_orthogonal(g)) : ""));
   }
   if (actio::bodies::detail::sign_of_determinant(g) != 1)
-    initial.fail(
-        "attitude",
-        "attitude: a rotation is expected, with determinant 1; this is a reflection, with determinant -1");
+    key.fail(initial,
+             "a rotation is expected, with determinant 1; this is a reflection, with determinant -1");
   // What rounding to 17 digits leaves of a rotation.
   if (off > 4 * std::sqrt(n) * std::numeric_limits<double>::epsilon()) {
     g = nearest_orthogonal(g);
@@ -80,7 +108,7 @@ Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::stri
 
 Eigen::MatrixXd read_velocity_n(SceneTable const& initial, int n) {
   long const size = static_cast<long>(n) * (n - 1) / 2;
-  auto const upper = read_angles(initial, "angular_velocity", -1);
+  auto const upper = angular_velocity_n.read(initial, -1);
   if (upper.size() != static_cast<std::size_t>(size))
     initial.fail(
         "angular_velocity",

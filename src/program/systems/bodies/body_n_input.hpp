@@ -12,6 +12,9 @@ namespace actio::scene {
 /// which with 17 digits fill a scene of 16 MB by half, and a step is a fraction of a second.
 inline constexpr int most_dimensions = 512;
 
+/// The records of [system] and [initial].
+std::vector<Parameter> body_n_parameters();
+
 /// `lambda`: the diagonal of Lambda.
 /// @throws SceneError  where there are fewer than 2 or more than \ref most_dimensions numbers, or a sum of
 ///                     two is not positive

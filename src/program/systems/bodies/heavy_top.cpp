@@ -16,23 +16,21 @@ namespace {
 
 using ConstVector = Eigen::Map<Eigen::Vector3d const>;
 
-std::vector<Parameter> parameters() {
-  std::vector<Parameter> all{
-      {"system.mass", "a number > 0", "needed", "The mass.", "mass", "1"},
-      {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "needed",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor "
-       "in that frame. They are moved to the fixed point.",
-       "mass x length^2", "[1, 1, 0.5]"},
-      {"system.centre_of_mass", "three numbers", "needed", "From the fixed point, in the frame of the body.",
-       "length", "[0, 0, 1]"},
-      {"system.gravity", "three numbers", "needed",
-       "The acceleration, in space. Zero for a free body held at a point.", "length/time^2", "[0, 0, -9.81]"},
-  };
-  auto const initial = initial_parameters(
-      "The angular momentum at the start, about the fixed point, in the frame of the body.");
-  all.insert(all.end(), initial.begin(), initial.end());
-  return all;
-}
+struct TopKeys : KeyTable {
+  Key<double> mass = key("mass", positive.in("mass"), needed, "The mass.", "1");
+  AnyKey inertia =
+      key("inertia", "three numbers, or a symmetric 3 by 3 matrix", needed,
+          "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor "
+          "in that frame. They are moved to the fixed point.",
+          "[1, 1, 0.5]", "mass x length^2");
+  Key<Eigen::Vector3d> centre_of_mass = key("centre_of_mass", vector.in("length"), needed,
+                                            "From the fixed point, in the frame of the body.", "[0, 0, 1]");
+  Key<Eigen::Vector3d> gravity =
+      key("gravity", vector.in("length/time^2"), needed,
+          "The acceleration, in space. Zero for a free body held at a point.", "[0, 0, -9.81]");
+} const top_keys{{"system"}};
+MomentumKeys const momentum_keys{
+    {"initial"}, "The angular momentum at the start, about the fixed point, in the frame of the body."};
 
 std::vector<Method> methods() { return {variational_method("gravity")}; }
 
@@ -86,9 +84,10 @@ struct GivenTop {
         down(-turned.top.vertical()) {}
 };
 GivenTop read_top(SceneTable const& system) {
-  double const mass = system.positive("mass");
+  double const mass = top_keys.mass.read(system);
   PrincipalInertia const about_centre = read_inertia(system);
-  Eigen::Vector3d const centre = system.vector("centre_of_mass"), gravity = system.vector("gravity");
+  Eigen::Vector3d const centre = top_keys.centre_of_mass.read(system),
+                        gravity = top_keys.gravity.read(system);
   try {
     // On a principal axis through the centre of mass the axes at the fixed point are the same.
     bool const on_axis = (centre.array() != 0).count() <= 1;
@@ -234,10 +233,10 @@ Simulation prepare(Request const& request) {
 }
 
 BodyShape shape(SceneFile const& file) {
-  SceneTable const system = file.section("system");
-  return {read_inertia(system),
+  return {read_inertia(file.section("system")),
           {},
-          BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
+          BodyShape::Top{top_keys.mass.read(file), top_keys.centre_of_mass.read(file),
+                         top_keys.gravity.read(file)}};
 }
 
 }  // namespace
@@ -248,7 +247,7 @@ System heavy_top_system() {
           "Heavy top",
           "A rigid body held at a point under uniform gravity.",
           "chapter 3",
-          parameters(),
+          records_of({top_keys, initial_parameters(momentum_keys)}),
           methods(),
           quantities(),
           prepare,

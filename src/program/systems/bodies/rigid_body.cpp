@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "program/catalogue/bodies.hpp"
 #include "program/catalogue/body_shape.hpp"
 #include "program/pictures/pictures.hpp"
 #include "program/registry/conservation.hpp"
@@ -30,26 +29,13 @@ std::vector<Method> methods() {
   };
 }
 
-std::vector<Parameter> parameters() {
-  std::vector<Parameter> all{
-      {"system.body", "a text", "or system.inertia",
-       "A body of the library, with its inertia (actio list bodies).", "", "\"apophis\"", names_of_bodies()},
-      {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "or system.body",
-       "The moments of inertia about the centre of mass, along the axes of the body "
-       "frame, or the tensor in that frame.",
-       "mass x length^2", "[1, 2, 3]"},
-  };
-  auto const torque = torque_parameters();
-  all.insert(all.end(), torque.begin(), torque.end());
-  auto const initial = initial_parameters("The angular momentum at the start, in the frame of the body.");
-  all.insert(all.end(), initial.begin(), initial.end());
-  std::vector<std::string> names;
-  for (auto const& method : methods()) names.push_back(method.name);
-  all.push_back({"method.name", "a text", "\"moser_veselov\"; under a torque \"variational\"",
-                 "The method that the system is stepped by (actio list methods).", "", "\"moser_veselov\"",
-                 names});
-  return all;
-}
+struct FreeOrTorquedKeys : KeyTable {
+  Key<std::string> name =
+      key("name", one_of("method", names_of(methods()), "actio list methods"),
+          LeftOut{"\"moser_veselov\"; under a torque \"variational\""},
+          "The method that the system is stepped by (actio list methods).", "\"moser_veselov\"");
+} const method_keys{{"method"}};
+MomentumKeys const momentum_keys{{"initial"}, "The angular momentum at the start, in the frame of the body."};
 
 std::vector<Quantity> quantities() {
   using Kind = Quantity::Kind;
@@ -241,7 +227,8 @@ BodyShape shape(SceneFile const& file) {
   SceneTable const system = file.section("system");
   PrincipalInertia const inertia = read_body_or_inertia(system);
   return {inertia,
-          system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{},
+          body_keys().body.given(file) ? parts_of(*find_body(body_keys().body.read(file)))
+                                       : std::vector<BodyShape::Part>{},
           {},
           system.has("torque")};
 }
@@ -255,7 +242,7 @@ System rigid_body_system() {
           "A rigid body that turns about its centre of mass, freely or under a torque that comes from a "
           "potential: Euler's equations for the momentum, and the attitude that goes with it.",
           "chapter 5",
-          parameters(),
+          records_of({body_keys(), torque_parameters(), initial_parameters(momentum_keys), method_keys}),
           methods(),
           quantities(),
           prepare,

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
+#include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
-#include "program/systems/bodies/angle_input.hpp"
 #include "program/systems/bodies/body_n_input.hpp"
 #include "program/systems/bodies/free_motion_n.hpp"
 #include "program/systems/method_input.hpp"
@@ -157,31 +157,13 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
-std::vector<Parameter> parameters() {
-  std::vector<Parameter> all{
-      {"system.lambda", fmt::format("n numbers, n from 2 to {}", most_dimensions), "needed",
-       "The diagonal of Lambda: second moments of the mass along the body axes. The sum of any two is "
-       "positive, and is the moment of inertia in their plane.",
-       "mass x length^2", "[1, 2, 3, 4]"},
-      {"initial.attitude", "a list of n rows of n numbers, a rotation", "the identity",
-       "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said.", "",
-       "[[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
-  };
-  auto const velocities = angle_parameters({"initial.angular_velocity", "n(n-1)/2 numbers", "needed",
-                                            "The upper triangle of the body velocity g^-1 g', row by row: "
-                                            "xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = "
-                                            "3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
-                                            "1/time", "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]"},
-                                           "[5, 10, 15, 20, 25, 30]");
-  all.insert(all.end(), velocities.begin(), velocities.end());
-  all.push_back(
-      {"method.step", "a number > 0", "from the time asked",
-       "The time that a step takes, a whole number of times in the time between two rows. By default, for "
-       "order 6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the "
-       "plane that turns fastest; otherwise 0.05 radians.",
-       "time", "0.01"});
-  return all;
-}
+StepKeys const step_n{
+    {"method"},
+    {"from the time asked"},
+    "The time that a step takes, a whole number of times in the time between two rows. By default, for "
+    "order 6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the "
+    "plane that turns fastest; otherwise 0.05 radians.",
+    "0.01"};
 
 }  // namespace
 
@@ -191,7 +173,7 @@ System rigid_body_n_system() {
           "Free rigid body in n dimensions",
           "A rigid body that turns freely about its centre of mass in a space of n dimensions.",
           "chapter 5",
-          parameters(),
+          records_of({body_n_parameters(), step_n}),
           methods(),
           turning_body_n_quantities(),
           prepare,

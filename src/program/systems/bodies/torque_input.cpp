@@ -13,18 +13,77 @@
 namespace actio::scene {
 namespace {
 
+constexpr char const *torque = "system.torque", *gradient = "system.torque.gravity_gradient",
+                     *uniform = "system.torque.uniform_gravity", *potential = "system.torque.potential";
+LeftOut without(std::string const& one, std::string const& other) { return {"or " + one + " or " + other}; }
+
+struct GradientKeys : KeyTable {
+  Pattern<Eigen::Vector3d> const components = vector.called("three components, not all zero");
+  Key<double> strength = key(
+      "strength", positive.in("1/time^2"), LeftOut{"the square of " + name() + ".rate"},
+      "mu/r^3, the constant of gravitation times the mass of the centre by the cube of its distance.", "0.2");
+  Key<Eigen::Vector3d> direction =
+      key("direction", components, needed, "To the centre, in space; with rate it is that at the start.",
+          "[1, 0, 0]");
+  Key<double> rate = key(
+      "rate", number.called("a number, not zero").in("1/time"),
+      LeftOut{"none, and the direction stands still"},
+      "At which the direction turns about the normal, as on a circular orbit, where its square is mu/r^3.",
+      "0.5");
+  Key<Eigen::Vector3d> normal =
+      key("normal", components, LeftOut{"needed where " + name() + ".rate is given"},
+          "Of the orbit, in space, at right angles to the direction, which turns about it "
+          "counter-clockwise as seen from its tip.",
+          "[0, 0, 1]");
+} const gradient_keys{
+    {gradient, without(uniform, potential),
+     "The gradient of the gravity of a centre that is far away against the size of the body: its "
+     "potential is 3/2 mu/r^3 times the moment of inertia about the direction to the centre.",
+     "{ strength = 0.2, direction = [1, 0, 0] }", "a table with strength or rate, and direction"}};
+
+struct UniformKeys : KeyTable {
+  Pattern<Eigen::Vector3d> const some = vector.called("three numbers, not all zero");
+  Key<double> mass = key("mass", positive.in("mass"), needed, "The mass.", "1");
+  Key<Eigen::Vector3d> lever =
+      key("lever", some.in("length"), needed,
+          "From the fixed point to the centre of mass, in the frame of the body.", "[0, 0, 0.5]");
+  Key<Eigen::Vector3d> acceleration =
+      key("acceleration", some.in("length/time^2"), needed, "Of gravity, in space.", "[0, 0, -9.81]");
+} const uniform_keys{
+    {uniform, without(gradient, potential),
+     "The weight of a body that is held at a point, about which the inertia is that of the scene; a "
+     "heavy_top computes it from that about the centre of mass. A magnet in a field is under such a "
+     "torque, too, its moment the mass times the lever.",
+     "{ mass = 1, lever = [0, 0, 0.5], acceleration = [0, 0, -9.81] }",
+     "a table with mass, lever and acceleration"}};
+
+KeyTable const torque_table{
+    torque, LeftOut{"none, and the body is free"},
+    "A torque on the body, which comes from a potential. One that does not, such as friction or a "
+    "thruster, belongs to no Lagrangian, and is not offered.",
+    "{ gravity_gradient = { rate = 0.5, direction = [1, 0, 0], normal = [0, 0, 1] } }",
+    "a table with gravity_gradient, uniform_gravity or potential"};
+struct PotentialKeys : KeyTable {
+  Key<std::string> formula = key(
+      "potential", text.called("a formula, as a text"), without(gradient, uniform),
+      "The potential energy, in the entries r11, r12, ..., r33 of the rotation matrix that takes the body "
+      "to space, row by row, and the time t; names of your own may be defined before it: \"k = 2; "
+      "-k*r33\". The torque is its exact derivative.",
+      "\"-2*r33 + 0.1*r11^2*cos(t)\"");
+} const potential_keys{{torque}};
+
 /// A vector that says a direction.
-Eigen::Vector3d direction(SceneTable const& table, std::string const& key) {
-  Eigen::Vector3d const given = table.vector(key);
-  if (!(magnitude(given) > 0)) table.fail(key, key + ": a direction is expected, found one of length 0");
+Eigen::Vector3d direction(SceneTable const& table, Key<Eigen::Vector3d> const& key) {
+  Eigen::Vector3d const given = key.read(table);
+  if (!(magnitude(given) > 0)) key.fail(table, "a direction is expected, found one of length 0");
   return given.stableNormalized().normalized();
 }
 
 /// An arm or an acceleration, without which there would be no torque.
-Eigen::Vector3d not_zero(SceneTable const& table, std::string const& key) {
-  Eigen::Vector3d const given = table.vector(key);
+Eigen::Vector3d not_zero(SceneTable const& table, Key<Eigen::Vector3d> const& key) {
+  Eigen::Vector3d const given = key.read(table);
   if (!(magnitude(given) > 0))
-    table.fail(key, key + ": it is zero, so that there is no torque; leave system.torque out");
+    key.fail(table, "it is zero, so that there is no torque; leave system.torque out");
   return given;
 }
 
@@ -38,14 +97,13 @@ void check_right_angle(SceneTable const& gradient, Eigen::Vector3d const& toward
   double const cosine = towards.dot(normal);
   if (std::abs(cosine) <= 1e-9) return;
   Eigen::Vector3d const in_plane = towards - cosine * normal;
-  gradient.fail(
-      "direction",
-      fmt::format("direction: the direction to the centre and the normal of the orbit are {} degrees "
-                  "apart, and must be 90 to 1e-9 radians{}",
-                  std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi,
-                  in_plane.norm() > 1e-6
-                      ? "; in the plane of the orbit it is " + listed_components(in_plane.normalized())
-                      : ""));
+  gradient_keys.direction.fail(
+      gradient, fmt::format("the direction to the centre and the normal of the orbit are {} degrees "
+                            "apart, and must be 90 to 1e-9 radians{}",
+                            std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi,
+                            in_plane.norm() > 1e-6 ? "; in the plane of the orbit it is " +
+                                                         listed_components(in_plane.normalized())
+                                                   : ""));
 }
 
 }  // namespace
@@ -76,36 +134,32 @@ SceneTorque::SceneTorque(SceneTable const& torque, PrincipalInertia const& inert
   }
 }
 
-void SceneTorque::read_gradient(SceneTable const& gradient) {
-  SceneTable table = gradient;
-  bool const turns = table.has("rate");
-  if (!turns && table.has("normal"))
-    table.fail("normal", "normal: the direction to the centre turns about it at 'rate', which is missing");
-  if (turns && !table.has("normal"))
-    throw SceneError(table.place("rate"),
-                     "rate: the direction to the centre turns about 'normal', which is missing");
-  double const rate = turns ? table.number("rate") : 0;
+void SceneTorque::read_gradient(SceneTable const& table) {
+  auto const& keys = gradient_keys;
+  bool const turns = keys.rate.given(table), strong = keys.strength.given(table);
+  if (!turns && keys.normal.given(table))
+    keys.normal.fail(table, "the direction to the centre turns about it at 'rate', which is missing");
+  if (turns && !keys.normal.given(table))
+    keys.rate.fail(table, "the direction to the centre turns about 'normal', which is missing");
+  double const rate = keys.rate.find(table).value_or(0);
   if (turns && rate == 0)
-    table.fail("rate", "rate: it is zero; without 'rate' and 'normal' the direction stands still");
-  if (!turns && !table.has("strength"))
+    keys.rate.fail(table, "it is zero; without 'rate' and 'normal' the direction stands still");
+  if (!turns && !strong)
     throw SceneError(table.place(),
                      "[system.torque.gravity_gradient] needs 'strength', which is mu/r^3, or the 'rate' of "
                      "a circular orbit, whose square it is");
-  if (!table.has("strength")) {
-    if (!is_finite(rate * rate) || !(rate * rate > 0))
-      table.fail("rate", "rate: its square, which is mu/r^3, is beyond all numbers; 'strength' would say it");
-    table.set("strength", rate * rate);
-  }
-  double const strength = table.positive("strength");
+  if (!strong && (!is_finite(rate * rate) || !(rate * rate > 0)))
+    keys.rate.fail(table, "its square, which is mu/r^3, is beyond all numbers; 'strength' would say it");
+  double const strength = keys.strength.read_or(table, rate * rate);
   if (!is_finite(3 * strength * magnitude(inertia_.tensor())))
-    table.fail("strength", "strength: the number is too large: the torque is beyond 1e308");
-  Eigen::Vector3d const towards = direction(table, "direction");
+    keys.strength.fail(table, "the number is too large: the torque is beyond 1e308");
+  Eigen::Vector3d const towards = direction(table, keys.direction);
   symmetric_ = !turns, axis_ = towards;
   if (!turns) {
     torque_ = bodies::gravity_gradient(inertia_.inertia, 3 * strength, towards);
     return;
   }
-  rate_ = rate, axis_ = direction(table, "normal");
+  rate_ = rate, axis_ = direction(table, keys.normal);
   check_right_angle(table, towards, axis_);
   bodies::GravityGradient orbit = bodies::gravity_gradient_in_orbit(inertia_.inertia, rate, towards, axis_);
   orbit.strength = 3 * strength;
@@ -113,8 +167,9 @@ void SceneTorque::read_gradient(SceneTable const& gradient) {
 }
 
 void SceneTorque::read_uniform(SceneTable const& uniform) {
-  double const mass = uniform.positive("mass");
-  Eigen::Vector3d const lever = not_zero(uniform, "lever"), pull = not_zero(uniform, "acceleration"),
+  double const mass = uniform_keys.mass.read(uniform);
+  Eigen::Vector3d const lever = not_zero(uniform, uniform_keys.lever),
+                        pull = not_zero(uniform, uniform_keys.acceleration),
                         weight = mass * pull.stableNorm() * lever;
   if (!is_finite(weight) || !is_finite(weight.squaredNorm()))
     throw SceneError(uniform.place(),
@@ -125,7 +180,7 @@ void SceneTorque::read_uniform(SceneTable const& uniform) {
 }
 
 void SceneTorque::read_formula(SceneTable const& torque) {
-  FormulaPotential potential(torque.text("potential"), torque.text_place("potential"));
+  FormulaPotential potential(potential_keys.formula.read(torque), torque.text_place("potential"));
   place_ = torque.place("potential");
   formula_in_time_ = potential.uses_time();
   if (int const axis = potential.axis(); axis >= 0) axis_ = Eigen::Vector3d::Unit(axis), symmetric_ = true;
@@ -147,45 +202,7 @@ std::optional<SceneTorque> read_torque(SceneTable const& system, PrincipalInerti
 }
 
 std::vector<Parameter> torque_parameters() {
-  std::string const torque = "system.torque", gradient = torque + ".gravity_gradient",
-                    uniform = torque + ".uniform_gravity", potential = torque + ".potential";
-  return {
-      {torque, "a table with gravity_gradient, uniform_gravity or potential", "none, and the body is free",
-       "A torque on the body, which comes from a potential. One that does not, such as friction or a "
-       "thruster, belongs to no Lagrangian, and is not offered.",
-       "", "{ gravity_gradient = { rate = 0.5, direction = [1, 0, 0], normal = [0, 0, 1] } }"},
-      {gradient, "a table with strength or rate, and direction", "or " + uniform + " or " + potential,
-       "The gradient of the gravity of a centre that is far away against the size of the body: its "
-       "potential is 3/2 mu/r^3 times the moment of inertia about the direction to the centre.",
-       "", "{ strength = 0.2, direction = [1, 0, 0] }"},
-      {gradient + ".strength", "a number > 0", "the square of " + gradient + ".rate",
-       "mu/r^3, the constant of gravitation times the mass of the centre by the cube of its distance.",
-       "1/time^2", "0.2"},
-      {gradient + ".direction", "three components, not all zero", "needed",
-       "To the centre, in space; with rate it is that at the start.", "", "[1, 0, 0]"},
-      {gradient + ".rate", "a number, not zero", "none, and the direction stands still",
-       "At which the direction turns about the normal, as on a circular orbit, where its square is mu/r^3.",
-       "1/time", "0.5"},
-      {gradient + ".normal", "three components, not all zero", "needed where " + gradient + ".rate is given",
-       "Of the orbit, in space, at right angles to the direction, which turns about it "
-       "counter-clockwise as seen from its tip.",
-       "", "[0, 0, 1]"},
-      {uniform, "a table with mass, lever and acceleration", "or " + gradient + " or " + potential,
-       "The weight of a body that is held at a point, about which the inertia is that of the scene; a "
-       "heavy_top computes it from that about the centre of mass. A magnet in a field is under such a "
-       "torque, too, its moment the mass times the lever.",
-       "", "{ mass = 1, lever = [0, 0, 0.5], acceleration = [0, 0, -9.81] }"},
-      {uniform + ".mass", "a number > 0", "needed", "The mass.", "mass", "1"},
-      {uniform + ".lever", "three numbers, not all zero", "needed",
-       "From the fixed point to the centre of mass, in the frame of the body.", "length", "[0, 0, 0.5]"},
-      {uniform + ".acceleration", "three numbers, not all zero", "needed", "Of gravity, in space.",
-       "length/time^2", "[0, 0, -9.81]"},
-      {potential, "a formula, as a text", "or " + gradient + " or " + uniform,
-       "The potential energy, in the entries r11, r12, ..., r33 of the rotation matrix that takes the body "
-       "to space, row by row, and the time t; names of your own may be defined before it: \"k = 2; "
-       "-k*r33\". The torque is its exact derivative.",
-       "", "\"-2*r33 + 0.1*r11^2*cos(t)\""},
-  };
+  return records_of({torque_table, gradient_keys, uniform_keys, potential_keys});
 }
 
 }  // namespace actio::scene

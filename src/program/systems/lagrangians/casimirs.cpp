@@ -39,8 +39,7 @@ systems::MatrixAlgebra without(systems::MatrixAlgebra algebra, int component) {
 std::vector<systems::Casimir> casimirs_of(ReducedScene const& scene) {
   auto const& algebra = scene.system->algebra;
   if (scene.carried.empty()) return casimirs(algebra);
-  std::vector<std::string> names;
-  for (auto const& vector : scene.carried) names.push_back(vector.name);
+  auto const names = names_of(scene.carried);
   auto whole = systems::semidirect_algebra(algebra, static_cast<int>(names.size()), algebra.size, names);
   auto const zero = components_that_stay_zero(scene);
   for (std::size_t k = zero.size(); k-- > 0;) whole = without(std::move(whole), zero[k]);

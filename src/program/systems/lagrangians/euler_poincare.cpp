@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "actio/reduction/composition.hpp"
+#include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
-#include "program/registry/system.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
 #include "program/systems/lagrangians/instruments.hpp"
 #include "program/systems/lagrangians/motion.hpp"
@@ -16,49 +16,14 @@
 namespace actio::scene {
 namespace {
 
-std::vector<Parameter> parameters() {
-  return {
-      {"system.group", "a text", "or system.algebra",
-       "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x "
-       "R^2\", \"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
-       "", "\"SE(2)\""},
-      {"system.algebra", "a list of square matrices, each a list of rows", "or system.group",
-       "A basis of the algebra of a group of one's own: linearly independent, and closed under "
-       "commutators. The components of the velocity are then x1, x2, ...",
-       "", "[[[0, 1], [0, 0]]]"},
-      {"system.side",
-       "a text",
-       "\"left\"",
-       "Which translations leave the Lagrangian as it is: \"left\" has velocities and momenta of the body, "
-       "g^-1 g', and \"right\" has those in space, g' g^-1.",
-       "",
-       "\"left\"",
-       {"left", "right"}},
-      {"system.lagrangian", "a formula", "needed",
-       "The Lagrangian, a formula in the components of the velocity, the parameters and the components "
-       "of the carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: "
-       "there is no abs, min or comparison.",
-       "", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
-      {"system.parameters", "a table by names of one's own", "none",
-       "Numbers by whose names the Lagrangian uses them; each is used.", "", "{ c = 6 }"},
-      {"system.advected", "a table of vectors by names of one's own", "none",
-       "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in "
-       "space on the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] "
-       "has the components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. "
-       "On SE(2) and SE(3) a list of 2 or 3 numbers is a direction.",
-       "", "{ gravity = [0, 0, -1] }"},
-      {"initial.velocity", "a list of as many numbers as the group has dimensions", "needed",
-       "The velocity at the start, in the order of the components.", "1/time", "[0.7, 1.0, 0.2]"},
-      {"initial.configuration", "a square matrix, an element of the group", "the identity",
-       "The configuration at the start, as a matrix.", "", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
-      {"method.step", "a number > 0", "from the time asked",
-       "The time that a step takes, a whole number of times in the time between two rows. By "
-       "default a twentieth of the shortest time in which something changes at the start: the "
-       "group turns, or the linearized equations of motion swing or grow; a hundredth of the time "
-       "between two rows where nothing does.",
-       "time", "0.01"},
-  };
-}
+StepKeys const reduced_step{
+    {"method"},
+    {"from the time asked"},
+    "The time that a step takes, a whole number of times in the time between two rows. By "
+    "default a twentieth of the shortest time in which something changes at the start: the "
+    "group turns, or the linearized equations of motion swing or grow; a hundredth of the time "
+    "between two rows where nothing does.",
+    "0.01"};
 
 std::vector<Method> methods() {
   return {
@@ -181,7 +146,7 @@ System euler_poincare_system() {
       "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
       "vectors that the motion carries.",
       "chapters 2 to 4",
-      parameters(),
+      records_of({reduced_parameters(), reduced_step}),
       methods(),
       reduced_quantities(),
       prepare,

@@ -17,16 +17,59 @@
 namespace actio::scene {
 namespace {
 
+struct ReducedKeys : KeyTable {
+  Key<std::string> group = key(
+      "group", text, LeftOut{"or system.algebra"},
+      "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x "
+      "R^2\", \"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
+      "\"SE(2)\"");
+  AnyKey algebra =
+      key("algebra", "a list of square matrices, each a list of rows", LeftOut{"or system.group"},
+          "A basis of the algebra of a group of one's own: linearly independent, and closed under "
+          "commutators. The components of the velocity are then x1, x2, ...",
+          "[[[0, 1], [0, 0]]]");
+  Key<std::string> side = key(
+      "side", one_of("side", {"left", "right"}), "left",
+      "Which translations leave the Lagrangian as it is: \"left\" has velocities and momenta of the body, "
+      "g^-1 g', and \"right\" has those in space, g' g^-1.",
+      "\"left\"");
+  Key<std::string> lagrangian =
+      key("lagrangian", text.called("a formula"), needed,
+          "The Lagrangian, a formula in the components of the velocity, the parameters and the components "
+          "of the carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: "
+          "there is no abs, min or comparison.",
+          "\"(w^2 + v1^2 + 6*v2^2)/2\"");
+  AnyKey parameters = key("parameters", "a table by names of one's own", LeftOut{"none"},
+                          "Numbers by whose names the Lagrangian uses them; each is used.", "{ c = 6 }");
+  AnyKey advected =
+      key("advected", "a table of vectors by names of one's own", LeftOut{"none"},
+          "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in "
+          "space on the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] "
+          "has the components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. "
+          "On SE(2) and SE(3) a list of 2 or 3 numbers is a direction.",
+          "{ gravity = [0, 0, -1] }");
+} const reduced_keys{{"system"}};
+
+struct ReducedStartKeys : KeyTable {
+  Key<std::vector<double>> velocity =
+      key("velocity", numbers("a list of as many numbers as the group has dimensions").in("1/time"), needed,
+          "The velocity at the start, in the order of the components.", "[0.7, 1.0, 0.2]");
+  AnyKey configuration =
+      key("configuration", "a square matrix, an element of the group", LeftOut{"the identity"},
+          "The configuration at the start, as a matrix.", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]");
+} const reduced_start_keys{{"initial"}};
+
 systems::MatrixAlgebra read_algebra(SceneTable const& system) {
-  bool const named = system.has("group");
-  if (named == system.has("algebra"))
+  bool const named = reduced_keys.group.given(system);
+  if (named == reduced_keys.algebra.given(system))
     throw SceneError(named ? system.place("algebra") : system.place(),
                      named ? "[system] has 'group' and 'algebra'; one of them says what the group is"
                            : "[system] needs 'group', for instance group = \"SE(2)\", or "
                              "'algebra', a basis of matrices");
   std::string const key = named ? "group" : "algebra";
   try {
-    return named ? systems::named_algebra(system.text(key)) : systems::spanned_algebra(system.matrices(key));
+    return named ? systems::named_algebra(reduced_keys.group.read(system))
+                 : systems::spanned_algebra(system.matrices(key));
   } catch (SceneError const&) {
     throw;
   } catch (Error const& error) {
@@ -71,8 +114,8 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
     out.push_back({key, padded(table, key, algebra)});
   }
   if (out.size() * static_cast<std::size_t>(algebra.size) > 128)
-    system.fail("advected", fmt::format("advected: at most 128 components together are expected, found {}",
-                                        out.size() * static_cast<std::size_t>(algebra.size)));
+    reduced_keys.advected.fail(system, fmt::format("at most 128 components together are expected, found {}",
+                                                   out.size() * static_cast<std::size_t>(algebra.size)));
   return out;
 }
 
@@ -109,7 +152,8 @@ Tape read_lagrangian(SceneFile const& file, systems::MatrixAlgebra const& algebr
   for (auto const& vector : carried)
     for (auto& name : components_of(vector, algebra)) names.push_back(std::move(name));
   auto const parameters = formula_constants(system, "parameters", names, "a component");
-  auto formula = scene_formula(system.text("lagrangian"), names, parameters, system.text_place("lagrangian"));
+  auto formula =
+      scene_formula(reduced_keys.lagrangian.read(system), names, parameters, system.text_place("lagrangian"));
   require_used(file, parameters, carried, algebra, formula.used);
   return std::move(formula.value);
 }
@@ -121,14 +165,14 @@ Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra c
   Eigen::MatrixXd const g = initial.matrix("configuration", algebra.size);
   double distance = 0;
   if (!systems::is_element(algebra, g, distance))
-    initial.fail(
-        "configuration",
+    reduced_start_keys.configuration.fail(
+        initial,
         std::isfinite(distance)
-            ? fmt::format("configuration: an element of the group is expected; this matrix is {:.3g} away "
+            ? fmt::format("an element of the group is expected; this matrix is {:.3g} away "
                           "from it, and at most 1e-9 is allowed",
                           distance)
-            : "configuration: an element of the group is expected; this matrix is so far from "
-              "it that no distance can be told");
+            : "an element of the group is expected; this matrix is so far from it that no distance can "
+              "be told");
   if (double const rounding = 1e-14 * static_cast<double>(algebra.size) * g.norm(); distance > rounding)
     remarks.push_back(
         fmt::format("configuration: it is taken as it is, {:.2g} away from the group", distance));
@@ -155,18 +199,17 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
   // Far below them, a quotient of one by them is beyond the numbers.
   constexpr double smallest = 1e-280;
   if (double const largest = hessian.cwiseAbs().maxCoeff(); largest > 0 && largest < smallest)
-    system.fail("lagrangian",
-                fmt::format("lagrangian: its second derivatives at the start are {:.3g} at most, and at "
+    reduced_keys.lagrangian.fail(
+        system, fmt::format("its second derivatives at the start are {:.3g} at most, and at "
                             "least {:.3g} is needed; a Lagrangian times a number has the same motion",
                             largest, smallest));
   systems::LeastRegular const least(hessian);
   if (least.smallest > 1e-12 * least.largest) return;
-  system.fail(
-      "lagrangian",
-      fmt::format("lagrangian: it is not regular at the start: along {} its second derivative is {:.3g}, "
-                  "where the largest is {:.3g}, so that the momentum does not determine the velocity",
-                  combination(least.direction, scene.system->algebra.components), least.smallest,
-                  least.largest));
+  reduced_keys.lagrangian.fail(
+      system, fmt::format("it is not regular at the start: along {} its second derivative is {:.3g}, "
+                          "where the largest is {:.3g}, so that the momentum does not determine the velocity",
+                          combination(least.direction, scene.system->algebra.components), least.smallest,
+                          least.largest));
 }
 
 systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const& algebra) {
@@ -180,6 +223,8 @@ systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const
 
 }  // namespace
 
+std::vector<Parameter> reduced_parameters() { return records_of({reduced_keys, reduced_start_keys}); }
+
 std::vector<std::string> carried_names(SceneFile const& file) {
   SceneTable const system = file.section("system");
   return system.has("advected") && system.is_table("advected") ? system.inside("advected").keys()
@@ -189,13 +234,12 @@ std::vector<std::string> carried_names(SceneFile const& file) {
 ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>& remarks) {
   SceneTable system = file.section("system"), initial = file.section("initial");
   systems::MatrixAlgebra algebra = read_algebra(system);
-  if (!system.has("side")) system.set("side", "left");
   systems::Side const side =
-      system.choice("side", "side", {"left", "right"}) == "left" ? systems::Side::left : systems::Side::right;
+      reduced_keys.side.read(system) == "left" ? systems::Side::left : systems::Side::right;
   ReducedScene scene;
   scene.carried = read_carried(system, algebra);
   Tape l = read_lagrangian(file, algebra, scene.carried);
-  scene.velocity = initial.numbers("velocity", algebra.dimension);
+  scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
   Eigen::MatrixXd mover = scene.configuration;
   if (side == systems::Side::left) mover = inverse_matrix(scene.configuration, "configuration");
@@ -210,8 +254,8 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
     scene.start.momentum =
         systems::LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
   } catch (NotFinite const&) {
-    system.fail("lagrangian",
-                "lagrangian: at the start its value or one of its derivatives is no finite number");
+    reduced_keys.lagrangian.fail(system,
+                                 "at the start its value or one of its derivatives is no finite number");
   }
   require_regular(system, scene);
   return scene;

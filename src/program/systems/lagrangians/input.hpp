@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "actio/any_group/chart_solver.hpp"
-#include "program/document/file.hpp"
+#include "program/document/key.hpp"
 
 namespace actio::scene {
 
@@ -26,6 +26,9 @@ struct ReducedScene {
   std::vector<double> velocity;                          ///< at the start, 1/time
   systems::ReducedPoint start;                           ///< momentum and vectors at the start
 };
+
+/// The records of [system] and [initial].
+std::vector<Parameter> reduced_parameters();
 
 /// Reads [system] and [initial]; defaults are written back.
 /// @throws SceneError  where a value is missing or wrong, with its place: an unknown group, a basis that is

@@ -4,11 +4,35 @@
 
 #include <algorithm>
 
+#include "program/registry/common_keys.hpp"
 #include "program/systems/method_input.hpp"
 #include "program/systems/step_hint.hpp"
 
 namespace actio::scene {
 namespace {
+
+StepKeys const medium_step_keys{
+    {"method"},
+    {"four tenths of the longest stable step, or less"},
+    "The time that a step takes. By default it is at most four tenths of the longest for which small "
+    "motions about the start are stable and viscosity is damping; nine tenths of the former are the "
+    "most. Where viscosity allows less on the way, as in a shock, a step is made in equal parts.",
+    "0.01"};
+struct MediumMethodKeys : KeyTable {
+  Key<std::string> conserve =
+      key("conserve", one_of("value of conserve", {"form", "energy"}), "form",
+          "What steps conserve besides linear and angular momentum: the multisymplectic form, explicitly, "
+          "where the energy oscillates with the square of the step; or the energy, by a discrete gradient, "
+          "which is implicit and gives up the form.",
+          "\"energy\"");
+  AnyKey viscosity = key(
+      "viscosity", "a table", LeftOut{"none"},
+      "The viscosity of von Neumann and Richtmyer, which spreads a shock over a few cells: where a cell "
+      "of extent l is compressed, a pressure of the present density times l r (quadratic l r + linear c) "
+      "acts on it, with r the rate at which its volume falls over that volume and c the speed of sound. 2 "
+      "and 0.5 are usual. What it takes of the energy is the quantity dissipated.",
+      "{ linear = 0.5, quadratic = 2 }");
+} const medium_method_keys{{"method"}};
 
 media::ArtificialViscosity read_viscosity(SceneTable const& method, bool plain) {
   if (!method.has("viscosity")) return {};
@@ -23,7 +47,7 @@ media::ArtificialViscosity read_viscosity(SceneTable const& method, bool plain) 
       table.fail(key, fmt::format("{}: a coefficient of viscosity is not negative, found {}", key, *value));
   }
   if (out.any() && !plain)
-    method.fail("viscosity", "viscosity: it is that of steps of order 2 with conserve = \"form\"");
+    medium_method_keys.viscosity.fail(method, "it is that of steps of order 2 with conserve = \"form\"");
   return out;
 }
 
@@ -66,36 +90,13 @@ MediumMethod read_medium_method(SceneFile const& file) {
   SceneTable method = file.section("method");
   MediumMethod out;
   out.order = read_method(method, medium_methods()).number();
-  if (!method.has("conserve")) method.set("conserve", "form");
-  if (method.choice("conserve", "value of conserve", {"form", "energy"}) == "energy")
-    out.conserve = media::Conserve::energy;
+  if (medium_method_keys.conserve.read(method) == "energy") out.conserve = media::Conserve::energy;
   out.viscosity = read_viscosity(method, out.plain());
   return out;
 }
 
 std::vector<Parameter> medium_method_parameters() {
-  return {
-      {"method.step", "a number > 0", "four tenths of the longest stable step, or less",
-       "The time that a step takes. By default it is at most four tenths of the longest for which small "
-       "motions about the start are stable and viscosity is damping; nine tenths of the former are the "
-       "most. Where viscosity allows less on the way, as in a shock, a step is made in equal parts.",
-       "time", "0.01"},
-      {"method.conserve",
-       "a text",
-       "\"form\"",
-       "What steps conserve besides linear and angular momentum: the multisymplectic form, explicitly, "
-       "where the energy oscillates with the square of the step; or the energy, by a discrete gradient, "
-       "which is implicit and gives up the form.",
-       "",
-       "\"energy\"",
-       {"form", "energy"}},
-      {"method.viscosity", "a table", "none",
-       "The viscosity of von Neumann and Richtmyer, which spreads a shock over a few cells: where a cell "
-       "of extent l is compressed, a pressure of the present density times l r (quadratic l r + linear c) "
-       "acts on it, with r the rate at which its volume falls over that volume and c the speed of sound. 2 "
-       "and 0.5 are usual. What it takes of the energy is the quantity dissipated.",
-       "", "{ linear = 0.5, quadratic = 2 }"},
-  };
+  return records_of({medium_step_keys, medium_method_keys});
 }
 
 }  // namespace actio::scene

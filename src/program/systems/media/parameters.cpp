@@ -67,10 +67,6 @@ std::vector<Parameter> of_start() {
 
 }  // namespace
 
-std::vector<Parameter> medium_parameters(bool fluid) {
-  auto all = of_system(fluid);
-  for (auto& key : of_start()) all.push_back(std::move(key));
-  return all;
-}
+std::vector<Parameter> medium_parameters(bool fluid) { return records_of({of_system(fluid), of_start()}); }
 
 }  // namespace actio::scene

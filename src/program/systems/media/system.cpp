@@ -242,11 +242,8 @@ Simulation prepare_medium(bool fluid, Request const& request) {
 }
 
 std::vector<Parameter> medium_scene_parameters(bool fluid) {
-  auto all = medium_parameters(fluid);
-  for (auto& key : load_parameters()) all.push_back(std::move(key));
-  all.push_back(loops_parameter());
-  for (auto& key : medium_method_parameters()) all.push_back(std::move(key));
-  return all;
+  return records_of({medium_parameters(fluid), load_parameters(), std::vector{loops_parameter()},
+                     medium_method_parameters()});
 }
 
 }  // namespace actio::scene

@@ -28,12 +28,27 @@ struct SphereHamiltonian {
   sphere::SphereHarmonics laplacian_of_psi(sphere::SphereHarmonics vorticity) const;
 };
 
-/// `system.hamiltonian` and `system.deformation`, with the first written back where it is left out.
+/// Which of them a scene has.
+struct HamiltonianKeys : KeyTable {
+  Key<std::string> hamiltonian = key(
+      "hamiltonian", one_of("Hamiltonian", {"euler", "quasi_geostrophic"}),
+      LeftOut{"\"euler\"; \"quasi_geostrophic\" where there is a deformation"},
+      "Which stream function psi a vorticity has: euler, Laplacian psi = vorticity; quasi_geostrophic, "
+      "(Laplacian - gamma) psi = potential vorticity with gamma = 1/deformation^2, in a layer whose depth "
+      "may change a little. In a layer the vorticity of a scene is the potential one, in [initial], rows "
+      "and snapshots; flows that are given by a velocity (zonal_jet, rossby_haurwitz_4, zonal_rate) have "
+      "that velocity. A layer is stepped in double precision.",
+      "\"euler\"");
+  Key<double> deformation = key(
+      "deformation", number.called("a number from 0.001 to 1000").in("radii of the sphere"),
+      LeftOut{"needed with hamiltonian = \"quasi_geostrophic\""},
+      "The radius of deformation (Rossby's) of a layer: beyond it vortices hardly feel each other.", "0.3");
+};
+inline HamiltonianKeys const hamiltonian_keys{{"system"}};  ///< its keys
+
+/// Reads it; `system.hamiltonian` is written back where it is left out.
 /// @throws SceneError  where a layer has no radius of deformation, or one that is none, or Euler's fluid has
 ///                     one
-SphereHamiltonian read_hamiltonian(SceneTable system);
-
-/// Their records.
-std::vector<Parameter> hamiltonian_parameters();
+SphereHamiltonian read_hamiltonian(SceneFile const& file);
 
 }  // namespace actio::scene

@@ -6,13 +6,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "actio/numbers/nearest_name.hpp"
+#include "program/registry/common_keys.hpp"
 #include "program/systems/sphere/named_states.hpp"
 
 namespace actio::scene {
 namespace {
+
+/// How a flow begins.
+struct StartKeys : KeyTable {
+  Key<Eigen::MatrixXd> harmonics =
+      key("harmonics", rows("a list of rows of four numbers: l, m, re, im", 4).in("1/time"),
+          LeftOut{"or initial.file or initial.state"},
+          "The coefficients of the vorticity relative to the sphere, in orthonormal complex spherical "
+          "harmonics with the Condon-Shortley phase. 0 <= m <= l, 1 <= l < N; those of -m follow, since the "
+          "field is real. What is left out is zero.",
+          "[[5, 3, 0.2, 0.1], [1, 0, 0.5, 0.0]]");
+  AnyKey file = key("file", "a text, the path of a file beside the scene",
+                    LeftOut{"or initial.harmonics or initial.state"},
+                    "The same as a file with the heading l,m,re,im, as snapshots write it: every order of "
+                    "every degree up to the last one.",
+                    "\"vorticity.csv\"");
+  Key<std::string> state = key(
+      "state", one_of("state", names_of_states()), other_start,
+      "A flow by its name; its parameters are in a table of that name, for instance [initial.random] with "
+      "lmax = 10, and where there is such a table it names the state.",
+      "\"random\"");
+} const start_keys{{"initial"}};
 
 /// The state that the scene names, by `state` or by the table of its parameters; empty where it names none.
 std::string state_of(SceneTable& initial) {
@@ -24,7 +45,7 @@ std::string state_of(SceneTable& initial) {
     initial.fail(tables[1], fmt::format("[initial] has '{}' and '{}'; one of them says how the flow begins",
                                         tables[0], tables[1]));
   if (!initial.has("state")) return tables.empty() ? "" : tables[0];
-  std::string const name = initial.choice("state", "state", names);
+  std::string const name = start_keys.state.read(initial);
   if (!tables.empty() && tables[0] != name)
     initial.fail(tables[0], fmt::format("[initial.{}] holds parameters of another state than state = \"{}\"",
                                         tables[0], name));
@@ -32,13 +53,12 @@ std::string state_of(SceneTable& initial) {
 }
 
 void read_rows(SceneTable const& initial, sphere::SphereHarmonics& f) {
-  auto const rows = initial.rows("harmonics", 4);
+  auto const rows = start_keys.harmonics.read(initial);
   Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(f.degrees(), f.degrees());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    auto const& row = rows[i];
+  for (int i = 0; i < rows.rows(); ++i) {
     std::string const wrong =
-        put_coefficient(f, lines, -static_cast<int>(i) - 1, row[0], row[1], row[2], row[3]);
-    if (!wrong.empty()) throw SceneError(initial.place("harmonics", i), "harmonics: " + wrong);
+        put_coefficient(f, lines, -i - 1, rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3));
+    if (!wrong.empty()) start_keys.harmonics.fail_at(initial, static_cast<std::size_t>(i), wrong);
   }
 }
 
@@ -48,21 +68,22 @@ sphere::SphereHarmonics read_file(SceneTable& initial, int n) {
   try {
     return read_harmonics(text, path, n);
   } catch (SceneError const& error) {
-    initial.fail("file", std::string("file: ") + error.what());
+    start_keys.file.fail(initial, error.what());
   }
 }
 
 }  // namespace
 
-int read_matrix_size(SceneTable const& system) { return static_cast<int>(system.integer("N", 2, 1L << 20)); }
+std::vector<Parameter> vorticity_parameters() {
+  return records_of({sphere_keys, hamiltonian_keys, start_keys, parameters_of_states()});
+}
 
 VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::string>& remarks) {
-  SceneTable system = file.section("system"), initial = file.section("initial");
+  SceneTable initial = file.section("initial");
   VorticityStart start;
-  start.n = read_matrix_size(system);
-  start.hamiltonian = read_hamiltonian(system);
-  if (!system.has("rotation")) system.set("rotation", 0.0);
-  start.rotation = system.number("rotation");
+  start.n = sphere_keys.N.read(file);
+  start.hamiltonian = read_hamiltonian(file);
+  start.rotation = sphere_keys.rotation.read(file);
 
   std::string const state = state_of(initial);
   std::vector<std::string> given;
@@ -88,10 +109,9 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
         "file: the copy of the scene names it by its whole path; who repeats or resumes the "
         "run needs it there, as it is now");
   } else {
-    initial.set("state", state);
-    NamedFlow flow =
-        read_named_state(state, {initial.inside(state), start.n, start.hamiltonian, start.rotation,
-                                 file.section("scene").integer("seed", 0, std::numeric_limits<long>::max())});
+    start_keys.state.write(file, state);
+    NamedFlow flow = read_named_state(
+        state, {file, start.n, start.hamiltonian, start.rotation, scene_keys.seed.read(file)});
     start.relative = std::move(flow.relative), start.matrix = std::move(flow.matrix);
     return start;
   }

@@ -18,14 +18,25 @@ struct VorticityStart {
   std::string key;                   ///< of [initial] that says it
 };
 
-/// `system.N`.
-/// @throws SceneError  where it is less than 2
-int read_matrix_size(SceneTable const& system);
+/// [system] of a flow, but for its Hamiltonian.
+struct SphereKeys : KeyTable {
+  Key<int> N = key("N", whole("a whole number, 2 or more", 2, 1 << 20), needed,
+                   "The size of the matrices: functions have the degrees 0 to N - 1. Time grows with N^3 "
+                   "and memory with N^2; interactions of waves of the degree l are those of the sphere but "
+                   "for a part of about l^4/(6 N^2).",
+                   "64");
+  Key<double> rotation =
+      key("rotation", number.in("1/time"), 0,
+          "The angular velocity of the sphere about the pole. The flow is told relative to the sphere, d "
+          "zeta/dt + u . grad(zeta + 2 rotation cos(theta)) = 0.",
+          "1.0");
+};
+inline SphereKeys const sphere_keys{{"system"}};  ///< its keys
 
 /// The records of the keys of [system] and [initial].
 std::vector<Parameter> vorticity_parameters();
 
-/// Reads them, and writes defaults back.
+/// Reads what they say, and writes defaults back.
 /// @param remarks  what was done to the input
 /// @throws SceneError  where the start is missing, said twice or wrong
 VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::string>& remarks);

@@ -7,7 +7,7 @@ namespace actio::scene {
 
 /// What a named state is made of.
 struct StateRequest {
-  SceneTable table;               ///< [initial.NAME], with its parameters
+  SceneFile file;                 ///< with its parameters in [initial.NAME]
   int n;                          ///< N
   SphereHamiltonian hamiltonian;  ///< whose energy, and vorticity, the flow has
   double rotation;                ///< of the sphere, 1/time
@@ -20,11 +20,16 @@ struct NamedFlow {
   sphere::SkewHermitian<> matrix;    ///< its matrix
 };
 
+/// What excludes a named state.
+inline LeftOut const other_start{"or initial.harmonics or initial.file"};
+
 /// `rossby_haurwitz`, `random`, ...
 std::vector<std::string> names_of_states();
+/// The records of their parameters.
+std::vector<Parameter> parameters_of_states();
 
 /// Reads the parameters of one of them, and writes defaults back.
 /// @throws SceneError  where one of them is wrong
-NamedFlow read_named_state(std::string const& name, StateRequest request);
+NamedFlow read_named_state(std::string const& name, StateRequest const& in);
 
 }  // namespace actio::scene

@@ -13,6 +13,7 @@
 #include "book/svg.hpp"
 #include "program/registry/units.hpp"
 #include "program/systems/sphere/input.hpp"
+#include "program/systems/sphere/snapshots.hpp"
 
 namespace actio::scene {
 namespace {
@@ -55,11 +56,9 @@ Maps maps_of(Scene const& scene, std::string const& folder, long most, int rows)
   auto const file = [&folder](long number) { return folder + "/" + snapshot_file(number, ".harmonics.csv"); };
   while (maps.of < scene.snapshots->rows() && std::filesystem::exists(file(maps.of), none)) ++maps.of;
   if (maps.of == 0) return maps;
-  int const n = read_matrix_size(scene.file.section("system")), columns = 2 * rows;
-  SceneTable const output = scene.file.section("output");
-  sphere::Symbol const symbol = output.has("symbol") && output.text("symbol") == "weyl"
-                                    ? sphere::Symbol::weyl
-                                    : sphere::Symbol::berezin;
+  int const n = sphere_keys.N.read(scene.file), columns = 2 * rows;
+  sphere::Symbol const symbol =
+      symbol_keys.symbol.find(scene.file) == "weyl" ? sphere::Symbol::weyl : sphere::Symbol::berezin;
   sphere::SphereGrid const grid = sphere::SphereGrid::uniform(rows, columns);
   std::vector<sphere::GridField> fields;
   long const count = std::min(maps.of, most);

@@ -196,28 +196,12 @@ SnapshotKind vorticity_snapshots() {
             "function and velocity, and the coefficients of the matrix in the group spectral"}}};
 }
 
-Parameter symbol_parameter() {
-  return {
-      "output.symbol",
-      "a text",
-      "\"berezin\"",
-      "How matrices become fields in snapshots, on N parallels at Gauss's latitudes and 2N meridians, in "
-      "radians: berezin, whose values never leave the interval of the eigenvalues of -iW, or weyl, with "
-      "the coefficients of the matrix, which does. The files snapshots/000000.harmonics.csv, ... with rows "
-      "l,m,re,im, m >= 0, from which initial.file begins a run, hold those of the matrix.",
-      "",
-      "\"weyl\"",
-      {"berezin", "weyl"}};
-}
-
 std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
                                                 SphereHamiltonian const& hamiltonian,
                                                 VorticityMotion const& motion) {
-  SceneTable output = request.file.section("output");
-  if (!output.has("symbol") && request.snapshots) output.set("symbol", "berezin");
-  if (!output.has("symbol")) return nullptr;
-  std::string const symbol = output.choice("symbol", "symbol", {"berezin", "weyl"});
-  if (!request.snapshots) return nullptr;
+  auto const& key = symbol_keys.symbol;
+  if (!request.snapshots) return key.find(request.file), nullptr;
+  std::string const symbol = key.read(request.file);
   FieldsFile const file{request.file.section("scene").text("title"), read_units(request.file).time,
                         symbol == "weyl" ? sphere::Symbol::weyl : sphere::Symbol::berezin, hamiltonian};
   return std::make_unique<VorticitySnapshots>(*request.snapshots, n, motion, file);

@@ -15,8 +15,17 @@ namespace actio::scene {
 
 /// What they can hold.
 SnapshotKind vorticity_snapshots();
-/// The key that says how matrices become fields, `output.symbol`.
-Parameter symbol_parameter();
+/// How matrices become fields.
+struct SymbolKeys : KeyTable {
+  Key<std::string> symbol = key(
+      "symbol", one_of("symbol", {"berezin", "weyl"}), "berezin",
+      "How matrices become fields in snapshots, on N parallels at Gauss's latitudes and 2N meridians, in "
+      "radians: berezin, whose values never leave the interval of the eigenvalues of -iW, or weyl, with "
+      "the coefficients of the matrix, which does. The files snapshots/000000.harmonics.csv, ... with rows "
+      "l,m,re,im, m >= 0, from which initial.file begins a run, hold those of the matrix.",
+      "\"weyl\"");
+};
+inline SymbolKeys const symbol_keys{{"output"}};  ///< its key
 
 /// What writes them: the vorticity relative to the sphere, in its frame.
 /// @param motion  outlives the writer

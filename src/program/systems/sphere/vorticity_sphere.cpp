@@ -8,6 +8,7 @@
 #include "actio/quantized_sphere/resolution.hpp"
 #include "actio/reduction/composition.hpp"
 #include "program/base/memory.hpp"
+#include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
 #include "program/systems/method_input.hpp"
@@ -45,14 +46,32 @@ std::vector<Method> methods() {
   };
 }
 
+StepKeys const vorticity_step{
+    {"method"},
+    {"from the time asked"},
+    "The time that a step takes, a whole number of times in the time between two rows. By default at "
+    "most 0.2 hbar/|P| with the largest eigenvalue of the stream function: then the equation of a step "
+    "is solved in few iterations, which from about four times as long on do not converge.",
+    "0.01"};
+struct PrecisionKeys : KeyTable {
+  Key<std::string> precision =
+      key("precision", one_of("precision", {"mixed", "double"}), LeftOut{"\"mixed\"; \"double\" for a layer"},
+          "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the "
+          "change in a step, or double, to rounding, which takes several times as long. What the method "
+          "conserves it conserves to rounding in both, that of the absolute vorticity. Where what turns as a "
+          "whole, as the sphere does, has more than 16 times the vorticity of the rest of the flow, the rest "
+          "is stepped apart from it, to the rounding of its own and in double precision in either case; a "
+          "remark says so. With double a run that goes back returns to where it began. A layer "
+          "(system.hamiltonian) takes double alone.",
+          "\"double\"");
+} const precision_keys{{"method"}};
+
 /// A layer is stepped in double precision: the step in mixed precision is compiled for Euler's fluid alone.
-bool to_rounding(SceneTable method, bool layer) {
-  if (!method.has("precision")) method.set("precision", layer ? "double" : "mixed");
-  bool const rounding = method.choice("precision", "precision", {"mixed", "double"}) == "double";
+bool to_rounding(SceneTable const& method, bool layer) {
+  bool const rounding = precision_keys.precision.read_or(method, layer ? "double" : "mixed") == "double";
   if (layer && !rounding)
-    method.fail("precision",
-                "precision: a quasi-geostrophic layer is stepped in double "
-                "precision; mixed is for Euler's fluid");
+    precision_keys.precision.fail(
+        method, "a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's fluid");
   return rounding;
 }
 
@@ -67,18 +86,19 @@ SphereScheme scheme_of(MethodChoice const& choice, SceneTable const& method, boo
 }
 
 /// Before anything of that size is touched.
-void require_memory_of_matrices(SceneTable const& system, SphereScheme const& scheme,
+void require_memory_of_matrices(SceneFile const& file, SphereScheme const& scheme,
                                 std::vector<std::string> const& quantities) {
-  int const n = read_matrix_size(system);
+  int const n = sphere_keys.N.read(file);
   auto const bytes = [&](int size) {
     return bytes_for_vorticity(size, scheme.fractions.size(), scheme.conserved, scheme.to_rounding,
                                quantities);
   };
   double const needed = bytes(n);
-  require_memory(needed, system.place("N"), fmt::format("N: matrices of the size {}", n), [&](double there) {
-    int const largest = static_cast<int>(n * std::sqrt(there / needed));
-    return fmt::format("N = {} takes {}", largest, bytes_in_words(bytes(largest)));
-  });
+  require_memory(needed, file.section("system").place("N"), fmt::format("N: matrices of the size {}", n),
+                 [&](double there) {
+                   int const largest = static_cast<int>(n * std::sqrt(there / needed));
+                   return fmt::format("N = {} takes {}", largest, bytes_in_words(bytes(largest)));
+                 });
 }
 
 /// Squares and cubes of the numbers, and what else was asked for, are numbers.
@@ -169,14 +189,13 @@ void tell(Simulation& simulation, VorticityStart const& start, SphereFlow const&
 }
 
 Simulation prepare(Request const& request) {
-  SceneTable system = request.file.section("system"), initial = request.file.section("initial"),
-             method = request.file.section("method");
+  SceneTable const initial = request.file.section("initial"), method = request.file.section("method");
   auto const asked = [&](char const* name) {
     return std::find(request.quantities.begin(), request.quantities.end(), name) != request.quantities.end();
   };
   MethodChoice const choice = read_method(method, methods());
-  SphereScheme const scheme = scheme_of(choice, method, read_hamiltonian(system).layer());
-  require_memory_of_matrices(system, scheme, request.quantities);
+  SphereScheme const scheme = scheme_of(choice, method, read_hamiltonian(request.file).layer());
+  require_memory_of_matrices(request.file, scheme, request.quantities);
 
   Simulation simulation(with_conserved("vorticity_sphere", vorticity_quantities()));
   VorticityStart start = read_vorticity_start(request.file, simulation.remarks);
@@ -198,32 +217,6 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
-std::vector<Parameter> parameters() {
-  auto all = vorticity_parameters();
-  all.push_back(
-      {"method.step", "a number > 0", "from the time asked",
-       "The time that a step takes, a whole number of times in the time between two rows. By default at "
-       "most 0.2 hbar/|P| with the largest eigenvalue of the stream function: then the equation of a step "
-       "is solved in few iterations, which from about four times as long on do not converge.",
-       "time", "0.01"});
-  all.push_back(
-      {"method.precision",
-       "a text",
-       "\"mixed\"; \"double\" for a layer",
-       "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the "
-       "change in a step, or double, to rounding, which takes several times as long. What the method "
-       "conserves it conserves to rounding in both, that of the absolute vorticity. Where what turns as a "
-       "whole, as the sphere does, has more than 16 times the vorticity of the rest of the flow, the rest "
-       "is stepped apart from it, to the rounding of its own and in double precision in either case; a "
-       "remark says so. With double a run that goes back returns to where it began. A layer "
-       "(system.hamiltonian) takes double alone.",
-       "",
-       "\"double\"",
-       {"mixed", "double"}});
-  all.push_back(symbol_parameter());
-  return all;
-}
-
 }  // namespace
 
 /// The ideal fluid on the sphere.
@@ -234,7 +227,7 @@ System vorticity_sphere_system() {
           "unit radius, or the potential vorticity of a quasi-geostrophic layer, as a matrix of "
           "the size N whose spectrum stays.",
           "chapter 10",
-          parameters(),
+          records_of({vorticity_parameters(), vorticity_step, precision_keys, symbol_keys}),
           methods(),
           vorticity_quantities(),
           prepare,
