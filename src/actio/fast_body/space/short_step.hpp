@@ -63,7 +63,8 @@ inline constexpr double short_twist = terms == 5 ? 0.04 : 0.25;
 /// Whether the step is exact to rounding. A NaN is not.
 template <int terms>
 [[gnu::always_inline]] inline bool all_within(Reach const& reach) {
-  return reach.turn <= short_reach<terms> && reach.twist <= short_twist<terms>;
+  bool const turn = reach.turn <= short_reach<terms>, twist = reach.twist <= short_twist<terms>;
+  return turn && twist;
 }
 
 /// Momentum and attitude after a free motion over the time 2.
