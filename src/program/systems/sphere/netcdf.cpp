@@ -37,8 +37,7 @@ Attributes attributes_of_rate(std::string const& long_name, std::string const& u
   return {{"long_name", {unit.empty() ? long_name : long_name + ", in 1/" + unit}}};
 }
 
-/// The data sets, in the order in which they are filled: what all times have in common, what belongs to each,
-/// and the time.
+/// The data sets: the time, what all times have in common, and what belongs to each.
 std::vector<ArraySet> sets_of(FieldsFile const& file, sphere::SphereGrid const& grid,
                               std::size_t coefficients) {
   auto const parallels = static_cast<std::size_t>(grid.latitudes()),
@@ -46,6 +45,7 @@ std::vector<ArraySet> sets_of(FieldsFile const& file, sphere::SphereGrid const& 
   ArraySet::Axis const time{"time"}, lat{"lat", parallels}, lon{"lon", meridians},
       coefficient{"coefficient", coefficients};
   std::vector<ArraySet> out{
+      {"time", {time}, {}, false, false, attributes_of_time(file.time_unit)},
       {"lat",
        {lat},
        {},
@@ -80,7 +80,6 @@ std::vector<ArraySet> sets_of(FieldsFile const& file, sphere::SphereGrid const& 
         part +
             " part of the coefficient of the orthonormal complex harmonic with the Condon-Shortley phase; "
             "that of order -m is (-1)^m times the conjugate");
-  out.push_back({"time", {time}, {}, false, false, attributes_of_time(file.time_unit)});
   return out;
 }
 
@@ -103,7 +102,7 @@ void FieldsFile::make(std::string const& path, sphere::SphereGrid const& grid, i
                     std::string(symbol == sphere::Symbol::berezin ? "Berezin" : "Weyl") +
                     " of matrices; the harmonics in the group spectral are those of the matrices."}}},
                  sets_of(*this, grid, l_of.size()));
-  std::size_t set = 0;
+  std::size_t set = 1;
   for (auto const* numbers : {&latitudes, &longitudes, &l_of, &m_of}) file.put(set++, 0, *numbers);
   for (std::size_t k = 0; k < times.size(); ++k) {
     Frame const now = frame(static_cast<long>(k));
@@ -116,7 +115,7 @@ void FieldsFile::make(std::string const& path, sphere::SphereGrid const& grid, i
       for (int m = 0; m <= l; ++m)
         real.push_back(now.harmonics(l, m).real()),
             imaginary.push_back(m == 0 ? 0 : now.harmonics(l, m).imag());
-    file.put(at++, k, real), file.put(at++, k, imaginary), file.put(at, k, times.subspan(k, 1));
+    file.put(at++, k, real), file.put(at, k, imaginary), file.put(0, k, times.subspan(k, 1));
   }
   file.name(durable);
 }
