@@ -50,7 +50,7 @@ M read(SceneTable const& table, int d) {
 
 /// All of the list.
 template <class... M>
-std::vector<NamedMaterial> records_of(std::variant<M...> const&) {
+std::vector<NamedMaterial> materials_of(std::variant<M...> const&) {
   return {record_of<M>()...};
 }
 /// The one of that name of the list.
@@ -79,7 +79,7 @@ void refuse_of_other_kind(SceneTable const& table, bool fluid) {
 }  // namespace
 
 std::vector<NamedMaterial> const& library_materials() {
-  static std::vector<NamedMaterial> const all = records_of(Material());
+  static std::vector<NamedMaterial> const all = materials_of(Material());
   return all;
 }
 
