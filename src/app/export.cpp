@@ -55,7 +55,6 @@ int export_run(ExportArguments const& arguments) {
       throw SceneError(
           {"--formats " + format},
           format + " holds snapshots, and the scene of this run asks for none (output.snapshots)");
-    std::string const first = files.front();
     for (std::size_t k = files.size(); k-- > 0;) files.push_back(files[k] + ".part");
     OwnFiles(folder).claim(files);
     Progress progress(arguments.quiet, "percent");
@@ -64,7 +63,8 @@ int export_run(ExportArguments const& arguments) {
                                              progress.show(Progress::Clock::now(), done,
                                                            static_cast<long>(100 * done), std::nullopt);
                                            }});
-    if (!arguments.quiet) say(stdout, fmt::format("{}/{} is made\n", folder, first));
+    for (auto const& file : files_of_export(scene, format, 0))
+      if (!arguments.quiet) say(stdout, fmt::format("{}/{} is made\n", folder, file));
   }
   return 0;
 }
