@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
   refused({folder / "nowhere"}, folder / "nowhere" + ": there is no such folder");
   BOOST_TEST(!std::filesystem::exists(out + "/series.h5"));
   Sphere still;
-  still.n = "4";
+  still.n = "5";
   BOOST_REQUIRE(actio({"run", folder.write("still.toml", still.text())}).status == 0);
   refused({folder / "still", "--formats", "netcdf"},
           "--formats netcdf: netcdf holds snapshots, and the scene of this run asks for none "
