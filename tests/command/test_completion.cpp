@@ -9,7 +9,8 @@
 namespace {
 
 std::string const script = ACTIO_DATA "/../src/app/completion.bash", page = ACTIO_DATA "/../src/app/actio.1";
-std::vector<std::string> const parts{"run", "resume", "plot", "export", "sweep", "new", "list", "show", "check"};
+std::vector<std::string> const parts{"run", "resume", "plot", "export", "sweep",
+                                     "new", "list",   "show", "check"};
 
 std::set<std::string> lines_of(std::string const& text) {
   std::set<std::string> out;
