@@ -5,7 +5,9 @@ import { options } from './lib.mjs';
 
 const opt = options({ pages: '', log: '', root: '.' });
 const { maps } = JSON.parse(fs.readFileSync(path.join(opt.pages, 'items.json'), 'utf8'));
-const lines = fs.readFileSync(opt.log, 'utf8').split('\n').filter(l => l.trim());
+// A key of a scene says itself what it means, and the page on scenes shows that: no comment says it again.
+const isKey = l => /Member \w+ \(variable\) of struct actio::scene::\w*Keys is not documented/.test(l);
+const lines = fs.readFileSync(opt.log, 'utf8').split('\n').filter(l => l.trim() && !isKey(l));
 for (const l of lines) {
   const m = /^(.*?\/book-src\/)([^/:]+):(\d+):(.*)$/.exec(l);
   const map = m && maps[m[2]];

@@ -16,7 +16,7 @@ namespace actio {
 
 /// Records a tape once more.
 /// @param b       has as many inputs
-/// @param record  \ref TapeBuilder::record, or \ref TapeBuilder::as_written
+/// @param record  how the builder takes an operation: its `record`, or its `as_written`
 /// @return        the entries of the outputs
 std::vector<TapeBuilder::Entry> replay(
     Tape const& tape, TapeBuilder& b,
