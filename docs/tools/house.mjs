@@ -37,9 +37,10 @@ export function readHouse(root, errors, which = 'library') {
 export function housePlan(house) {
   const floors = [];
   for (const room of house.values()) (floors[room.floor] ??= []).push(room);
-  const width = 760, high = 34, step = 72, wide = 128, place = new Map();
+  const high = 34, step = 72, wide = 136, place = new Map();
+  const width = (wide + 12) * Math.max(5, ...floors.map(rooms => rooms.length));
   floors.forEach((rooms, floor) => rooms.forEach((room, i) => {
-    const x = width * (i + 1) / (rooms.length + 1), y = step * (floors.length - 1 - floor) + high;
+    const x = width * (i + 0.5) / rooms.length, y = step * (floors.length - 1 - floor) + high;
     place.set(room.name, { x, y });
   }));
   const arrows = [...house.values()].flatMap(room => room.uses.map(used => {
