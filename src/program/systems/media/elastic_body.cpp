@@ -1,7 +1,7 @@
 // The hyperelastic solid (thesis, chapters 6 to 10).
 #include "program/systems/media/method.hpp"
 #include "program/systems/media/quantities.hpp"
-#include "program/systems/media/snapshots.hpp"
+#include "program/medium_output/snapshots.hpp"
 #include "program/systems/media/system.hpp"
 
 namespace actio::scene {

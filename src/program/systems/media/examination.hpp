@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "program/systems/media/loads.hpp"
-#include "program/systems/media/motion.hpp"
+#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 

@@ -4,7 +4,7 @@
 #include "actio/fast_media/fast_box_3d.hpp"
 #include "program/systems/media/input.hpp"
 #include "program/systems/media/material.hpp"
-#include "program/systems/media/motion.hpp"
+#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 

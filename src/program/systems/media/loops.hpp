@@ -2,7 +2,7 @@
 #pragma once
 
 #include "program/systems/media/input.hpp"
-#include "program/systems/media/motion.hpp"
+#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/systems/media/fields.hpp"
+#include "program/medium_output/fields.hpp"
 
 namespace actio::scene {
 namespace {

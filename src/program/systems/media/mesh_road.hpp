@@ -3,7 +3,7 @@
 
 #include "program/systems/media/loads.hpp"
 #include "program/systems/media/material.hpp"
-#include "program/systems/media/motion.hpp"
+#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 

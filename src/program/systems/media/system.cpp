@@ -14,7 +14,7 @@
 #include "program/systems/media/mesh_road.hpp"
 #include "program/systems/media/method.hpp"
 #include "program/systems/media/quantities.hpp"
-#include "program/systems/media/snapshots.hpp"
+#include "program/medium_output/snapshots.hpp"
 
 namespace actio::scene {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "program/systems/media/method.hpp"
-#include "program/systems/media/motion.hpp"
+#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "program/systems/media/motion.hpp"
+#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 

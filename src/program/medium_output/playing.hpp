@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "program/pictures/played_medium.hpp"
-#include "program/systems/media/fields.hpp"
+#include "program/medium_output/fields.hpp"
 
 namespace actio::scene {
 

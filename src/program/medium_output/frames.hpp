@@ -11,7 +11,7 @@
 #include "program/output/array_file.hpp"
 #include "program/registry/snapshots.hpp"
 #include "program/registry/units.hpp"
-#include "program/systems/media/fields.hpp"
+#include "program/medium_output/fields.hpp"
 
 namespace actio::scene {
 

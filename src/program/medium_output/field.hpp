@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "program/systems/media/motion.hpp"
+#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 

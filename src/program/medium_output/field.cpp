@@ -1,4 +1,4 @@
-#include "program/systems/media/field.hpp"
+#include "program/medium_output/field.hpp"
 
 namespace actio::scene {
 namespace {

@@ -1,7 +1,7 @@
-#include "program/systems/media/frames.hpp"
+#include "program/medium_output/frames.hpp"
 
 #include "program/output/series_reader.hpp"
-#include "program/systems/media/grid.hpp"
+#include "program/medium_output/grid.hpp"
 
 namespace actio::scene {
 namespace {

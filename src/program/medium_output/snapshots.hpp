@@ -2,7 +2,7 @@
 #pragma once
 
 #include "program/registry/system.hpp"
-#include "program/systems/media/fields.hpp"
+#include "program/medium_output/fields.hpp"
 
 namespace actio::scene {
 

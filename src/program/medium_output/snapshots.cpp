@@ -1,4 +1,4 @@
-#include "program/systems/media/snapshots.hpp"
+#include "program/medium_output/snapshots.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "program/base/whole_file.hpp"
 #include "program/registry/units.hpp"
 #include "program/run/checkpoint.hpp"
-#include "program/systems/media/frames.hpp"
-#include "program/systems/media/grid.hpp"
-#include "program/systems/media/playing.hpp"
-#include "program/systems/media/vtu_file.hpp"
+#include "program/medium_output/frames.hpp"
+#include "program/medium_output/grid.hpp"
+#include "program/medium_output/playing.hpp"
+#include "program/medium_output/vtu_file.hpp"
 
 namespace actio::scene {
 namespace {

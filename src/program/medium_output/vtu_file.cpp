@@ -1,4 +1,4 @@
-#include "program/systems/media/vtu_file.hpp"
+#include "program/medium_output/vtu_file.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -1,9 +1,9 @@
-#include "program/systems/media/playing.hpp"
+#include "program/medium_output/playing.hpp"
 
 #include <cmath>
 
 #include "program/registry/units.hpp"
-#include "program/systems/media/grid.hpp"
+#include "program/medium_output/grid.hpp"
 
 namespace actio::scene {
 namespace {

@@ -1,7 +1,7 @@
 // Fields of a medium at one time, on cells and nodes.
 #pragma once
 
-#include "program/systems/media/field.hpp"
+#include "program/medium_output/field.hpp"
 
 namespace actio::scene {
 
