@@ -105,8 +105,8 @@ BOOST_AUTO_TEST_CASE(comparisons_bind_after_sums_and_before_and_or_and_cases) {
            {"1 + 1 == 2", 1},
            {"X > 4 && Z || Y > 0", 1},  // and binds before or
            {"Y > 0 || X > 4 && X > 9", 1},
-           {"X > 2 == Y < 1", 1},  // ((X > 2) == Y) < 1
-           {"Y && Z", 1},          // any number but 0 holds
+           {"(X > 2) == (Y < 1)", 1},
+           {"Y && Z", 1},  // any number but 0 holds
            {"!X", 0},
            {"!(X > 9) + !0", 2},
            {"!!Y", 1},
@@ -210,6 +210,13 @@ BOOST_AUTO_TEST_CASE(a_formula_that_is_differentiated_is_smooth) {
   // Names that cannot be meant are not proposed.
   BOOST_TEST(complaint("mix(X)", {}).find("max") == std::string::npos);
   BOOST_TEST(complaint("mix(X)").starts_with("0: unknown function 'mix'; did you mean 'min'?"));
+}
+
+BOOST_AUTO_TEST_CASE(comparisons_do_not_follow_one_another) {
+  BOOST_TEST(complaint("0 < X < 1").starts_with("6: a second comparison in a row; a range is written"));
+  BOOST_TEST(complaint("Y ? 1 : X > 2 == Z").starts_with("14: a second comparison in a row"));
+  BOOST_TEST(complaint("(0 < X) < 1") == "taken");
+  BOOST_TEST(complaint("0 < X && X < 1") == "taken");
 }
 
 BOOST_AUTO_TEST_CASE(no_derivative_is_taken_of_a_kink) {

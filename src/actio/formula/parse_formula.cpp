@@ -96,6 +96,7 @@ struct Joint {
   Operation operation;
   bool turned_round = false;  ///< the second operand comes first
 };
+constexpr int comparison = 2;  ///< the level of signs of which one expression has one
 constexpr Joint joints[] = {
     {0, "||", Operation::either},  {1, "&&", Operation::both},      {2, "<", Operation::less},
     {2, "<=", Operation::at_most}, {2, ">", Operation::less, true}, {2, ">=", Operation::at_most, true},
@@ -107,11 +108,16 @@ constexpr Joint joints[] = {
 FormulaParser::Entry FormulaParser::joined(int level) {
   if (level > joints[std::size(joints) - 1].level) return signed_power();
   Entry left = joined(level + 1);
-  for (;;) {
+  for (bool first = true;; first = false) {
     auto const joint = std::ranges::find_if(
         joints, [&](Joint const& j) { return j.level == level && text_.is_sign(j.sign); });
     if (joint == std::end(joints)) return left;
     std::size_t const at = text_.take().position;
+    // (0 < X) < 1 would compare 0 or 1 with 1.
+    if (level == comparison && !first)
+      fail(at,
+           "a second comparison in a row; a range is written 0 < x && x < 1, and the truth of one is "
+           "compared in brackets");
     Entry right = joined(level + 1);
     if (joint->operation == Operation::divide && builder_.is_constant(right) && builder_.value(right) == 0)
       fail(at, "the divisor is zero");
