@@ -70,8 +70,11 @@ BOOST_AUTO_TEST_CASE(steps_without_rows_are_interrupted_and_kept_between_rows) {
       process.send(SIGKILL);
       BOOST_TEST(process.wait().status == 128 + SIGKILL);
     }
+    auto const written = std::filesystem::last_write_time(out + "/checkpoint");
     command::Process process({"resume", out});
-    command::sleep_for(0.2);
+    // It goes on, and hears an interrupt, once it has written a checkpoint of its own.
+    for (int k = 0; k < 1200 && std::filesystem::last_write_time(out + "/checkpoint") == written; ++k)
+      command::sleep_for(0.05);
     process.send(SIGINT);
     BOOST_TEST(process.wait().status == 130);
     // Long before the end, at 1e10 steps.
