@@ -1,11 +1,13 @@
 // The lines to try of chapters 4 and 4A.
 #include "book/try_it.hpp"
+#include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/hamilton_jacobi.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
 #include "actio/groupoid/pair_groupoid.hpp"
 #include "actio/groupoid/poisson_on_group.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/numbers/print.hpp"
@@ -16,6 +18,29 @@
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
+
+TRY_IT(lamp_on_arrows) {
+  auto const action = []<class S>(S const& theta0, S const& theta1, S const& cos_turn) {
+    using std::cos, std::sin;
+    S const rise = S(1) - cos(theta0) * cos(theta1) - sin(theta0) * sin(theta1) * cos_turn;
+    return S(rise / S(0.1) + (cos(theta0) + cos(theta1)) * S(0.05));
+  };
+  auto const on_pairs = [&](auto const& a) {
+    using std::cos;
+    return action(a.first.value[0], a.second.value[0], cos(a.second.value[1] - a.first.value[1]));
+  };
+  auto const on_arrows = [&](auto const& a) { return action(a.from[0], a.to[0], a.element.value(0, 0)); };
+  auto const at = [](double theta, double phi) { return Element<Translations<2>, double>{{}, {theta, phi}}; };
+  auto const arrow = [](double theta0, double theta1, double turn) {
+    return GaugeArrow<SO<2>, double>{Vector<double>::Constant(1, theta0), Vector<double>::Constant(1, theta1),
+                                     exp(velocity(SO<2>{}, Matrix<double, 1, 1>(turn)))};
+  };
+  PairArrow<Translations<2>, double> const first{at(0.9, 2.0), at(0.8, 2.1)},
+      second{first.second, at(0.8, 2.3)};
+  print("pairs of positions", lagrange_equations(PairGroupoid<Translations<2>>{}, on_pairs, first, second));
+  print("heights and turns ", lagrange_equations(GaugeGroupoid<SO<2>>{{}, 1}, on_arrows, arrow(0.9, 0.8, 0.1),
+                                                 arrow(0.8, 0.8, 0.2)));
+}
 
 TRY_IT(one_equation_on_two_groupoids) {
   auto const l = natural_chart_lagrangian_right(ball_in_field(), 0.1);
