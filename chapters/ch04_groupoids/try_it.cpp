@@ -13,6 +13,7 @@
 #include "actio/numbers/print.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/discrete_poisson.hpp"
+#include "actio/reduction/galerkin.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "running_examples.hpp"
 
@@ -111,6 +112,44 @@ TRY_IT(series_and_action) {
     auto const turn = log(exp(t * velocity(SO<3>{}, larmor)) * exp(t * w)).coordinates;
     double const action = (turn.squaredNorm() / t - t * larmor.squaredNorm()) * (ball_inertia / 2);
     print("the series less the action, over t^7", (series(exp(-t * w), t) - action) / std::pow(t, 7));
+  }
+}
+
+TRY_IT(galerkin_and_gauss) {
+  double const root = std::sqrt(3.0) / 6, a[2][2] = {{0.25, 0.25 - root}, {0.25 + root, 0.25}};
+  Vector3d const inertia(1.0, 1.7, 2.4), wheel(0.3, -0.2, 0.5);
+  auto const l = [&]<class S>(Velocity<SO<3>, S> const& xi) {
+    S sum(0);
+    for (int i = 0; i < 3; ++i)
+      sum += xi.coordinates[i] * (xi.coordinates[i] * (inertia[i] / 2) + S(wheel[i]));
+    return sum;
+  };
+  auto const minus_ad = [](auto const& eta) { return (-ad_matrix(velocity(SO<3>{}, eta))).eval(); };
+  auto const start = momentum_state(l, velocity(SO<3>{}, Vector3d(0.9, 0.4, -0.7)));
+  Vector3d const p = start.momentum.components;
+  auto const gauss_step = [&](double h) {
+    Vector3d rate[2] = {{0, 0, 0}, {0, 0, 0}}, force[2] = {{0, 0, 0}, {0, 0, 0}};  // of eta and of q
+    for (int round = 0; round < 100; ++round)
+      for (int i = 0; i < 2; ++i) {
+        Vector3d const eta = h * (a[i][0] * rate[0] + a[i][1] * rate[1]);
+        Vector3d const q = p + h * (a[i][0] * force[0] + a[i][1] * force[1]);
+        Matrix<double, 3, 3> const back = chi(minus_ad(eta));  // the inverse of iex
+        rate[i] = back * Vector3d((back.transpose() * q - wheel).cwiseQuotient(inertia));
+        auto const in_the_chart = [&]<class S>(Vector<S, 3> const& x) {
+          return l(velocity(SO<3>{}, Vector<S, 3>(iex(minus_ad(x)) * rate[i].template cast<S>())));
+        };
+        force[i] = derivative(in_the_chart, eta).gradient();
+      }
+    Vector3d const end = h / 2 * (rate[0] + rate[1]), q = p + h / 2 * (force[0] + force[1]);
+    return Vector3d(chi(minus_ad(end)).transpose() * q);
+  };
+  for (double h : {0.4, 0.2, 0.1}) {
+    auto const galerkin =
+        take_steps(galerkin_step_left<double>(l, 2), start, std::vector{h}).momentum.components;
+    Vector3d const gauss = gauss_step(h);
+    print("Galerkin less Gauss, over h^5", (galerkin - gauss).norm() / std::pow(h, 5));
+    print("  change of |Pi|, Galerkin   ", galerkin.norm() - p.norm());
+    print("  change of |Pi|, Gauss      ", gauss.norm() - p.norm());
   }
 }
 
