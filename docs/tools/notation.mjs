@@ -107,11 +107,11 @@ export function faults(root) {
     for (const use of introduced(source)) {
       const where = { file: path.relative(root, page), line: use.line };
       const before = first.get(use.letter);
-      if (before && !agree(before.kind, use.kind)) { out.push({ ...where, text: `"${use.words}" is a ${use.kind}; in line ${before.line} "${before.words}" is a ${before.kind}` }); continue; }
+      if (before && !agree(before.kind, use.kind)) { out.push({ ...where, text: `"${use.words}" (${use.kind}); in line ${before.line} "${before.words}" (${before.kind})` }); continue; }
       first.set(use.letter, before ?? use);
       const row = before ? null : rowOf(use.letter);
       const named = row ? [...kindOf].filter(([word]) => new RegExp(`\\b${word}\\b`, 'i').test(row.text)).map(([, kind]) => kind) : [];
-      if (named.length && !named.some(kind => agree(kind, use.kind))) out.push({ ...where, text: `"${use.words}" is a ${use.kind}; line ${row.line} of ${file} says "${row.text.replace(/\\f\$/g, '')}"` });
+      if (named.length && !named.some(kind => agree(kind, use.kind))) out.push({ ...where, text: `"${use.words}" (${use.kind}); line ${row.line} of ${file} says "${row.text.replace(/\\f\$/g, '')}"` });
     }
   }
   return out;
