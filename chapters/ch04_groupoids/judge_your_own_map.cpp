@@ -1,4 +1,4 @@
-// Judge your own map: twenty lines that step a spinning body, and what the instruments say about them.
+// A map of your own: twenty lines that step a spinning body, and what the instruments say about them.
 //
 // What is shown. A map of your own is a function from a momentum to a momentum, written with `auto` so that
 // it takes every kind of number; nothing else is needed to judge it. Here are two readers' maps. The first

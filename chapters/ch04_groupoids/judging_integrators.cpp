@@ -1,4 +1,4 @@
-// Judging integrators: seven ways to step a spinning body, and what each of them preserves.
+// Testing integrators: seven ways to step a spinning body, and what each of them preserves.
 //
 // What is shown. A map is handed to five instruments, which differentiate it with dual numbers and compare
 // what it carries along with what it should have preserved: the symplectic form on T*SO(3), the bracket on

@@ -1,4 +1,4 @@
-// Judging under water: the same instruments on SE(3), where an orbit is harder to see.
+// Testing under water: the same instruments on SE(3), where an orbit is harder to see.
 //
 // What is shown. A body that turns and glides in an ideal fluid has momenta Pi and P (Kirchhoff); its
 // coadjoint orbits have four dimensions in a space of six, and their Casimir functions are |P|^2 and Pi . P.

@@ -1,21 +1,47 @@
 // The lines to try of chapters 4 and 4A.
 #include "book/try_it.hpp"
+#include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/hamilton_jacobi.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
 #include "actio/groupoid/pair_groupoid.hpp"
 #include "actio/groupoid/poisson_on_group.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/numbers/print.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/discrete_poisson.hpp"
+#include "actio/reduction/galerkin.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "running_examples.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
+
+TRY_IT(lamp_on_arrows) {
+  auto const action = []<class S>(S const& theta0, S const& theta1, S const& cos_turn) {
+    using std::cos, std::sin;
+    S const rise = S(1) - cos(theta0) * cos(theta1) - sin(theta0) * sin(theta1) * cos_turn;
+    return S(rise / S(0.1) + (cos(theta0) + cos(theta1)) * S(0.05));
+  };
+  auto const on_pairs = [&](auto const& a) {
+    using std::cos;
+    return action(a.first.value[0], a.second.value[0], cos(a.second.value[1] - a.first.value[1]));
+  };
+  auto const on_arrows = [&](auto const& a) { return action(a.from[0], a.to[0], a.element.value(0, 0)); };
+  auto const at = [](double theta, double phi) { return Element<Translations<2>, double>{{}, {theta, phi}}; };
+  auto const arrow = [](double theta0, double theta1, double turn) {
+    return GaugeArrow<SO<2>, double>{Vector<double>::Constant(1, theta0), Vector<double>::Constant(1, theta1),
+                                     exp(velocity(SO<2>{}, Matrix<double, 1, 1>(turn)))};
+  };
+  PairArrow<Translations<2>, double> const first{at(0.9, 2.0), at(0.8, 2.1)},
+      second{first.second, at(0.8, 2.3)};
+  print("pairs of positions", lagrange_equations(PairGroupoid<Translations<2>>{}, on_pairs, first, second));
+  print("heights and turns ", lagrange_equations(GaugeGroupoid<SO<2>>{{}, 1}, on_arrows, arrow(0.9, 0.8, 0.1),
+                                                 arrow(0.8, 0.8, 0.2)));
+}
 
 TRY_IT(one_equation_on_two_groupoids) {
   auto const l = natural_chart_lagrangian_right(ball_in_field(), 0.1);
@@ -86,6 +112,44 @@ TRY_IT(series_and_action) {
     auto const turn = log(exp(t * velocity(SO<3>{}, larmor)) * exp(t * w)).coordinates;
     double const action = (turn.squaredNorm() / t - t * larmor.squaredNorm()) * (ball_inertia / 2);
     print("the series less the action, over t^7", (series(exp(-t * w), t) - action) / std::pow(t, 7));
+  }
+}
+
+TRY_IT(galerkin_and_gauss) {
+  double const root = std::sqrt(3.0) / 6, a[2][2] = {{0.25, 0.25 - root}, {0.25 + root, 0.25}};
+  Vector3d const inertia(1.0, 1.7, 2.4), wheel(0.3, -0.2, 0.5);
+  auto const l = [&]<class S>(Velocity<SO<3>, S> const& xi) {
+    S sum(0);
+    for (int i = 0; i < 3; ++i)
+      sum += xi.coordinates[i] * (xi.coordinates[i] * (inertia[i] / 2) + S(wheel[i]));
+    return sum;
+  };
+  auto const minus_ad = [](auto const& eta) { return (-ad_matrix(velocity(SO<3>{}, eta))).eval(); };
+  auto const start = momentum_state(l, velocity(SO<3>{}, Vector3d(0.9, 0.4, -0.7)));
+  Vector3d const p = start.momentum.components;
+  auto const gauss_step = [&](double h) {
+    Vector3d rate[2] = {{0, 0, 0}, {0, 0, 0}}, force[2] = {{0, 0, 0}, {0, 0, 0}};  // of eta and of q
+    for (int round = 0; round < 100; ++round)
+      for (int i = 0; i < 2; ++i) {
+        Vector3d const eta = h * (a[i][0] * rate[0] + a[i][1] * rate[1]);
+        Vector3d const q = p + h * (a[i][0] * force[0] + a[i][1] * force[1]);
+        Matrix<double, 3, 3> const back = chi(minus_ad(eta));  // the inverse of iex
+        rate[i] = back * Vector3d((back.transpose() * q - wheel).cwiseQuotient(inertia));
+        auto const in_the_chart = [&]<class S>(Vector<S, 3> const& x) {
+          return l(velocity(SO<3>{}, Vector<S, 3>(iex(minus_ad(x)) * rate[i].template cast<S>())));
+        };
+        force[i] = derivative(in_the_chart, eta).gradient();
+      }
+    Vector3d const end = h / 2 * (rate[0] + rate[1]), q = p + h / 2 * (force[0] + force[1]);
+    return Vector3d(chi(minus_ad(end)).transpose() * q);
+  };
+  for (double h : {0.4, 0.2, 0.1}) {
+    auto const galerkin =
+        take_steps(galerkin_step_left<double>(l, 2), start, std::vector{h}).momentum.components;
+    Vector3d const gauss = gauss_step(h);
+    print("Galerkin less Gauss, over h^5", (galerkin - gauss).norm() / std::pow(h, 5));
+    print("  change of |Pi|, Galerkin   ", galerkin.norm() - p.norm());
+    print("  change of |Pi|, Gauss      ", gauss.norm() - p.norm());
   }
 }
 

@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
   // 4. What must be so. The bounds are a hundred roundings.
   double const eps = std::numeric_limits<double>::epsilon();
   program.claim(book::measured(worst) < 100 * eps,
-                "fast and general road have the same relative motion, to a hundred epsilon of the angle");
+                "both implementations have the same relative motion, to a hundred epsilon of the angle");
   program.claim(book::measured(beyond.largest) < 100 * eps,
                 "a million steps change Tr M^2 by less than a hundred epsilon");
   program.headline("Tr M^2 conserved to " + book::number(beyond.largest, 2) + " over a million steps",

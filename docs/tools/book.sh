@@ -39,6 +39,9 @@ fi
 
 # A sentence that claims something of all cases names what it rests on, or somebody has read it.
 node docs/tools/claims.mjs --root . || [[ -z $strict ]] || exit 1
+# Short sentences; and a letter has one meaning on a page.
+node docs/tools/language.mjs --root . || [[ -z $strict ]] || exit 1
+node docs/tools/notation.mjs --root . || [[ -z $strict ]] || exit 1
 
 # Nothing to do if every input is what it was.
 stamp=$(

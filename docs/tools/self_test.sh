@@ -297,6 +297,14 @@ node docs/tools/claims.mjs --propose | sed 's/$/wheels roll/' >>docs/claims.tsv;
 sed -i 's/Every wheel does/Every wheel rolls/' $chapter; refuses 'a sentence that changed after it was read' 'Every wheel rolls\.$'
 project; sed -i 's/^So it is\./Every turn is./' $chapter; passes 'a sentence of a proof' --strict
 
+# A letter keeps its kind on a page, and stands once in a table.
+claims 'Take the arrow \\f$a\\f$ and the step \\f$a_1\\f$.'; refuses 'a letter with two meanings' 'chapter.md:23: "step a_1" .time.; in line 23 "arrow a" .arrow.'
+claims 'Take the arrow \\f$a\\f$ and the arrow \\f$a_1\\f$, the relative motion \\f$a_2\\f$.'; passes 'a letter with one meaning' --strict
+project; printf '# Notation {#notation}\n\n## Chapter 3 {#notation_ch03}\n\n| symbol | what it is |\n|---|---|\n| \\f$a\\f$ | an arrow |\n| \\f$b, a\\f$ | two steps |\n' >docs/pages/12_notation.md
+refuses 'a symbol that stands twice in a table' '12_notation.md:8: a stands twice in the table of ch03'
+claims 'For a point \\f$a\\f$.'; printf '# Notation {#notation}\n\n## Chapter 3 {#notation_ch03}\n\n| symbol | what it is |\n|---|---|\n| \\f$a\\f$ | an arrow |\n' >docs/pages/12_notation.md
+refuses 'a letter that is another thing in its table' '"point a" .point.; line 7 of docs/pages/12_notation.md says "an arrow"'
+
 # Programs that not every build runs: their figures may be absent, their names may not be wrong.
 benchmark() {
   project
