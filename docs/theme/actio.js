@@ -148,14 +148,55 @@
   // ---- Tables that are wider than the screen scroll in a box of their own, which the keyboard reaches.
   function boxes() {
     var all = document.querySelectorAll('.contents .table-box, .contents pre.output, .contents div.fragment, .contents pre.fragment, .contents .formula, .contents .report-table');
+    function goesOn() { this.classList.toggle('goes-on', this.scrollLeft + this.clientWidth < this.scrollWidth - 2); }
+    // All sizes are read before anything is changed, or each change would cost a layout of the page.
     function mark() {
-      all.forEach(function (box) {
-        if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
-        else box.removeAttribute('tabindex');
+      [].map.call(all, function (box) { return box.scrollWidth > box.clientWidth + 1; }).forEach(function (wide, i) {
+        var box = all[i];
+        if (!wide) box.removeAttribute('tabindex');
+        else if (box.tabIndex !== 0) {
+          box.tabIndex = 0;
+          box.addEventListener('scroll', goesOn, { passive: true });
+        }
+        box.classList.toggle('goes-on', wide);
       });
     }
     mark();
     window.addEventListener('resize', mark);
+  }
+
+  // ---- Tables of evidence are made when they are opened, from a script that is loaded when the first one is.
+  var more = null, waiting = [];
+  window.bookMore = function (data) {
+    more = data;
+    waiting.splice(0).forEach(fill);
+  };
+  function fill(details) {
+    var key = details.dataset.more;
+    if (!key || details.dataset.filled) return;
+    if (!more) {
+      waiting.push(details);
+      if (waiting.length === 1) load('more_' + (location.pathname.split('/').pop() || 'index.html').replace(/\.html$/, '.js'), function () {});
+      return;
+    }
+    details.dataset.filled = 'yes';
+    var made = document.createElement('div');
+    made.innerHTML = more.parts[key].replace(/\u0001(\d+)\u0002/g, function (all, k) { return more.formulas[+k]; });
+    while (made.firstChild) details.appendChild(made.firstChild);
+    boxes();
+  }
+  function folded() {
+    document.addEventListener('toggle', function (e) { if (e.target.open && e.target.dataset && e.target.dataset.more) fill(e.target); }, true);
+    // An address within what is folded opens it.
+    function land() {
+      var target = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+      if (!target) return;
+      var moved = false;
+      for (var up = target; up; up = up.parentElement) if (up.tagName === 'DETAILS' && !up.open) { up.open = true; moved = true; }
+      if (moved) target.scrollIntoView();
+    }
+    window.addEventListener('hashchange', land);
+    land();
   }
 
   // ---- Ledger: by verdict, by words.
@@ -198,7 +239,8 @@
     if (b) b.click();
   }
 
-  // ---- Tree: the chapters are always in sight.
+  // ---- Tree: it stands as it is, without sliding open, and the chapters are always in sight.
+  if (window.jQuery) window.jQuery.fx.off = true;
   function chapters() {
     var tries = 0, timer = setInterval(function () {
       document.querySelectorAll('#nav-tree a[href^="part"]').forEach(function (a) {
@@ -210,6 +252,6 @@
     }, 100);
   }
 
-  document.addEventListener('DOMContentLoaded', function () { search(); colours(); ledger(); chapters(); });
+  document.addEventListener('DOMContentLoaded', function () { search(); colours(); folded(); ledger(); chapters(); });
   window.addEventListener('load', boxes);
 })();

@@ -27,37 +27,59 @@ function members(html) {
 const withoutMembers = (html, gone) => html.replace(documented, (all, id) => (gone.has(id) ? '' : all))
   .replace(/<h2 class="groupheader">([^<]*)<\/h2>\s*(?=<h2 class="groupheader">|<\/div><!-- contents -->)/g, (all, title) => (section.test(title) && title !== 'Detailed Description' ? '' : all));
 
+const rowOnly = new RegExp(`<td [^>]*><a id="(${memberId})" name="\\1"></a>`);
+
 /// What a page says of itself in its first paragraph.
 const brief = html => (/<div class="contents">\s*<p>([\s\S]*?)<\/p>/.exec(html)?.[1] ?? '').replace(/<a href="[^"]*#details">[\s\S]*?<\/a>/, '').trim();
 
 /// A namespace as an index: what it is, the namespaces within it, its headers. Lists of its members stand on their pages.
 function asIndex(name, html, text) {
   const title = /<div class="title">([\s\S]*?) Namespace Reference/.exec(html)?.[1] ?? name;
-  html = html.replace(/<table class="memberdecls">([\s\S]*?)<\/table>/g, (all, body) => (/<a id="namespaces"/.test(body) ? all : ''))
+  html = html.replace(/<table class="memberdecls">([\s\S]*?)<\/table>/g, (all, body) => {
+    if (/<a id="namespaces"/.test(body)) return all;
+    // What has no page but its row in this list stays.
+    const [head, ...rows] = body.split(/(?=<tr class="memitem:)/), ids = new Set(rows.map(r => rowOnly.exec(r)?.[1]).filter(Boolean));
+    const kept = rows.filter(r => ids.has(/^<tr class="memitem:(\w+)"/.exec(r)?.[1]));
+    return kept.length ? `<table class="memberdecls">${head}${kept.join('')}</table>` : '';
+  })
     .replace(/<div class="summary">[\s\S]*?<\/div>/, '');
   const headers = [...text].filter(([f, h]) => /_8[hc]pp\.html$/.test(f) && h.includes(`memitem:${name.replace(/\.html$/, '')}"`))
     .map(([f, h]) => ({ f, title: /<div class="title">(\S+) File Reference/.exec(h)?.[1] ?? f, brief: brief(h) })).sort((a, b) => (a.title < b.title ? -1 : 1));
   if (!headers.length) return html;
   const list = `<h2 class="groupheader"><a id="headers" name="headers"></a>Headers of ${title}</h2><p>Each documents its functions, types and constants.</p><ul class="headers">${headers.map(h => `<li><a class="el" href="${h.f}">${escapeHtml(h.title)}</a> ${h.brief}</li>`).join('')}</ul>`;
-  return html.replace(/<\/div><!-- contents -->/, all => list + all);
+  return html.replace(/<a name="details" id="details"><\/a>|<\/div><!-- contents -->/, all => list + all);
 }
 
 /// Moves members, makes indices of namespaces, and leads every link to where its member is now.
 /// @param text  pages by name, changed in place
 export function settleMembers(text) {
   const kinds = ['Typedef Documentation', 'Enumeration Type Documentation', 'Function Documentation', 'Variable Documentation'], moved = new Map();
+  // The page of a header lists what it declares.
+  const lists = new Map();
+  for (const [name, html] of text)
+    if (/_8[hc]pp\.html$/.test(name)) for (const m of html.matchAll(/<tr class="memitem:([ag]\w{32,})"/g)) if (!lists.has(m[1])) lists.set(m[1], name);
   for (const [name, html] of [...text]) {
     const isNamespace = /^namespace(?!s|members)/.test(name);
     if (!isNamespace && !(/^group__/.test(name) && !withinLimits(html))) continue;
     const all = members(html), gone = new Map();
-    for (const m of all) if (m.home && text.has(`${m.home}.html`)) gone.set(m.id, m);
+    for (const m of all) {
+      m.home = lists.get(m.id) ?? (text.has(`${m.home}.html`) ? `${m.home}.html` : null);
+      if (m.home) gone.set(m.id, m);
+    }
     let rest = withoutMembers(html, gone);
+    if (isNamespace)
+      rest = rest.replace(new RegExp(`<a id="(${memberId})" name="\\1"></a>(?!\\s*<h2)`, 'g'), (all, id) => {
+        const to = lists.get(id);
+        if (!to || gone.has(id) || !text.get(to).includes(`<tr class="memitem:${id}"><td`)) return all;
+        text.set(to, text.get(to).replace(new RegExp(`<tr class="memitem:${id}"><td[^>]*>`), row => row + all));
+        return '';
+      });
     if (isNamespace) rest = asIndex(name, rest, text);
     text.set(name, rest);
     for (const m of gone.values()) {
       // A link within the page was to a neighbour.
       const own = m.html.replace(/href="#([^"]+)"/g, (link, id) => (id === m.id || m.html.includes(`id="${id}"`) ? link : `href="${name}#${id}"`));
-      const page = `${m.home}.html`;
+      const page = m.home;
       if (!moved.has(page)) moved.set(page, []);
       moved.get(page).push({ ...m, html: own });
     }
