@@ -7,7 +7,7 @@ import { createRequire } from 'node:module';
 import { Errors, escapeHtml, label, labelled, options, readRegistry, shortLabel, walk } from './lib.mjs';
 import { knowStatements, smallPrint } from './small_print.mjs';
 import { leanFormula, leanRules } from './lean_formula.mjs';
-import { settleMembers } from './members.mjs';
+import { nodesOf, settleMembers } from './members.mjs';
 import { readingOrder, sortTreeIndex, withNavigation } from './navigation.mjs';
 
 const opt = options({ root: '.', html: '', pages: '', registry: '' });
@@ -157,8 +157,23 @@ for (const [name, html] of text)
     .replace(/<div class="toc"><h3>Table of Contents<\/h3>/, '<div class="toc" role="navigation" aria-label="On this page"><div class="toc-head" aria-hidden="true">On this page</div>')
     .replace(/<h([1-5])>(<a class="anchor" id="[^"]*"><\/a>[\s\S]*?)<\/h\1>/g, (_, rank, body) => `<h${Number(rank) + 1}>${body}</h${Number(rank) + 1}>`));
 
+// The sections of a long page are elements of their own, which a browser lays out when they come near.
+for (const [name, html] of text)
+  if (nodesOf(html) > 4000 && !/_source\.html$|^(?:namespace|struct|class|group__)|_8[hc]pp/.test(name))
+    text.set(name, html.replace(/(<div class="textblock">)([\s\S]*)(<\/div><\/div><!-- (?:PageDoc|contents) -->)/, (_, before, body, after) => before + inSections(body) + after));
+function inSections(body) {
+  const whole = part => ['div', 'details', 'table', 'ul', 'ol', 'dl', 'section', 'p', 'figure'].every(t => (part.match(new RegExp(`<${t}\\b`, 'g')) ?? []).length === (part.match(new RegExp(`</${t}>`, 'g')) ?? []).length);
+  const parts = [];
+  for (const piece of body.split(/(?=<h[23]><a class="anchor")/))
+    if (parts.length && !whole(parts.at(-1))) parts[parts.length - 1] += piece;
+    else parts.push(piece);
+  const height = part => Math.round(part.replace(/<!--f-->[\s\S]*?<!--\/f-->/g, 'x').replace(/<(svg|pre)\b[\s\S]*?<\/\1>/g, ' ').replace(/<[^>]*>/g, '').length / 3.2 + 90 * (part.match(/<div class="(?:formula|beside|statement )/g) ?? []).length + 380 * (part.match(/<figure/g) ?? []).length);
+  return parts.map((part, i) => (i && whole(part) ? `<section class="part" style="contain-intrinsic-size:auto ${Math.max(200, height(part))}px">${part}</section>` : part)).join('');
+}
+
 for (const [name, script] of more) fs.writeFileSync(path.join(opt.html, name), script);
 for (const [name, html] of text) fs.writeFileSync(path.join(opt.html, name), html);
+if (fs.existsSync(path.join(opt.root, 'LICENSE'))) fs.copyFileSync(path.join(opt.root, 'LICENSE'), path.join(opt.html, 'LICENSE.txt'));
 for (const { from, to } of copies) fs.copyFileSync(from, path.join(opt.html, to));
 fs.mkdirSync(path.join(opt.html, 'katex/fonts'), { recursive: true });
 // woff2 alone: every browser that opens the book reads it.
