@@ -130,8 +130,13 @@
       box.classList.toggle('goes-on', wide);
     });
   }
+  function measured(within) {
+    return [].filter.call((within || document.querySelector('.contents') || document.body).querySelectorAll(kinds + ', .katex'), function (e) { return e.matches(kinds) || !e.closest(kinds); });
+  }
+  /** All at once, for whoever looks at the whole page. */
+  window.bookFit = function () { fit(measured()); };
   function boxes(within) {
-    var all = [].filter.call((within || document.querySelector('.contents') || document.body).querySelectorAll(kinds + ', .katex'), function (e) { return e.matches(kinds) || !e.closest(kinds); });
+    var all = measured(within);
     if (!near) {
       near = new IntersectionObserver(function (list) { fit(list.filter(function (e) { return e.isIntersecting; }).map(function (e) { return e.target; })); }, { rootMargin: '800px' });
       var width = innerWidth;
