@@ -24,7 +24,8 @@ if (opt.questions) {
   for (const [row, line] of rows) {
     const [question, first, where] = row.split('\t'), hits = book.ask(question, 5);
     // A book of a few pages lacks what the question is after.
-    if (where && !fs.existsSync(path.join(opt.html, where))) continue;
+    const [page, anchor] = (where ?? '').split('#'), file = path.join(opt.html, page);
+    if (page && (!fs.existsSync(file) || (anchor && !fs.readFileSync(file, 'utf8').includes(`id="${anchor}"`)))) continue;
     ++asked;
     if (!hits.length || !new RegExp(first).test(hits[0].address))
       errors.add(opt.questions, line, `"${question}" brings ${hits[0]?.address ?? 'nothing'} first, not ${first}; then ${hits.slice(1).map(h => h.address).join(', ') || 'nothing'}`);
