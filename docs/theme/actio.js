@@ -22,45 +22,6 @@
     list.hidden = true;
     document.body.appendChild(list);
 
-    var greek = { '\u03b1': 'alpha', '\u03b2': 'beta', '\u03b3': 'gamma', '\u03b4': 'delta', '\u03b5': 'epsilon', '\u03f5': 'epsilon', '\u03b6': 'zeta', '\u03b7': 'eta', '\u03b8': 'theta', '\u03b9': 'iota',
-      '\u03ba': 'kappa', '\u03bb': 'lambda', '\u03bc': 'mu', '\u03bd': 'nu', '\u03be': 'xi', '\u03c0': 'pi', '\u03c1': 'rho', '\u03c3': 'sigma', '\u03c4': 'tau', '\u03c6': 'phi', '\u03d5': 'phi',
-      '\u03c7': 'chi', '\u03c8': 'psi', '\u03c9': 'omega' };
-    /** The words of a question, as the index has them: Noether's is noether, a Greek letter is its name. */
-    function words(text) {
-      return text.toLowerCase().replace(/[\u03b1-\u03f5]/g, function (c) { return greek[c] ? ' ' + greek[c] + ' ' : c; }).replace(/['\u2019]s\b/g, '').replace(/[()\[\]{}:^~*+\-"'\u2019`,;]/g, ' ').split(/\s+/).filter(Boolean);
-    }
-    var isInterface = function (address) { return /^(namespace|struct|class|concept|union)|_8[hc]pp/.test(address); };
-    function find(text) {
-      text = text.trim();
-      var terms = words(text);
-      if (!terms.length) return [];
-      // Each word by itself, then the places that have them all before those that have some.
-      var found = {};
-      terms.forEach(function (t) {
-        index.query(function (q) {
-          q.term(lunr.stemmer(new lunr.Token(t)).toString(), { boost: 20 });
-          q.term(t, { boost: 20 });
-          q.term(t, { boost: 4, wildcard: lunr.Query.wildcard.TRAILING });
-          if (t.length > 4) q.term(t, { editDistance: 1 });
-        }).forEach(function (h) {
-          var f = found[h.ref] = found[h.ref] || { ref: h.ref, words: 0, score: 0 };
-          f.words += 1;
-          f.score += h.score;
-        });
-      });
-      var seen = {};
-      var all = Object.keys(found).map(function (k) { return found[k]; }).sort(function (x, y) { return y.words - x.words || y.score - x.score; }).filter(function (f) {
-        f.address = window.bookSearch.entries[+f.ref].u;
-        var fresh = !seen[f.address];
-        seen[f.address] = true;
-        return fresh;
-      });
-      // Plain words are sought in the prose first; what looks like a name of the code is taken as it scores.
-      if (/[A-Z].*[A-Z]|[a-z][A-Z]|::|\(\)/.test(text)) return all.slice(0, 12);
-      var most = all.length ? all[0].words : 0;
-      var prose = all.filter(function (f) { return !isInterface(f.address) && f.words === most; }), rest = all.filter(function (f) { return isInterface(f.address) || f.words < most; });
-      return prose.slice(0, rest.length > 4 ? 8 : 12).concat(rest).slice(0, 12);
-    }
     function options() { return list.querySelectorAll('[role="option"]'); }
     function choose(k) {
       chosen = k;
@@ -84,14 +45,14 @@
     function show() {
       if (state !== 2) return;
       list.textContent = '';
-      var text = input.value, hits = find(text);
-      hits.forEach(function (h, k) {
-        var e = window.bookSearch.entries[+h.ref], a = document.createElement('a');
-        a.href = e.u;
+      var text = input.value, hits = index.ask(text, 12);
+      hits.forEach(function (e, k) {
+        var a = document.createElement('a');
+        a.href = e.address;
         a.id = 'book-search-' + k;
         a.tabIndex = -1;
         a.setAttribute('role', 'option');
-        [['b', e.t], ['span', e.p === e.t ? '' : e.p], ['small', e.x]].forEach(function (part) {
+        [['b', e.title], ['span', e.page === e.title ? '' : e.page], ['small', e.text]].forEach(function (part) {
           var x = document.createElement(part[0]);
           x.textContent = part[1];
           a.appendChild(x);
@@ -105,9 +66,9 @@
     function ready() {
       if (state) return show();
       state = 1;
-      load('lunr.min.js', function () {
+      load('search.js', function () {
         load('search_index.js', function () {
-          index = lunr.Index.load(window.bookSearch.index);
+          index = window.bookSearcher.open(window.bookSearch);
           state = 2;
           show();
         });
@@ -145,17 +106,82 @@
     tell();
   }
 
-  // ---- Tables that are wider than the screen scroll in a box of their own, which the keyboard reaches.
-  function boxes() {
-    var all = document.querySelectorAll('.contents .table-box, .contents pre.output, .contents div.fragment, .contents pre.fragment, .contents .formula, .contents .report-table');
-    function mark() {
-      all.forEach(function (box) {
-        if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
-        else box.removeAttribute('tabindex');
+  // ---- What is wider than the screen scrolls in a box of its own, which the keyboard reaches. It is measured when it comes near.
+  var kinds = '.table-box, pre.output, div.fragment, pre.fragment, .formula, .report-table', near = null;
+  function goesOn() { this.classList.toggle('goes-on', this.scrollLeft + this.clientWidth < this.scrollWidth - 2); }
+  function fit(all) {
+    // All sizes are read before anything is changed, or each change would cost a layout of the page.
+    var edge = document.documentElement.clientWidth;
+    all.map(function (box) {
+      if (box.matches(kinds)) return box.scrollWidth > box.clientWidth + 1;
+      // A formula in a line that is wider than a narrow screen scrolls by itself.
+      return edge < 768 && !box.classList.contains('wide') && [].some.call(box.querySelectorAll('.base'), function (base) { return base.getBoundingClientRect().right > edge; });
+    }).forEach(function (wide, i) {
+      var box = all[i];
+      if (!box.matches(kinds)) {
+        if (wide) box.classList.add('wide');
+        return;
+      }
+      if (!wide) box.removeAttribute('tabindex');
+      else if (box.tabIndex !== 0) {
+        box.tabIndex = 0;
+        box.addEventListener('scroll', goesOn, { passive: true });
+      }
+      box.classList.toggle('goes-on', wide);
+    });
+  }
+  function measured(within) {
+    return [].filter.call((within || document.querySelector('.contents') || document.body).querySelectorAll(kinds + ', .katex'), function (e) { return e.matches(kinds) || !e.closest(kinds); });
+  }
+  /** All at once, for whoever looks at the whole page. */
+  window.bookFit = function () { fit(measured()); };
+  function boxes(within) {
+    var all = measured(within);
+    if (!near) {
+      near = new IntersectionObserver(function (list) { fit(list.filter(function (e) { return e.isIntersecting; }).map(function (e) { return e.target; })); }, { rootMargin: '800px' });
+      var width = innerWidth;
+      window.addEventListener('resize', function () {
+        if (innerWidth === width) return;
+        width = innerWidth;
+        near.disconnect();
+        boxes();
       });
     }
-    mark();
-    window.addEventListener('resize', mark);
+    all.forEach(function (e) { near.observe(e); });
+  }
+
+  // ---- Tables of evidence are made when they are opened, from a script that is loaded when the first one is.
+  var more = null, waiting = [];
+  window.bookMore = function (data) {
+    more = data;
+    waiting.splice(0).forEach(fill);
+  };
+  function fill(details) {
+    var key = details.dataset.more;
+    if (!key || details.dataset.filled) return;
+    if (!more) {
+      waiting.push(details);
+      if (waiting.length === 1) load('more_' + (location.pathname.split('/').pop() || 'index.html').replace(/\.html$/, '.js'), function () {});
+      return;
+    }
+    details.dataset.filled = 'yes';
+    var made = document.createElement('div');
+    made.innerHTML = more.parts[key].replace(/\u0001(\d+)\u0002/g, function (all, k) { return more.formulas[+k]; });
+    while (made.firstChild) details.appendChild(made.firstChild);
+    boxes(details);
+  }
+  function folded() {
+    document.addEventListener('toggle', function (e) { if (e.target.open && e.target.dataset && e.target.dataset.more) fill(e.target); }, true);
+    // An address within what is folded opens it.
+    function land() {
+      var target = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+      if (!target) return;
+      var moved = false;
+      for (var up = target; up; up = up.parentElement) if (up.tagName === 'DETAILS' && !up.open) { up.open = true; moved = true; }
+      if (moved) target.scrollIntoView();
+    }
+    window.addEventListener('hashchange', land);
+    land();
   }
 
   // ---- Ledger: by verdict, by words.
@@ -198,7 +224,8 @@
     if (b) b.click();
   }
 
-  // ---- Tree: the chapters are always in sight.
+  // ---- Tree: it stands as it is, without sliding open, and the chapters are always in sight.
+  if (window.jQuery) window.jQuery.fx.off = true;
   function chapters() {
     var tries = 0, timer = setInterval(function () {
       document.querySelectorAll('#nav-tree a[href^="part"]').forEach(function (a) {
@@ -210,6 +237,6 @@
     }, 100);
   }
 
-  document.addEventListener('DOMContentLoaded', function () { search(); colours(); ledger(); chapters(); });
-  window.addEventListener('load', boxes);
+  document.addEventListener('DOMContentLoaded', function () { search(); colours(); folded(); ledger(); chapters(); });
+  window.addEventListener('load', function () { boxes(); });
 })();

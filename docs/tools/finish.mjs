@@ -6,6 +6,8 @@ import path from 'node:path';
 import { createRequire } from 'node:module';
 import { Errors, escapeHtml, label, labelled, options, readRegistry, shortLabel, walk } from './lib.mjs';
 import { knowStatements, smallPrint } from './small_print.mjs';
+import { leanFormula, leanRules } from './lean_formula.mjs';
+import { nodesOf, settleMembers } from './members.mjs';
 import { readingOrder, sortTreeIndex, withNavigation } from './navigation.mjs';
 
 const opt = options({ root: '.', html: '', pages: '', registry: '' });
@@ -24,6 +26,9 @@ const unescape = s => s.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&qu
 
 const files = walk(opt.html).filter(f => f.endsWith('.html'));
 const text = new Map(files.map(f => [path.basename(f), fs.readFileSync(f, 'utf8')]));
+
+// Functions stand on the pages of their headers.
+const led = settleMembers(text);
 
 // Source page of a file, by the path in its title.
 const sourcePage = new Map();
@@ -60,7 +65,7 @@ function formula(page, tex, displayMode) {
   ++formulas;
   if (!cache.has(key)) {
     try {
-      cache.set(key, '<!--f-->' + katex.renderToString(tex, { displayMode, macros: { ...macros }, throwOnError: true, strict: c => c === 'newLineInDisplayMode' || c === 'commentAtEnd' ? 'ignore' : 'error' }) + '<!--/f-->');
+      cache.set(key, '<!--f-->' + leanFormula(katex.renderToString(tex, { displayMode, output: 'html', macros: { ...macros }, throwOnError: true, strict: c => c === 'newLineInDisplayMode' || c === 'commentAtEnd' ? 'ignore' : 'error' }), tex) + '<!--/f-->');
     } catch (e) {
       errors.add(page, 1, `formula does not parse: ${tex.replace(/\s+/g, ' ')}\n    ${e.message.replace(/\s+/g, ' ')}`);
       cache.set(key, '');
@@ -118,10 +123,7 @@ function dedent(body) {
   return margin > 0 && Number.isFinite(margin) ? lines.map(l => l.replace(new RegExp(`^(<div class="line">(?:<a[^>]*></a>)?) {${margin}}`), '$1')).join('') : body;
 }
 
-// The tree files a member under its header, Doxygen writes it on its namespace's page: lead there.
-const memberPage = new Map();
-for (const [name, html] of text) for (const m of html.matchAll(/<a id="([ag][0-9a-f]{32}[0-9a-z]*)" name=/g)) memberPage.set(m[1], name);
-const led = address => address.replace(/^([\w.-]+\.html)#([ag][0-9a-f]{32}[0-9a-z]*)$/, (all, page, id) => (memberPage.has(id) ? `${memberPage.get(id)}#${id}` : all));
+// The tree leads to the members where they are documented now.
 for (const f of walk(opt.html).filter(f => f.endsWith('.js') && !/navtreeindex\d+\.js$/.test(f))) {
   const script = fs.readFileSync(f, 'utf8'), now = script.replace(/"([\w.-]+\.html#[ag][0-9a-f]{32}[0-9a-z]*)"/g, (_, address) => `"${led(address)}"`);
   if (now !== script) fs.writeFileSync(f, now);
@@ -132,12 +134,51 @@ for (const [name, html] of text) text.set(name, withNavigation(html, order, name
 
 errors.exitIfAny('finish');
 
+// Tables that unfold are in a script beside the page, which loads it when the first of them is opened: each formula once, each table
+// with marks for its formulas.
+const more = [];
+for (const [name, original] of text) {
+  const formulasOf = new Map(), parts = {};
+  const html = original.replace(/<!--more (\w+)-->([\s\S]*?)<!--\/more-->/g, (_, id, body) => {
+    parts[id] = body.replace(/<!--f-->([\s\S]*?)<!--\/f-->/g, (all, f) => {
+      if (!formulasOf.has(f)) formulasOf.set(f, formulasOf.size);
+      return `\u0001${formulasOf.get(f)}\u0002`;
+    });
+    return '';
+  });
+  if (!Object.keys(parts).length) continue;
+  text.set(name, html);
+  more.push([`more_${name.replace(/\.html$/, '.js')}`, `window.bookMore(${JSON.stringify({ formulas: [...formulasOf.keys()], parts })});\n`]);
+}
+
+// A page has one heading of the first rank, its title; the sections of Doxygen are a rank below.
+for (const [name, html] of text)
+  text.set(name, html.replace(/<div class="title">([\s\S]*?)<\/div>/, '<h1 class="title">$1</h1>')
+    .replace(/<div class="toc"><h3>Table of Contents<\/h3>/, '<div class="toc" role="navigation" aria-label="On this page"><div class="toc-head" aria-hidden="true">On this page</div>')
+    .replace(/<h([1-5])>(<a class="anchor" id="[^"]*"><\/a>[\s\S]*?)<\/h\1>/g, (_, rank, body) => `<h${Number(rank) + 1}>${body}</h${Number(rank) + 1}>`));
+
+// The sections of a long page are elements of their own, which a browser lays out when they come near.
+for (const [name, html] of text)
+  if (nodesOf(html) > 4000 && !/_source\.html$|^(?:namespace|struct|class|group__)|_8[hc]pp/.test(name))
+    text.set(name, html.replace(/(<div class="textblock">)([\s\S]*)(<\/div><\/div><!-- (?:PageDoc|contents) -->)/, (_, before, body, after) => before + inSections(body) + after));
+function inSections(body) {
+  const whole = part => ['div', 'details', 'table', 'ul', 'ol', 'dl', 'section', 'p', 'figure'].every(t => (part.match(new RegExp(`<${t}\\b`, 'g')) ?? []).length === (part.match(new RegExp(`</${t}>`, 'g')) ?? []).length);
+  const parts = [];
+  for (const piece of body.split(/(?=<h[23]><a class="anchor")/))
+    if (parts.length && !whole(parts.at(-1))) parts[parts.length - 1] += piece;
+    else parts.push(piece);
+  const height = part => Math.round(part.replace(/<!--f-->[\s\S]*?<!--\/f-->/g, 'x').replace(/<(svg|pre)\b[\s\S]*?<\/\1>/g, ' ').replace(/<[^>]*>/g, '').length / 3.2 + 90 * (part.match(/<div class="(?:formula|beside|statement )/g) ?? []).length + 380 * (part.match(/<figure/g) ?? []).length);
+  return parts.map((part, i) => (i && whole(part) ? `<section class="part" style="contain-intrinsic-size:auto ${Math.max(200, height(part))}px">${part}</section>` : part)).join('');
+}
+
+for (const [name, script] of more) fs.writeFileSync(path.join(opt.html, name), script);
 for (const [name, html] of text) fs.writeFileSync(path.join(opt.html, name), html);
+if (fs.existsSync(path.join(opt.root, 'LICENSE'))) fs.copyFileSync(path.join(opt.root, 'LICENSE'), path.join(opt.html, 'LICENSE.txt'));
 for (const { from, to } of copies) fs.copyFileSync(from, path.join(opt.html, to));
 fs.mkdirSync(path.join(opt.html, 'katex/fonts'), { recursive: true });
 // woff2 alone: every browser that opens the book reads it.
 fs.writeFileSync(path.join(opt.html, 'katex/katex.min.css'),
-  fs.readFileSync(path.join(katexHome, 'katex.min.css'), 'utf8').replace(/,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\([^)]*\)/g, ''));
+  fs.readFileSync(path.join(katexHome, 'katex.min.css'), 'utf8').replace(/,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\([^)]*\)/g, '') + leanRules);
 for (const f of fs.readdirSync(path.join(katexHome, 'fonts')).filter(f => f.endsWith('.woff2')))
   fs.copyFileSync(path.join(katexHome, 'fonts', f), path.join(opt.html, 'katex/fonts', f));
 console.log(`book: ${files.length} pages, ${formulas} formulas (${cache.size} different)`);

@@ -127,7 +127,9 @@ export function evidence(book, id, anchor) {
     released.length ? `${released.map(c => columnNames[c] ?? c).join(' and ')}: <span class="figure from-release" title="${escapeHtml(`measured ${measuredAt(book.release.checks.release)}`)}">of the release</span>, until <code>./run test --all</code>` : '',
     missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
   ].filter(Boolean).map(s => `<span>${s}</span>`).join('');
-  return `<details class="evidence"${idAttribute}><summary>${evidenceLine(book, r)}<span class="evidence-where">${where}</span></summary>${foot ? `<div class="evidence-foot">${foot}</div>` : ''}${worstOnly}${unfolded}</details>`;
+  // What unfolds leaves the page: finish.mjs puts what stands between the marks into a script, which the page loads when the first table is opened.
+  const without = `<noscript><p>A script makes the table; the worst figures stand in <a href="@ref:ledger_${book.byId.get(id).chapter}">the ledger</a> as well.</p></noscript>`;
+  return `<details class="evidence"${idAttribute} data-more="${id}"><summary>${evidenceLine(book, r)}<span class="evidence-where">${where}</span></summary>${without}<!--more ${id}-->${foot ? `<div class="evidence-foot">${foot}</div>` : ''}${worstOnly}${unfolded}<!--/more--></details>`;
 }
 
 /// The largest of the draws, and the median where it is another one.

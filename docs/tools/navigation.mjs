@@ -59,7 +59,7 @@ export function readingOrder(dir) {
     pages.push({ title, address, depth });
     for (const child of children(node)) visit(child, depth + 1);
   };
-  const interfaces = ['namespaces.html', 'concepts.html', 'annotated.html', 'files.html'];
+  const interfaces = ['modules.html', 'namespaces.html', 'concepts.html', 'annotated.html', 'files.html'];
   for (const node of children(assigned(path.join(dir, 'navtreedata.js'), 'NAVTREE')[0])) {
     if (interfaces.includes(node[1]))
       reference.push({ title: node[0], address: node[1], depth: 0 });
@@ -84,8 +84,8 @@ export function pageTurns({pages}, here) {
   if (at < 0) return '';
   const turn = (page, rel, word) =>
     (page ? `<a rel="${rel}" href="${page.address}"><span>${word}</span>${escapeHtml(page.title)}</a>` : '');
-  return `<nav class="page-turns" aria-label="Next page and the one before">${
-    turn(pages[at - 1], 'prev', 'Before')}${turn(pages[at + 1], 'next', 'Next')}</nav>`;
+  return `<nav class="page-turns" aria-label="Previous and next page">${
+    turn(pages[at - 1], 'prev', 'Previous')}${turn(pages[at + 1], 'next', 'Next')}</nav>`;
 }
 
 /// A page with its ways through the book.

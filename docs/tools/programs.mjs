@@ -36,7 +36,9 @@ export function inlineSvg(svg, caption, prefix, report = {}) {
   svg = svg.replace(/^<svg\b([^>]*)>/, (_, attributes) => {
     const size = /viewBox=/.test(attributes) ? '' : (() => { const w = /\bwidth="([\d.]+)/.exec(attributes), h = /\bheight="([\d.]+)/.exec(attributes); return w && h ? ` viewBox="0 0 ${w[1]} ${h[1]}"` : ''; })();
     const width = /\bwidth="([\d.]+)/.exec(attributes) ?? /viewBox="[-\d.]+[ ,]+[-\d.]+[ ,]+([\d.]+)/.exec(attributes);
-    return `<svg${attributes.replace(/\s(width|height)="[^"]*"/g, '')}${size} role="img" style="max-width:${width ? width[1] : 640}px">`;
+    // Its name is its own title, else the words below it.
+    const said = /<title\b/.test(svg) || /aria-label=/.test(attributes) ? '' : String(caption ?? '').replace(/\\[()]|\$|`/g, '').trim();
+    return `<svg${attributes.replace(/\s(width|height)="[^"]*"/g, '')}${size} role="img"${said ? ` aria-label="${escapeHtml(said)}"` : ''} style="max-width:${width ? width[1] : 640}px">`;
   });
   const text = captionText(caption, report);
   return `<figure class="${`picture ${originClass(report)}`.trim()}">${svg}${text ? `<figcaption>${text}</figcaption>` : ''}</figure>`;

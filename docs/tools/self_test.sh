@@ -192,10 +192,20 @@ contains ch03.html 'class="skip-link" href="#doc-content"'
 contains ch03.html 'rel="next" href='
 contains index.html '<li class="depth-1"><a href="ch03.html"'
 contains ledger.html 'data-label="verdict"'
-contains ledger.html 'class="mord mathnormal">μ'
-contains ch03.html 'class="num from-release"><span title="3.14e-50, allowed 3.1e-48">3\.1&#8239;<i>ε'
-contains ch03.html '50 digits and 100 digits: .*measured 2026-01-01 00:00 UTC on a fast processor with GCC 12, commit abc1234567.*of the release'
-contains ch03.html 'class="num from-release">0\.25'
+contains ledger.html 'role="img" aria-label="[^"]*\\mu[^"]*"><span class="base"[^>]*><i>μ'
+# What unfolds is in a script beside the page.
+contains more_ch03.js 'class=\\"num from-release\\"><span title=\\"3.14e-50, allowed 3.1e-48\\">3\.1&#8239;<i>ε'
+contains more_ch03.js '50 digits and 100 digits: .*measured 2026-01-01 00:00 UTC on a fast processor with GCC 12, commit abc1234567.*of the release'
+contains more_ch03.js 'class=\\"num from-release\\">0\.25'
+contains ch03.html '<details class="evidence"[^>]* data-more="thm_3_2_3">.*<a href="ledger.html#ledger_3">the ledger</a>'
+grep -q 'evidence-table' build/book/ch03.html && { echo 'FAILED  a table of evidence stands in the page'; failures=$((failures + 1)); }
+# The page of a namespace is an index of headers, and a header documents its functions.
+contains namespaceactio.html '<ul class="headers"><li><a class="el" href="relative__motion_8hpp.html">relative_motion.hpp</a>'
+contains relative__motion_8hpp.html '<h2 class="groupheader">Function Documentation</h2>'
+contains implements.html 'href="relative__motion_8hpp.html#a[0-9a-f]*">relative_motion<'
+grep -q 'class="memtitle"' build/book/namespaceactio.html && { echo 'FAILED  a function documented on the page of the namespace'; failures=$((failures + 1)); }
+contains ch03.html '<h1 class="title">[^<]*Sample'
+contains ch03.html '<h2><a class="anchor" id="autotoc_md[0-9]*"></a>'
 
 contains ch03.html 'id="def_turn"'
 contains ch03.html 'href="ch03.html#def_turn">turn</a>'
@@ -229,12 +239,22 @@ whole; sed -i '/"ch03.html":/d' build/book/navtreeindex*.js; lacks 'a page that 
 whole; sed -i 's/<a class="skip-link"[^>]*>[^<]*<.a>//' build/book/errata.html; lacks 'a page without the way past the tree' 'errata.html:1: no link past the tree'
 whole; sed -i 's/<li class="depth-1"><a href="ch03.html"[^<]*<.a><.li>//' build/book/index.html; lacks 'contents without a chapter' 'index.html:1: the table of contents lacks ch03.html'
 whole; sed -i 's|all is well|/home/somebody/build/report/scenes/iss: all is well|' build/book/ch03.html; lacks 'a path of the machine' '/home/somebody/build/report/scenes/iss'
+whole; node -e 'require("fs").appendFileSync("build/book/errata.html", " ".repeat(1500001))'; lacks 'a page of too many bytes' 'errata.html:1: 15[0-9]* bytes, where a page has 1500000 at most'
+whole; node -e 'require("fs").appendFileSync("build/book/errata.html", "<i></i>".repeat(25001))'; lacks 'a page of too many elements' 'errata.html:1: [0-9]* elements, where a page has 25000 at most'
+whole; sed -i 's|<h2><a class="anchor"|<h1><a class="anchor"|' build/book/ch03.html; lacks 'a second title' 'ch03.html:1: . headings of the first rank'
+whole; sed -i 's|role="img" aria-label="A path"|role="img"|' build/book/ch03.html; lacks 'a picture without a name' 'ch03.html:1: a picture without a name'
 whole; sed -i 's|A table, with a comma|A table\\, with a comma|' build/book/ch03.html; lacks 'a backslash in a caption' 'a caption with a backslash'
 whole
+# The search brings what is asked for first, or says what it brings.
+printf '(3.9)\t^ch03.html#eq_3_9$\tch03.html\nturn\t^ch03.html#def_turn$\tch03.html\nrelative_motion()\t^relative__motion_8hpp.html#a\nnowhere\t^x\tno_such_page.html\n' >"$work/questions.tsv"
+asks() { node docs/tools/search_index.mjs --html build/book --questions "$work/questions.tsv" >"$work/out" 2>&1; }
+asks && grep -q '3 of 4 questions asked' "$work/out" && echo 'ok      finds what is asked for' || { echo 'FAILED  questions'; cat "$work/out"; failures=$((failures + 1)); }
+printf '(3.9)\t^errata\n' >"$work/questions.tsv"
+asks || grep -q '"(3.9)" brings ch03.html#eq_3_9 first' "$work/out" && echo 'ok      says what comes first' || { echo 'FAILED  a wrong answer'; cat "$work/out"; failures=$((failures + 1)); }
 # A column that neither this build nor the release has is an empty place; one that this build has is its own.
 project; rm docs/release/checks.json; refuses 'a column that nobody has run' 'ch03.html:1: . empty places, the first: not run; .*/run record'
 project; sed -i 's/\("scalar":"double","model":"SE(3)","measured":1e-15.*\)}\],"control"/\1},{"what":"residual","kind":"precision","scalar":"dec50","model":"SE(3)","measured":2e-50,"bound":1e-48,"epsilon":1e-50}],"control"/' build/report/statements.json
-passes 'a book with a column of its own' --strict; contains ch03.html 'class="num"><span title="2.00e-50'; contains ch03.html '<span>100 digits: .*of the release'
+passes 'a book with a column of its own' --strict; contains more_ch03.js 'class=\\"num\\"><span title=\\"2.00e-50'; contains more_ch03.js '<span>100 digits: .*of the release'
 project; passes 'a whole book again' --strict
 book --strict
 grep -q 'nothing changed' "$work/out" && echo 'ok      is not written again' || { echo 'FAILED  written again with nothing changed'; failures=$((failures + 1)); }
