@@ -4,7 +4,7 @@
 // conserved momentum follow. The water makes a long hull heavier sideways than ahead. Bow first it does not
 // keep its course; broadside it does, and so does a hull that is heavier ahead, bow first. The same system is
 // a scene (data/scenes/own_hull.toml) and a function of Python (data/scenes/own_hull.py).
-// Read first. Section 3.2 of chapter 3.
+// Read first. The page Your own system.
 //
 //   g     configuration in SE(2), hull to space     l     Lagrangian, of the velocity in the hull
 //   xi    velocity: turning, ahead, sideways        h     step
@@ -22,19 +22,19 @@
 
 using namespace actio;
 
-// 1. The Lagrangian, a callable for every kind of number.
-auto hull(double c) {
-  return [c](auto const& xi) {
-    auto const& [w, v1, v2] = std::tie(xi.coordinates[0], xi.coordinates[1], xi.coordinates[2]);
-    return (w * w + v1 * v1 + v2 * v2 * c) / 2;
-  };
-}
-
 // Where a hull was at equal times, the largest angle that it has turned by, and the change of its energy.
 struct Voyage {
   std::vector<double> x, y, heading;
   double turned = 0, energy = 0;
 };
+
+// 1. The Lagrangian, a callable for every kind of number.
+auto hull(double c) {
+  return [c](auto const& xi) {
+    auto const &w = xi.coordinates[0], &v1 = xi.coordinates[1], &v2 = xi.coordinates[2];
+    return (w * w + v1 * v1 + v2 * v2 * c) / 2;
+  };
+}
 
 // 2. Steps of order 4 from the momentum at the start, and the group element from its relative motions.
 Voyage sail(double c, Vector<double, 3> const& start, double until = 20, double h = 0.01) {
