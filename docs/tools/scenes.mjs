@@ -54,7 +54,7 @@ export function scenePage(scene) {
   const about = [];
   for (const line of scene.text.split('\n')) { if (!line.startsWith('#')) break; about.push(line.replace(/^#\s*/, '')); }
   return [`# Scene ${scene.name} {#scenefile_${scene.name}}`, '', `**${scene.summary.title}.** ${about.map(inMarkdown).join(' ')}`, '', `\\sceneviewer{${scene.name}}`, '', `\\scenefile{${scene.name}}`, '',
-    `It is a scene of the system \\ref system_${scene.summary.system} "${scene.summary.system}". How to run it is told in \\ref scenes.`, ''].join('\n');
+    `It is a scene of the system \\ref system_${scene.summary.system} "${scene.summary.system}". \\ref scenes says how to run it.`, ''].join('\n');
 }
 
 /// A program in Python and what it said; null where the module was not built.
