@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
     program.say(name, ": turned by ", book::number(voyage->turned), " degrees at most, energy changed by ",
                 book::number(voyage->energy, 1));
 
-  auto plot = book::Plot("x", "y").equal().size(660, 330);
+  auto plot = book::Plot("x", "y").equal().size(660, 250);
   draw(plot, bow, "c = 6, bow first", 1.6, 1, 0);
   draw(plot, blunt, "c = 0.5, bow first", 1.6, 3, -3);
   program.picture("path", plot.svg(),
