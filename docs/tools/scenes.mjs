@@ -118,7 +118,7 @@ export function systemPage(book, system) {
   lines.push('## Keys', '', ...keyTable(system.parameters));
   lines.push('', '## Methods', '', '| method | orders | what it is | source |', '|---|---|---|---|');
   for (const m of system.methods) lines.push(`| \`${m.name}\` | ${m.orders.join(', ')} | ${inMarkdown(m.meaning)} | ${statements(book, m.statement)} |`);
-  lines.push('', '## Quantities', '', '| quantity | what it is | formula | kind, unit | columns | needs | kept | thesis |', '|---|---|---|---|---|---|---|---|');
+  lines.push('', '## Quantities', '', '| quantity | what it is | formula | kind, unit | columns | needs | conserved | thesis |', '|---|---|---|---|---|---|---|---|');
   for (const q of system.quantities) lines.push(`| \`${q.name}\` | ${inMarkdown(q.meaning)} | ${formula(q.formula)} | ${q.kind}, ${unit(q.unit)} | ${columns(q)} | ${q.needs.length ? q.needs.map(n => `\`${n}\``).join(', ') : 'the state'} | ${q.conserved ? 'yes' : ''} | ${statements(book, q.statement)} |`);
   const examples = [...(book.scenes ?? new Map()).values()].filter(s => s.summary.system === system.name);
   if (examples.length) lines.push('', '## Scenes', '', ...examples.map(s => `- \\ref scenefile_${s.name} "${path.basename(s.file)}": ${s.summary.title}`));
