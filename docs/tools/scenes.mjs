@@ -30,11 +30,23 @@ const power = x => {
   return Number(x) === 0 ? '0' : `${m[1].replace('-', '−')}·10<sup>${String(Number(m[2])).replace('-', '−')}</sup>`;
 };
 
+/// The comment at the head of a scene in lines that the box holds; the rest as it is.
+function withShortHead(text, width = 88) {
+  const lines = text.split('\n'), end = lines.findIndex(l => !l.startsWith('#'));
+  if (end < 1) return text;
+  const out = ['#'];
+  for (const word of lines.slice(0, end).map(l => l.replace(/^#\s*/, '')).join(' ').split(/\s+/)) {
+    if (out.at(-1).length + 1 + word.length > width) out.push('#');
+    out[out.length - 1] += ` ${word}`;
+  }
+  return [...out, ...lines.slice(end)].join('\n');
+}
+
 /// The scene as it is written, the command, and what it said; with the permanent anchor of the scene where this is its place.
 export function sceneCard(scene, id) {
   const output = scene.said ? `<pre class="output">${escapeHtml(scene.said)}</pre>` : '';
   return `<div class="program scene"${id ? ` id="${id}"` : ''}><div class="program-head"><span class="program-name">actio run ${escapeHtml(scene.file)} --out ${scene.name} --plots</span></div>` +
-    `<pre class="fragment scene-text">${escapeHtml(scene.text)}</pre>${output}</div>`;
+    `<pre class="fragment scene-text">${escapeHtml(withShortHead(scene.text))}</pre>${output}</div>`;
 }
 
 /// The page of a run that its `--plots` wrote, as a file of the book; null where there is none.
