@@ -1,5 +1,5 @@
-// What the general road costs: steps for a Lagrangian given as a callable, by group, in steps of the
-// classical Runge-Kutta method on a free body.
+// What the generic implementation costs: steps for a Lagrangian given as a callable, by group, in steps of
+// the classical Runge-Kutta method on a free body.
 //
 // A group is given by its primitives alone: residuals by dual numbers, a derivative reused from step to
 // step, starts extrapolated from the last steps. Beside each stands the same step by Newton's iteration from
@@ -111,7 +111,8 @@ Road galerkin(int s) {
 }
 
 int main(int argc, char** argv) {
-  benchmark::Benchmark program(argc, argv, "steps on the general road, in Runge-Kutta steps of a free body");
+  benchmark::Benchmark program(argc, argv,
+                               "steps of the generic implementation, in Runge-Kutta steps of a free body");
   std::vector<Road> const roads{brick(),
                                 euler_poincare<SE<2>>("SE(2)"),
                                 euler_poincare<SE<3>>("SE(3)"),

@@ -1,4 +1,5 @@
-// What a step of a medium costs on one thread and on two, beside the same scheme as a plain loop.
+// What a step of a medium costs on one thread and on two, beside the same scheme as a plain loop and beside
+// finite elements.
 #pragma once
 
 #include <chrono>
@@ -6,7 +7,7 @@
 
 #include "actio/fast_media/fast_medium.hpp"
 #include "benchmark.hpp"
-#include "peers/gathered_medium.hpp"
+#include "peers/finite_elements.hpp"
 #include "timing.hpp"
 
 namespace benchmark {
@@ -31,9 +32,9 @@ inline std::vector<double> nanoseconds_on_the_wall(int rounds, std::vector<Conte
 
 /// Nanoseconds for a cell and step.
 struct Cost {
-  double one, two, plain;
+  double one, two, plain, elements;
 };
-/// @param box, small  for the fast road, and for the plain loop
+/// @param box, small  for the optimised implementation, and for the other two
 /// @param sum         gets something of the last states, so that nothing is left out
 template <class Medium, class Stress, class Box, class Placement, class Velocity>
 Cost cost_of(Benchmark const& program, Medium const& medium, Stress const& stress, Box const& box,
@@ -43,6 +44,7 @@ Cost cost_of(Benchmark const& program, Medium const& medium, Stress const& stres
   Fast one(medium, box, dt, 1, placement, velocity), two(medium, box, dt, 1, placement, velocity, {2}),
       for_plain(medium, small, dt_small, 1, placement, velocity);
   auto plain = peers::gathered(stress, small, dt_small, for_plain.places(), for_plain.velocities());
+  peers::FiniteElements elements(plain);
   auto const cells = [](Box const& of) {
     double all = 1;
     for (int const n : of.cells) all *= n;
@@ -51,9 +53,10 @@ Cost cost_of(Benchmark const& program, Medium const& medium, Stress const& stres
   auto const t = nanoseconds_on_the_wall(program.rounds(30),
                                          {{"one thread", [&] { one.step(steps); }, cells(box) * steps},
                                           {"two threads", [&] { two.step(steps); }, cells(box) * steps},
-                                          {"plain loop", [&] { plain.step(); }, cells(small)}});
-  sum += one.momentum()[0] + two.momentum()[0] + plain.v[7][0];
-  return {t[0], t[1], t[2]};
+                                          {"plain loop", [&] { plain.step(); }, cells(small)},
+                                          {"elements", [&] { elements.step(); }, cells(small)}});
+  sum += one.momentum()[0] + two.momentum()[0] + plain.v[7][0] + elements.medium.v[7][0];
+  return {t[0], t[1], t[2], t[3]};
 }
 
 }  // namespace benchmark

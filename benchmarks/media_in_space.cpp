@@ -1,6 +1,6 @@
 // What a step of a medium in space costs, with eight corners a cell: nanoseconds for a cell, on one thread
-// and on two, beside a plain loop of the same scheme in matrices of Eigen, in the same rounds. The plane is
-// measured by media.cpp.
+// and on two, beside a plain loop of the same scheme in matrices of Eigen and finite elements, in the same
+// rounds. The plane is measured by media.cpp.
 #include "actio/fast_media/fast_medium_3d.hpp"
 #include "media_cost.hpp"
 
@@ -29,12 +29,14 @@ int main(int argc, char** argv) {
   double const h = 1.0 / size.across;
   FastBox3d const box{{size.across, size.back, size.up}, {h, h, h}}, small{{20, 15, 10}, {0.02, 0.02, 0.02}};
 
-  double sum = 0, ratio = HUGE_VAL, shared = 0;
+  double sum = 0, ratio = HUGE_VAL, elements = HUGE_VAL, shared = 0;
   std::vector<book::Program::Row> rows;
   auto const measured = [&](std::string const& name, auto const& medium, auto const& stress) {
     auto const c = benchmark::cost_of(program, medium, stress, box, small, size.steps, place, velocity, sum);
-    rows.push_back({name, number(c.one), number(c.two), number(c.plain), number(c.plain / c.one)});
-    ratio = std::min(ratio, c.plain / c.one), shared = std::max(shared, c.two / c.one);
+    rows.push_back({name, number(c.one), number(c.two), number(c.plain), number(c.plain / c.one),
+                    number(c.elements / c.one)});
+    ratio = std::min(ratio, c.plain / c.one), elements = std::min(elements, c.elements / c.one);
+    shared = std::max(shared, c.two / c.one);
     return c.one;
   };
   double const gas = measured("gas, exponent 2", FastFluid{PolytropicByRoots<1, 2>{1}},
@@ -49,7 +51,8 @@ int main(int argc, char** argv) {
                                 peers::GasStress{1, 5. / 3}),
                any = measured("gas, any exponent", FastFluid{PolytropicGas{1, 1.37}},
                               peers::GasStress{1, 1.37});
-  program.table("space", {"medium", "one thread", "two threads", "Eigen loop", "Eigen loop / one thread"},
+  program.table("space",
+                {"medium", "one thread", "two threads", "Eigen loop", "Eigen loop / one", "elements / one"},
                 rows, "Media in space: nanoseconds for a cell and step.");
   program.figure("gas", gas, "ns for a cell and step of a gas with exponent 2, one thread");
   program.figure("solid", solid, "ns for a cell and step of St Venant and Kirchhoff's solid, one thread");
@@ -58,6 +61,7 @@ int main(int argc, char** argv) {
   program.figure("named", named, "ns for a cell and step of a gas with exponent 5/3, one thread");
   program.figure("any", any, "ns for a cell and step of a gas with any exponent, one thread");
   program.figure("ratio", ratio, "times that the Eigen loop takes longer, least");
+  program.figure("elements", elements, "times that a step of finite elements takes longer, least");
   program.figure("shared", shared, "what two threads take of the time of one, most");
   program.figure("sum", sum, "sum of the last states, so that nothing is left out");
   if (best_registers() != Registers::plain)

@@ -1,10 +1,10 @@
-// What it costs to give a Lagrangian as a formula: whole scenes against the same systems written in C++ on
-// the general road.
+// What it costs to give a Lagrangian as a formula: whole scenes against the same systems written in C++
+// by the generic implementation.
 //
 // A scene is read, its formula parsed and differentiated, and its steps are taken; one row is kept, that of
 // the end. Beside it stands the discrete Lagrangian as a lambda on a group of the library, stepped by the
-// general road. Both are steps of the natural chart of one length from one start, so that both end at one
-// momentum.
+// generic implementation. Both are steps of the natural chart of one length from one start, so that both end
+// at one momentum.
 #include <fmt/format.h>
 
 #include "actio/groups/motions.hpp"
@@ -97,7 +97,8 @@ std::vector<Pair> pairs() {
 
 int main(int argc, char** argv) {
   benchmark::Benchmark program(
-      argc, argv, "a Lagrangian as a formula in a scene, against the same in C++ on the general road");
+      argc, argv,
+      "a Lagrangian as a formula in a scene, against the same in C++ by the generic implementation");
   auto const all = pairs();
   long const steps = program.length(20000L, 4000L);
   double const units = static_cast<double>(steps);
@@ -135,7 +136,7 @@ int main(int argc, char** argv) {
   program.figure("worst", worst, "time of a scene over that of C++, the largest");
   program.figure("apart", apart, "relative difference of the momenta after 200 steps, the largest");
   program.claim(apart <= 200 * 16 * std::numeric_limits<double>::epsilon(),
-                "both roads end at one momentum, to what the solvers leave in 200 steps");
+                "both implementations end at one momentum, to what the solvers leave in 200 steps");
   program.headline("a formula in a scene takes " + book::number(worst) + " of the time of C++ at most",
                    worst);
   return program.finish();

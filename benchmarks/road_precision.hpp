@@ -1,14 +1,14 @@
-// Work and precision of the general road on one system: steps for a Lagrangian given as a callable, beside
-// GSL, odeint and Runge-Kutta on the same equations.
+// Work and precision of the generic implementation on one system: steps for a Lagrangian given as a callable,
+// beside GSL, odeint and Runge-Kutta on the same equations.
 //
-// The others get the right side of the differential equation, written by hand; the general road gets the
-// Lagrangian. The witness is Fehlberg's method in long double.
+// The others get the right side of the differential equation, written by hand; the generic implementation
+// gets the Lagrangian. The reference solution is Fehlberg's method in long double.
 #pragma once
 
 #include <gsl/gsl_errno.h>
 
 #include "benchmark.hpp"
-#include "book/plot.hpp"
+#include "digits_plot.hpp"
 #include "error_against_time.hpp"
 #include "peers/any_equation.hpp"
 
@@ -82,8 +82,8 @@ struct System {
   }
 };
 
-/// A way of the general road: `make(h)` gives a callable that takes a step of that length and returns what is
-/// compared.
+/// A way of the generic implementation: `make(h)` gives a callable that takes a step of that length and
+/// returns what is compared.
 template <class S, class Make>
 Way road_way(S const& system, std::string name, Make make, double first, double ratio) {
   return {std::move(name),
@@ -109,8 +109,7 @@ int compare(Benchmark& program, S& system, std::vector<Way> ways) {
   for (Way& other : system.others()) ways.push_back(std::move(other));
   constexpr double targets[] = {1e-3, 1e-6, 1e-9, 1e-11};
   std::vector<book::Program::Row> rows;
-  book::Plot plot("processor time, microseconds", "error");
-  plot.log_x().log_y().size(760, 520);
+  DigitsPlot plot("correct digits");
   double best_own = std::numeric_limits<double>::infinity(), best_other = best_own;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     Line const line = runs_of(ways[i], program.length(0.03, 0.003));
@@ -121,35 +120,32 @@ int compare(Benchmark& program, S& system, std::vector<Way> ways) {
     }
     row.push_back(book::number(line.best_error(), 2));
     rows.push_back(row);
-    std::vector<double> x, y;
-    for (Timed const& r : line.runs)
-      if (r.error < 1) x.push_back(1e6 * r.seconds), y.push_back(r.error);
-    plot.curve(x, y, line.name,
-               {.colour = static_cast<int>(i) % 6 + 1, .width = i < own ? 2.4 : 1.6, .dashed = i >= own});
+    plot.line(line.runs, line.name, i < own);
     Timed const* const reached = line.cheapest(1e-9);
     if (reached)
       (i < own ? best_own : best_other) = std::min(i < own ? best_own : best_other, reached->seconds);
   }
   program.picture(
       "work_precision", plot.svg(),
-      "Error against processor time; broken lines are those of codes for differential equations.");
+      "Time for an accuracy; the generic implementation is bold, the others are codes for differential "
+      "equations.");
   program.table("work_precision", {"method", "1e-3", "1e-6", "1e-9", "1e-11", "best error"}, rows,
                 "Microseconds to t = " + book::number(system.stretch * S::looks) +
                     ", set-up included, with the best step or tolerance for each error, the "
                     "largest at five times on the way.");
-  program.figure("apart", apart, "the witness against itself in half as many steps");
-  program.figure("own_us", 1e6 * best_own, "the best of the general road to 1e-9, microseconds");
+  program.figure("apart", apart, "the reference solution against itself in half as many steps");
+  program.figure("own_us", 1e6 * best_own, "the best of the generic implementation to 1e-9, microseconds");
   program.figure("other_us", 1e6 * best_other, "the best of the others to 1e-9, microseconds");
-  program.figure("times", best_own / best_other, "times as long on the general road, to 1e-9");
+  program.figure("times", best_own / best_other, "times as long by the generic implementation, to 1e-9");
   double size = 0;
   for (auto const& state : system.exact)
     for (double const x : state) size = std::max(size, std::abs(x));
   double const rounding = 4 * std::numeric_limits<double>::epsilon() * size;
-  program.claim(apart <= rounding, "the witness is good to rounding, " + book::number(rounding) +
+  program.claim(apart <= rounding, "the reference solution is good to rounding, " + book::number(rounding) +
                                        "; measured " + book::number(apart));
   program.claim(std::isfinite(best_own) && std::isfinite(best_other),
-                "the general road and the others reach 1e-9");
-  program.headline("to 1e-9 the general road takes " + book::number(best_own / best_other) +
+                "the generic implementation and the others reach 1e-9");
+  program.headline("to 1e-9 the generic implementation takes " + book::number(best_own / best_other) +
                        " times as long as the best of GSL and odeint with equations written by hand",
                    best_own / best_other);
   return program.finish();

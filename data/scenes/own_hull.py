@@ -3,11 +3,11 @@
 import actio
 import numpy
 
-# Hull and water together: sideways they are six times as heavy as ahead.
+# Hull and water together: sideways they are c times as heavy as ahead.
 hull = actio.System(
     group="SE(2)",
-    lagrangian=lambda xi, p: (xi.w**2 + xi.v1**2 + p.sideways * xi.v2**2) / 2,
-    parameters={"sideways": 6},
+    lagrangian=lambda xi, p: (xi.w**2 + xi.v1**2 + p.c * xi.v2**2) / 2,
+    parameters={"c": 6},
 )
 print("lagrangian:", hull.formula)
 
@@ -23,7 +23,7 @@ for course, velocity in [("bow first", [0, 1, 0.001]), ("broadside", [0, 0.001, 
 
 # The same for other hulls: one scene, many values.
 scene = hull.scene(velocity=[0, 1, 0.001], **wanted)
-sweep = actio.sweep(scene, over={"system.parameters.sideways": [0.5, 1, 2, 6]})
+sweep = actio.sweep(scene, over={"system.parameters.c": [0.5, 1, 2, 6]})
 for member in sweep:
     fastest = abs(member.run["velocity_w"]).max()
     print(member.values, f"fastest turn {fastest:.2g} per unit of time")

@@ -1,4 +1,4 @@
-// The page "The house": the modules of the library and the rooms of the program, the arrows between them and
+// The page "Architecture": the modules of the library and the rooms of the program, the arrows between them and
 // their sizes, read from where they are declared.
 //
 // Modules and arrows are the lines `actio_module(NAME USES ...)` of CMakeLists.txt, rooms the lines
@@ -58,8 +58,8 @@ export function housePlan(house) {
 <defs><marker id="house-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" orient="auto">
 <path d="M0 0L8 4L0 8z" class="tip"/></marker></defs>
 <g class="arrows">${arrows.join('')}</g><g class="rooms">${boxes.join('')}</g></svg>
-<figcaption>An arrow leads to what is used; what that uses comes along.
-All arrows lead down.</figcaption></figure>`;
+<figcaption>An arrow leads from a folder to one that it uses.
+What that one uses may be used as well. Arrows lead down.</figcaption></figure>`;
 }
 
 /** What each holds, what it uses, and how large it is. */

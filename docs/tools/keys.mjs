@@ -56,8 +56,8 @@ function entry(key) {
 /// The page, as Markdown.
 export function keysPage(keys) {
   const lines = ['# Every key of a scene {#scene_keys}', '',
-    'A scene has six sections, and the keys that are told here; any other key is refused, with the nearest that there is.',
-    'The command tells the same: `actio list keys`, `actio show run.every`, `actio new rigid_body`.', ''];
+    'A scene has six sections with these keys. Any other key is refused, and the message names the nearest one.',
+    'The command prints the same: `actio list keys`, `actio show run.every`, `actio new rigid_body`.', ''];
   const systems = new Set(keys.flatMap(k => k.systems));
   for (const [section, what] of Object.entries(sections)) {
     lines.push(`## [${section}]: ${what} {#keys_of_${section}}`, '');

@@ -30,11 +30,23 @@ const power = x => {
   return Number(x) === 0 ? '0' : `${m[1].replace('-', '−')}·10<sup>${String(Number(m[2])).replace('-', '−')}</sup>`;
 };
 
+/// The comment at the head of a scene in lines that the box holds; the rest as it is.
+function withShortHead(text, width = 88) {
+  const lines = text.split('\n'), end = lines.findIndex(l => !l.startsWith('#'));
+  if (end < 1) return text;
+  const out = ['#'];
+  for (const word of lines.slice(0, end).map(l => l.replace(/^#\s*/, '')).join(' ').split(/\s+/)) {
+    if (out.at(-1).length + 1 + word.length > width) out.push('#');
+    out[out.length - 1] += ` ${word}`;
+  }
+  return [...out, ...lines.slice(end)].join('\n');
+}
+
 /// The scene as it is written, the command, and what it said; with the permanent anchor of the scene where this is its place.
 export function sceneCard(scene, id) {
   const output = scene.said ? `<pre class="output">${escapeHtml(scene.said)}</pre>` : '';
   return `<div class="program scene"${id ? ` id="${id}"` : ''}><div class="program-head"><span class="program-name">actio run ${escapeHtml(scene.file)} --out ${scene.name} --plots</span></div>` +
-    `<pre class="fragment scene-text">${escapeHtml(scene.text)}</pre>${output}</div>`;
+    `<pre class="fragment scene-text">${escapeHtml(withShortHead(scene.text))}</pre>${output}</div>`;
 }
 
 /// The page of a run that its `--plots` wrote, as a file of the book; null where there is none.
@@ -54,7 +66,7 @@ export function scenePage(scene) {
   const about = [];
   for (const line of scene.text.split('\n')) { if (!line.startsWith('#')) break; about.push(line.replace(/^#\s*/, '')); }
   return [`# Scene ${scene.name} {#scenefile_${scene.name}}`, '', `**${scene.summary.title}.** ${about.map(inMarkdown).join(' ')}`, '', `\\sceneviewer{${scene.name}}`, '', `\\scenefile{${scene.name}}`, '',
-    `It is a scene of the system \\ref system_${scene.summary.system} "${scene.summary.system}". How to run it is told in \\ref scenes.`, ''].join('\n');
+    `It is a scene of the system \\ref system_${scene.summary.system} "${scene.summary.system}". \\ref scenes says how to run it.`, ''].join('\n');
 }
 
 /// A program in Python and what it said; null where the module was not built.
@@ -118,7 +130,7 @@ export function systemPage(book, system) {
   lines.push('## Keys', '', ...keyTable(system.parameters));
   lines.push('', '## Methods', '', '| method | orders | what it is | source |', '|---|---|---|---|');
   for (const m of system.methods) lines.push(`| \`${m.name}\` | ${m.orders.join(', ')} | ${inMarkdown(m.meaning)} | ${statements(book, m.statement)} |`);
-  lines.push('', '## Quantities', '', '| quantity | what it is | formula | kind, unit | columns | needs | kept | thesis |', '|---|---|---|---|---|---|---|---|');
+  lines.push('', '## Quantities', '', '| quantity | what it is | formula | kind, unit | columns | needs | conserved | thesis |', '|---|---|---|---|---|---|---|---|');
   for (const q of system.quantities) lines.push(`| \`${q.name}\` | ${inMarkdown(q.meaning)} | ${formula(q.formula)} | ${q.kind}, ${unit(q.unit)} | ${columns(q)} | ${q.needs.length ? q.needs.map(n => `\`${n}\``).join(', ') : 'the state'} | ${q.conserved ? 'yes' : ''} | ${statements(book, q.statement)} |`);
   const examples = [...(book.scenes ?? new Map()).values()].filter(s => s.summary.system === system.name);
   if (examples.length) lines.push('', '## Scenes', '', ...examples.map(s => `- \\ref scenefile_${s.name} "${path.basename(s.file)}": ${s.summary.title}`));

@@ -19,7 +19,7 @@ int Plot::lay_out_legend(Place&& place) const {
   double at = margin_left;
   int row = 0;
   for (auto const& c : curves_) {
-    if (c.label.empty()) continue;
+    if (c.label.empty() || c.look.named) continue;
     double const length = 34 + 6.9 * static_cast<double>(width(c.label)) + 18;
     if (at > margin_left && at + length > width_ - 10) at = margin_left, ++row;
     place(c, at, row);
@@ -40,6 +40,48 @@ std::string Plot::legend() const {
     out += svg::curve(c.look.dots ? std::span<svg::Point const>(dot) : sample, c.look) +
            svg::label({x + 34, y + 4}, c.label);
   });
+  return out;
+}
+
+double Plot::margin_right() const {
+  double longest = 0;
+  for (auto const& c : curves_)
+    if (c.look.named) longest = std::max(longest, 22 + 6.3 * static_cast<double>(width(c.label)));
+  return std::max(16.0, longest);
+}
+
+template <class Place>
+std::string Plot::names(Frame const& frame, Place&& place) const {
+  constexpr double line = 15;
+  struct Name {
+    Curve const* curve;
+    svg::Point end;
+    double y;
+  };
+  std::vector<Name> all;
+  for (auto const& c : curves_) {
+    if (!c.look.named) continue;
+    for (std::size_t i = c.x.size(); i-- > 0;) {
+      svg::Point const end = place(c.x[i], c.y[i]);
+      if (!std::isfinite(end.x) || !std::isfinite(end.y)) continue;
+      all.push_back({&c, end, end.y});
+      break;
+    }
+  }
+  std::ranges::sort(all, {}, &Name::y);
+  // Downwards until no two overlap, then upwards from the lower edge.
+  for (std::size_t i = 1; i < all.size(); ++i) all[i].y = std::max(all[i].y, all[i - 1].y + line);
+  double limit = frame.bottom;
+  for (std::size_t i = all.size(); i-- > 0; limit = all[i].y - line) all[i].y = std::min(all[i].y, limit);
+  std::string out;
+  for (auto const& [curve, end, y] : all) {
+    auto const colour = std::to_string(curve->look.colour);
+    out +=
+        "<path class=\"line" + colour + "\" stroke-width=\"0.6\" d=\"M" + svg::pixel(end.x + 4) + " " +
+        svg::pixel(end.y) + "L" + svg::pixel(frame.right + 8) + " " + svg::pixel(y) + "\"/>\n" +
+        svg::label({frame.right + 12, y + 4}, curve->label, "start",
+                   " class=\"dot" + colour + "\"" + (curve->look.width > 2 ? " font-weight=\"bold\"" : ""));
+  }
   return out;
 }
 
@@ -78,7 +120,7 @@ std::string Plot::svg() const {
     for (std::size_t i = 0; i < c.x.size(); ++i)
       if (x.takes(c.x[i]) && y.takes(c.y[i])) x.include(c.x[i]), y.include(c.y[i]);
   x.close(), y.close();
-  Frame frame{margin_left, width_ - 16, 14.0 + 18 * legend_rows(), height_ - 48};
+  Frame frame{margin_left, width_ - margin_right(), 14.0 + 18 * legend_rows(), height_ - 48};
   if (equal_) make_equal(x, y, frame);
   auto const place = [&](double u, double v) -> svg::Point {
     return {frame.left + x.position(u) * (frame.right - frame.left),
@@ -95,7 +137,7 @@ std::string Plot::svg() const {
     for (std::size_t i = 0; i < c.x.size(); ++i) points.push_back(place(c.x[i], c.y[i]));
     out += svg::curve(points, c.look);
   }
-  return svg::picture(width_, height_, out + "</g>\n" + legend());
+  return svg::picture(width_, height_, out + "</g>\n" + names(frame, place) + legend());
 }
 
 }  // namespace book

@@ -31,7 +31,7 @@ class Plot {
   Plot& y_range(double low, double high) { return y_.low = low, y_.high = high, y_.fixed = true, *this; }
 
   /// Adds a curve. Points that are not finite, or not positive on a logarithmic axis, leave a gap.
-  /// @param label  in the legend; none where empty
+  /// @param label  in the legend, or beside the last point where the look says so; none where empty
   /// @throws std::invalid_argument  where x and y differ in length
   Plot& curve(std::span<double const> x, std::span<double const> y, std::string label = "", Look look = {});
   /// Adds points without a line through them.
@@ -64,6 +64,12 @@ class Plot {
   int lay_out_legend(Place&& place) const;
   int legend_rows() const;
   std::string legend() const;
+  /// Room to the right of the frame for the names of curves.
+  double margin_right() const;
+  /// The names of curves beside their last points, moved apart where they would overlap.
+  /// @param place  pixels of a point
+  template <class Place>
+  std::string names(Frame const& frame, Place&& place) const;
 
   Axis x_, y_;
   std::vector<Curve> curves_;

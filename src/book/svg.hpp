@@ -23,6 +23,7 @@ struct Look {
   bool dashed = false;  ///< a broken line
   bool dots = false;    ///< a marker at each point instead of a line
   double radius = 2.6;  ///< of a marker
+  bool named = false;   ///< the label stands beside the last point, in the colour of the curve
 };
 
 namespace svg {

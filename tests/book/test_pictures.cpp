@@ -127,3 +127,24 @@ BOOST_AUTO_TEST_CASE(what_is_behind_the_sphere_is_dashed) {
              std::string::npos);
   BOOST_TEST(count(front, "class=\"line2\"") == 1u);
 }
+
+BOOST_AUTO_TEST_CASE(names_beside_their_curves_do_not_overlap_and_are_not_in_the_legend) {
+  std::vector<double> const x{1, 2};
+  book::Plot plot("x", "y");
+  std::vector<std::string> const names{"first", "second", "third", "fourth"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    // They end next to each other.
+    std::vector<double> const y{static_cast<double>(k), 5 + 1e-3 * static_cast<double>(k)};
+    plot.curve(x, y, names[k], {.named = true});
+  }
+  std::string const svg = plot.svg();
+  std::vector<double> heights;
+  for (auto const& name : names) {
+    BOOST_TEST(count(svg, ">" + name + "<") == 1u);
+    auto const at = svg.rfind(" y=\"", svg.find(">" + name + "<"));
+    heights.push_back(std::stod(svg.substr(at + 4)));
+  }
+  std::ranges::sort(heights);
+  for (std::size_t k = 1; k < heights.size(); ++k) BOOST_TEST(heights[k] - heights[k - 1] > 12);
+  BOOST_TEST(heights.back() < 400);
+}

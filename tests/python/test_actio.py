@@ -1188,7 +1188,7 @@ class ThePackage(unittest.TestCase):
 
 class ThePage(unittest.TestCase):
     def test_its_examples_run(self):
-        page = pathlib.Path(__file__).parents[2] / "docs/pages/24_python.md"
+        page = pathlib.Path(__file__).parents[2] / "docs/pages/07_python.md"
         # Lines that are indented, one block after the other; those for a shell are for the test of the wheel.
         blocks = [
             textwrap.dedent(block)
@@ -1221,7 +1221,7 @@ class ThePage(unittest.TestCase):
             self.assertIn(expected, said.getvalue())
 
     def test_its_table_names_what_there_is(self):
-        page = (pathlib.Path(__file__).parents[2] / "docs/pages/24_python.md").read_text()
+        page = (pathlib.Path(__file__).parents[2] / "docs/pages/07_python.md").read_text()
         run = actio.run(text=SCENE)
         for name in set(re.findall(r"`run\.(\w+)", page)):
             self.assertTrue(hasattr(run, name), name)
