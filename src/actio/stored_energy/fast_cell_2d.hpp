@@ -186,7 +186,6 @@ FastNeoHookean(double, Volume) -> FastNeoHookean<Volume>;
 /// @param lambda  Lame's first modulus over the mass density, speed squared; at rest stable for
 ///                \f$\lambda > -2\mu/d\f$, and zero or more for most materials
 /// @param mu      shear modulus over the mass density, speed squared; positive
-/// Nothing is checked here: a medium that is unstable at rest shows it as it moves.
 inline FastNeoHookean<LogarithmicLaw> neo_hookean(double lambda, double mu) { return {mu, {lambda, mu}}; }
 /// Blatz and Ko's solid, free of stress at rest: \f$U = \tfrac{\mu}{2m}(J^{-2m}-1)\f$, \f$\lambda = 2m\mu\f$.
 /// @tparam m  a whole number, 1 or more: the larger, the less the volume changes
