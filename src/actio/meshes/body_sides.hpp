@@ -47,8 +47,8 @@ struct BodySide {
 /// motion of one of them before all.
 ///
 /// A map, written in braces: `{{"left", {Side::fixed, {}}}}`, or with a motion
-/// `{{"right", {Side::moved, prescribed_motion<2>(chi)}}}`. Names are those of the sides of the \ref BodyMesh; a medium
-/// throws \ref UnknownSide for another one.
+/// `{{"right", {Side::moved, prescribed_motion<2>(chi)}}}`. Names are those of the sides of the
+/// \ref BodyMesh; a medium throws \ref UnknownSide for another one.
 template <int d>
 using BodySides = std::map<std::string, BodySide<d>>;
 
