@@ -120,10 +120,10 @@ function dedent(body) {
 
 // The tree files a member under its header, Doxygen writes it on its namespace's page: lead there.
 const memberPage = new Map();
-for (const [name, html] of text) for (const m of html.matchAll(/<a id="([ag][0-9a-f]{32}[0-9a-z]*)" name=/g)) memberPage.set(m[1], name);
-const led = address => address.replace(/^([\w.-]+\.html)#([ag][0-9a-f]{32}[0-9a-z]*)$/, (all, page, id) => (memberPage.has(id) ? `${memberPage.get(id)}#${id}` : all));
+for (const [name, html] of text) for (const m of html.matchAll(/<a id="((?:[ag]|gg)[0-9a-f]{32}[0-9a-z]*)" name=/g)) memberPage.set(m[1], name);
+const led = address => address.replace(/^([\w.-]+\.html)#((?:[ag]|gg)[0-9a-f]{32}[0-9a-z]*)$/, (all, page, id) => (memberPage.has(id) ? `${memberPage.get(id)}#${id}` : all));
 for (const f of walk(opt.html).filter(f => f.endsWith('.js') && !/navtreeindex\d+\.js$/.test(f))) {
-  const script = fs.readFileSync(f, 'utf8'), now = script.replace(/"([\w.-]+\.html#[ag][0-9a-f]{32}[0-9a-z]*)"/g, (_, address) => `"${led(address)}"`);
+  const script = fs.readFileSync(f, 'utf8'), now = script.replace(/"([\w.-]+\.html#(?:[ag]|gg)[0-9a-f]{32}[0-9a-z]*)"/g, (_, address) => `"${led(address)}"`);
   if (now !== script) fs.writeFileSync(f, now);
 }
 sortTreeIndex(opt.html, led);

@@ -59,7 +59,7 @@ export function readingOrder(dir) {
     pages.push({ title, address, depth });
     for (const child of children(node)) visit(child, depth + 1);
   };
-  const interfaces = ['namespaces.html', 'concepts.html', 'annotated.html', 'files.html'];
+  const interfaces = ['modules.html', 'namespaces.html', 'concepts.html', 'annotated.html', 'files.html'];
   for (const node of children(assigned(path.join(dir, 'navtreedata.js'), 'NAVTREE')[0])) {
     if (interfaces.includes(node[1]))
       reference.push({ title: node[0], address: node[1], depth: 0 });

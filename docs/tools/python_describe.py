@@ -1,4 +1,4 @@
-"""Says as JSON what the package actio has: public names, signatures, docstrings. Run by python_reference.mjs."""
+"""Says as JSON what the package actio has: names, signatures, docstrings. For python_reference.mjs."""
 
 import inspect
 import json
