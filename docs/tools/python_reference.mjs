@@ -85,7 +85,7 @@ const signature = (name, call) => {
 /// How entries look.
 export const style = `<style>
 .python-signature { padding: 6px 10px; background: var(--fragment-background); border: 1px solid var(--separator-color); border-radius: 5px; overflow-wrap: anywhere; }
-.python-type { color: var(--page-secondary-foreground-color); font-size: 0.92em; overflow-wrap: anywhere; }
+.python-type { font-weight: normal; color: var(--page-secondary-foreground-color); font-size: 0.92em; overflow-wrap: anywhere; }
 .python-entry pre { overflow-x: auto; }
 dl.python-members > dt { margin-top: 0.7em; }
 dl.python-members > dd, dl.python-arguments > dd { margin-left: 1.5em; }
