@@ -20,12 +20,10 @@ BOOST_AUTO_TEST_SUITE(examples_of_fields)
 using namespace actio;
 
 namespace {
-// [motion]
 // A motion of the plane that solves nothing: a callable from x = (t, X1, X2) to the place, over any scalar.
 auto const sheared = []<class T>(Matrix<T, 3, 1> const& x) {
   return Vector<T, 2>(x[1] + x[0] * x[2] * 0.5, x[2] + x[1] * x[1] * 0.1);
 };
-// [motion]
 }  // namespace
 
 // ---- jets

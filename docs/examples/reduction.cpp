@@ -29,13 +29,11 @@ BOOST_AUTO_TEST_SUITE(examples_of_reduction)
 using namespace actio;
 
 namespace {
-// [lagrangian]
 // A rigid body: l(Omega) = (2 Omega_1^2 + 3 Omega_2^2 + 4 Omega_3^2)/2, a function of the body velocity.
 auto const body = [](auto const& Omega) {
   auto const& w = Omega.coordinates;
   return (w[0] * w[0] * 2.0 + w[1] * w[1] * 3.0 + w[2] * w[2] * 4.0) / 2.0;
 };
-// [lagrangian]
 auto turn(double x, double y, double z) { return exp(velocity(SO<3>{}, Vector<double, 3>(x, y, z))); }
 }  // namespace
 
