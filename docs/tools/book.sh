@@ -51,7 +51,7 @@ stamp=$(
     for folder in benchmarks tests/stress; do [[ -d $folder ]] && find "$folder" -name '*.cpp' | LC_ALL=C sort; done
     find docs src chapters proofs_checks data "$registry" "$build/report" -type f \
       \( -name '*.md' -o -name '*.hpp' -o -name '*.cpp' -o -name '*.tsv' -o -name '*.mjs' -o -name '*.sh' -o -name '*.css' -o -name '*.js' -o -name '*.html' \
-         -o -name '*.xml' -o -name '*.bib' -o -name '*.json' -o -name '*.svg' -o -name '*.txt' -o -name '*.dox' -o -name '*.v' -o -name _CoqProject -o -name '*.toml' -o -name Doxyfile \) \
+         -o -name '*.xml' -o -name '*.bib' -o -name '*.json' -o -name '*.svg' -o -name '*.txt' -o -name '*.dox' -o -name '*.v' -o -name _CoqProject -o -name '*.toml' -o -name '*.py' -o -name Doxyfile \) \
       ! -name book_coverage.tsv ! -path '*/report/checks/*' ! -path '*/report/scenes/*/checkpoint*' -print0 | LC_ALL=C sort -z | xargs -0 -r sha256sum
   } | sha256sum | cut -d' ' -f1)
 if [[ -z $force && -f $build/book/index.html && -f $build/book/.inputs && $(<"$build/book/.inputs") == "$stamp" ]]; then

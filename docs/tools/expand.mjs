@@ -14,6 +14,7 @@ import { localHeaders, textbookBlocks } from './textbook.mjs';
 import { coverage } from './coverage.mjs';
 import { housePlan, houseTable, readHouse } from './house.mjs';
 import { keysPage, readKeys } from './keys.mjs';
+import * as pythonReference from './python_reference.mjs';
 import { beyondTable, codeAt, codeBlock, kernelCounts, kernelPage, kernelTable, proofFiles, readKernel, seal } from './kernel.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable, targetBadge, targetReached, targetsOf } from './programs.mjs';
 import { legend, measured, originClass, originText, releasedChecks, releasedPrograms } from './release.mjs';
@@ -75,6 +76,10 @@ for (const p of pages) {
   p.lines[title] = p.lines[title].replace(/^# (\d+\S*\s+)?(· )?/, `# ${p.number} · `);
 }
 book.chapters = pages.filter(p => p.chapter !== null);
+
+// What the package of Python says of itself, once a page asks, and the names that pages show.
+let python = null;
+const pythonShown = new Map();
 
 // Text and line of each source that a page may show.
 const sources = new Map();
@@ -370,6 +375,19 @@ for (const p of pages) {
     kernelbeyond() { block(book.kernel?.rows.length ? beyondTable(book) : ''); },
     kernelcounts() { block(book.kernel ? kernelCounts(book) : ''); },
     kernelfiles() { for (const file of proofFiles(opt.root)) emit(`- \\subpage kernel_${file.replace(/\.v$/, '')}`); emit(''); },
+    pythonreference(names) {
+      python ??= pythonReference.readPython(opt.build);
+      if (python.why) { if (opt.strict) errors.add(p.file, line, python.why); return block(`<p>${notRun('the package of Python')}</p>`); }
+      const list = names.split(',').map(n => n.trim());
+      if (!pythonShown.size) block(pythonReference.style);
+      for (const name of list) {
+        pythonShown.set(name, { p, line });
+        const e = pythonReference.entry(python, name);
+        if (!e) continue;
+        emit(`### ${e.title} {#${e.id}}`);
+        block(e.html);
+      }
+    },
     ledgercounts() { block(ledgerCounts(book)); },
     slipcounts() { block(slipCounts(book)); },
     ledgerstrength() { block(ledgerStrength(book)); },
@@ -417,7 +435,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref (ch(\d\d)([a-z]?))\b(?: "([^"]*)")?/g, (all, id, n, own, words) => book.chapters.some(c => c.id === id) ? all : words ?? `chapter ${Number(n)}${own.toUpperCase()}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|definition|enddefinition|result|endresult|proof|endproof|equation|endequation|printed|endprinted|exercise|endexercise|hint|solution|tryit|step|prints|claims|idea|animation|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|kernelcode|kerneltable|kernelbeyond|kernelcounts|kernelfiles|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|definition|enddefinition|result|endresult|proof|endproof|equation|endequation|printed|endprinted|exercise|endexercise|hint|solution|tryit|step|prints|claims|idea|animation|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|kernelcode|kerneltable|kernelbeyond|kernelcounts|kernelfiles|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python|pythonreference)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');
@@ -428,6 +446,8 @@ for (const p of pages) {
   p.text = out.join('\n');
   p.map = map;
 }
+if (python && !python.why && opt.strict)
+  for (const what of pythonReference.missing(python, new Set(pythonShown.keys()))) errors.add([...pythonShown.values()][0].p.file, 1, what);
 coverage(book, pages, homes, errors, opt.strict);
 for (const { page, key } of legends) items[key] = legend([...(page.shown ?? [])]);
 errors.exitIfAny('pages');

@@ -125,7 +125,7 @@ function dedent(body) {
 
 // The tree leads to the members where they are documented now.
 for (const f of walk(opt.html).filter(f => f.endsWith('.js') && !/navtreeindex\d+\.js$/.test(f))) {
-  const script = fs.readFileSync(f, 'utf8'), now = script.replace(/"([\w.-]+\.html#[ag][0-9a-f]{32}[0-9a-z]*)"/g, (_, address) => `"${led(address)}"`);
+  const script = fs.readFileSync(f, 'utf8'), now = script.replace(/"([\w.-]+\.html#(?:[ag]|gg)[0-9a-f]{32}[0-9a-z]*)"/g, (_, address) => `"${led(address)}"`);
   if (now !== script) fs.writeFileSync(f, now);
 }
 sortTreeIndex(opt.html, led);

@@ -2,7 +2,17 @@
 # Doxygen filter for headers. Line numbers stay.
 # The plain comment at the head of a file becomes the description of the file, and a declaration that has no
 # comment of its own, but a name from docs/vocabulary.txt, gets the sentence that stands there.
-exec awk -v name="${1##*/}" '
+# All that a header declares belongs to the group of its folder: module_groups for src/actio/groups. The group
+# begins and ends with each namespace, so that no header mentions it.
+folder=${1%/*}
+folder=/${folder#/}/
+case $folder in
+  */src/actio/*) group=module_${folder#*/src/actio/} ;;
+  */src/*) group=part_${folder#*/src/} ;;
+  *) group= ;;
+esac
+group=${group%/}
+exec awk -v name="${1##*/}" -v group="$(printf %s "$group" | tr / _)" '
   function plain(t) { gsub(/&/, "\\&amp;", t); gsub(/</, "\\&lt;", t); gsub(/>/, "\\&gt;", t); gsub(/[@#%*]/, "\\\\&", t); return t }
   # The name that the declaration starting at line i declares: what stands before its first parenthesis, or
   # after "using", or before = { ;
@@ -29,9 +39,15 @@ exec awk -v name="${1##*/}" '
     sub(/.*[ &*]/, "", text)
     return text
   }
+  # Whether the namespace that begins at line i declares names of structs and functions alone.
+  function only_names(i,   j) {
+    for (j = i + 1; line[j] !~ /^}/; ++j) if (line[j] ~ /\{$/ || j == n) return 0
+    return line[j] == "}"
+  }
   FILENAME == words { if ($0 !~ /^#/) { tab = index($0, "\t"); meaning[substr($0, 1, tab - 1)] = substr($0, tab + 1) } next }
   { line[++n] = $0 }
   END {
+    begin = " /** \\addtogroup " group " */ /** @{ */"
     head = line[1] ~ /^\/\/($|[^\/!])/
     for (i = 1; i <= n; ++i) {
       text = line[i]
@@ -39,6 +55,20 @@ exec awk -v name="${1##*/}" '
       if (head) {
         sub(/^\/\/ ?/, "", text)
         print (i == 1 ? "/// \\file " name " \\brief " : "/// ") plain(text)
+        continue
+      }
+      # A group holds what stands in one namespace: it is closed before another one begins within, or ends.
+      if (group != "" && text ~ /^namespace [a-zA-Z_:]+ \{$/ && !only_names(i)) {
+        if (depth && open_at[depth]) text = "/** @} */ " text
+        open_at[++depth] = text !~ /detail/
+        if (open_at[depth]) text = text begin
+        print text
+        continue
+      }
+      if (group != "" && text ~ /^\}  \/\/ namespace /) {
+        if (open_at[depth]) text = "/** @} */ }"
+        if (--depth && open_at[depth]) text = "} " begin
+        print text
         continue
       }
       # What is compiled once elsewhere declares nothing new.

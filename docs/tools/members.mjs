@@ -9,7 +9,7 @@ export const limits = { bytes: 1500000, nodes: 25000 };
 export const nodesOf = html => (html.replace(/<!--[\s\S]*?-->/g, '').replace(/(<script\b[^>]*>)[\s\S]*?<\/script>/g, '$1').match(/<[a-zA-Z]/g) ?? []).length;
 export const withinLimits = html => Buffer.byteLength(html) <= limits.bytes && nodesOf(html) <= limits.nodes;
 
-const memberId = '[ag][0-9a-f]{32}[0-9a-z]*';
+const memberId = '(?:gg|[ag])[0-9a-f]{32}[0-9a-z]*';
 const start = `<a id="(?:${memberId})" name="(?:${memberId})"></a>\\s*<h2 class="memtitle">`;
 const documented = new RegExp(`<a id="(${memberId})" name="\\1"></a>\\s*<h2 class="memtitle">[\\s\\S]*?(?=${start}|<h2 class="groupheader">|</div><!-- contents -->)`, 'g');
 const section = / Documentation$/;

@@ -17,6 +17,8 @@ void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<doubl
                        Eigen::MatrixXd& g);
 
 /// Steps of one length, each of some substeps. For one thread at a time.
+///
+/// \snippet reduction.cpp chart_integrator
 class ChartIntegrator {
  public:
   /// @param system     of which the run is

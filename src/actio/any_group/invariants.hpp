@@ -95,6 +95,8 @@ class LevelBasis {
 ///
 /// Those of higher degree (the cubic one of SL(3), say) are not looked for. Each one that is returned has
 /// been put into the conditions again: defects are below 1e-9 of its largest coefficient.
+///
+/// \snippet reduction.cpp casimirs
 std::vector<Casimir> casimirs(MatrixAlgebra const& algebra);
 
 }  // namespace actio::systems

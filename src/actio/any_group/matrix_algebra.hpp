@@ -112,6 +112,7 @@ inline void require_moderate_dimension(std::string const& name, double dimension
 
 /// The algebra spanned by some real matrices, with components `x1`, `x2`, ...
 ///
+/// \snippet reduction.cpp spanned_algebra
 /// @throws Singular       where a matrix is a combination of those before it: which one, and the combination
 /// @throws OutsideDomain  where a commutator of two of them leaves their span, by more than 1e-9 relative to
 ///                        the two; where they are none, more than 64, not square of one size from 1 to 128,

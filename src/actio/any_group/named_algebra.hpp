@@ -86,6 +86,7 @@ std::vector<std::string> own_components(std::string const& group);
 /// diagonal matrices. Components are `w1 w2 w3` on SO(3), `w v1 v2` on SE(2), `w1 w2 w3 v1 v2 v3` on SE(3),
 /// `x1`, `x2`, ... elsewhere.
 ///
+/// \snippet reduction.cpp named_algebra
 /// @throws UnknownGroup   where the name is no group's, with the nearest one
 /// @throws OutsideDomain  where the group has more than 64 dimensions, and where its number is not one of its
 ///                        family

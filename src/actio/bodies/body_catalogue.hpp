@@ -30,6 +30,8 @@ std::vector<Body> parse_bodies(std::string_view text, std::string const& file);
 /// @throws CatalogueError  where it cannot be read, too
 std::vector<Body> read_bodies(std::string const& file);
 /// The body with that name.
+///
+/// \snippet bodies.cpp read_body
 /// @throws CatalogueError  where there is none, with the names there are
 Body read_body(std::string const& file, std::string const& name);
 

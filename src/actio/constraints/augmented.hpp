@@ -48,6 +48,8 @@ ExtendedSection(Section, Multiplier) -> ExtendedSection<Section, Multiplier>;
 /// The augmented density \f$L_\Phi = L + \langle\lambda, \Phi\rangle\f$ over jets of E: its field equations
 /// are the constrained ones and \f$\Phi = 0\f$.
 ///
+/// \snippet fields.cpp augmented_density
+///
 /// \implements{claim_7_2_augmented_lagrangian}
 /// @tparam L    density over jets with (n, N)
 /// @tparam Phi  constraint over the same jets, with k components

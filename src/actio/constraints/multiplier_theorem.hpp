@@ -89,6 +89,8 @@ struct ConstrainedFunction {
 };
 
 /// A function under a constraint with k components, and the usual inner product of R^k.
+///
+/// \snippet fields.cpp constrained
 template <int k, class H, class Psi>
 ConstrainedFunction<k, H, Psi> constrained(H h, Psi constraint) {
   return {std::move(h), std::move(constraint), {}};

@@ -82,13 +82,15 @@ Matrix<S, n, n> inverse_finger_tensor(BodyMetric const& G, Matrix<S, n, n> const
 /// A density that is the same everywhere.
 template <class S>
 struct Homogeneous {
-  S value = S(1);  ///< mass per volume of the body
+  S value = S(1);  ///< mass per volume of the body; positive
   template <class V>
   Base<typename V::Scalar> operator()(V const&) const { return Base<typename V::Scalar>(value); }
 };
 
 /// The density \f$L = \sqrt{\det G}\,\rho\,\bigl(\tfrac12 g_{ab}v^a{}_0v^b{}_0 - W(x, G, g, v)\bigr)\f$ of a
 /// continuous medium (6.3).
+///
+/// \snippet fields.cpp continuum
 ///
 /// \implements{eq_6_3}
 /// @tparam BodyMetric   G, a callable on points of the body

@@ -123,6 +123,8 @@ Matrix<S, n, 1> stress_equation(Medium const& medium, SecondJet<S, n, n> const& 
 /// \f$\rho\,\bigl(\tfrac{D_gV}{Dt}\bigr)^a - g^{ab}\,\mathcal P_b{}^i{}_{|i}\f$, where W is a function of the
 /// Green tensor.
 ///
+/// \snippet fields.cpp solid_equation
+///
 /// \implements{eq_6_21}
 /// @return  a vector of space
 /// @throws NoDerivative  where W has no second derivative; and what the medium refuses

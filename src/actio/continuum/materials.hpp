@@ -15,8 +15,8 @@ namespace actio {
 /// is not positive.
 template <class S, int n>
 struct LinearDensity {
-  S at_origin;            ///< \f$\rho_0\f$, mass per volume of the body
-  Matrix<S, n, 1> slope;  ///< s, per length
+  S at_origin;            ///< \f$\rho_0\f$, mass per volume of the body; positive
+  Matrix<S, n, 1> slope;  ///< s, per length of the body
   template <class V>
   auto operator()(V const& x) const {
     using T = typename V::Scalar;
@@ -28,7 +28,10 @@ struct LinearDensity {
 
 // ---- Fluids.
 
-/// A barotropic fluid: \f$W = w(J)\f$, with any law w.
+/// A barotropic fluid: \f$W = w(J)\f$, with any law w; its pressure is \f$-\rho w'(J)\f$. Made in braces of
+/// its law: `Barotropic{Polytropic<double>{K, gamma}}`.
+///
+/// \snippet fields.cpp barotropic
 template <class Law>
 struct Barotropic {
   Law w;  ///< stored energy per unit mass as a function of J, over any scalar
@@ -71,8 +74,8 @@ T whole_power(T const& x) {
 /// \f$w = \frac{K}{\gamma - 1}J^{1-\gamma}\f$, a polytropic gas: pressure \f$P = \rho K J^{-\gamma}\f$.
 template <class S>
 struct Polytropic {
-  S K;      ///< pressure over density at J = 1
-  S gamma;  ///< exponent, not 1
+  S K;      ///< pressure over mass density at J = 1, speed squared; positive
+  S gamma;  ///< exponent, not 1; above 1 for a gas, 1.4 for air
   template <Real T>
   T operator()(T const& J) const {
     using std::pow;
@@ -83,7 +86,7 @@ struct Polytropic {
 /// The same with a whole exponent \f$\gamma = m + 1\f$: \f$w = \frac{K}{m}J^{-m}\f$, over any field.
 template <class S, int m>
 struct WholePolytropic {
-  S K;  ///< pressure over density at J = 1
+  S K;  ///< pressure over mass density at J = 1, speed squared; positive
   template <class T>
   T operator()(T const& J) const { return T(Base<T>(K) / Base<T>(m)) / detail::whole_power<m>(J); }
 };
@@ -92,7 +95,7 @@ struct WholePolytropic {
 /// \f$P = \rho B\,(J^{-\gamma} - 1)\f$, zero at J = 1, speed of sound \f$\sqrt{\gamma B}\f$ there.
 template <class S>
 struct Tait {
-  S B;      ///< modulus over density
+  S B;      ///< modulus over mass density, speed squared; positive, \f$c^2/\gamma\f$ for the speed of sound c
   S gamma;  ///< exponent, not 1; about 7 for water
   template <Real T>
   T operator()(T const& J) const {
@@ -105,7 +108,7 @@ struct Tait {
 /// The same with a whole exponent \f$\gamma = m + 1\f$, over any field.
 template <class S, int m>
 struct WholeTait {
-  S B;  ///< modulus over density
+  S B;  ///< modulus over mass density, speed squared; positive, \f$c^2/\gamma\f$ for the speed of sound c
   template <class T>
   T operator()(T const& J) const {
     return ((T(1) / detail::whole_power<m>(J) - Base<T>(1)) / Base<T>(m) + J - Base<T>(1)) * Base<T>(B);
@@ -115,7 +118,8 @@ struct WholeTait {
 // ---- Solids.
 
 /// A solid whose energy is a function of the Green tensor with its first index raised: \f$W = w(G^{-1}C)\f$,
-/// written for any scalar.
+/// written for any scalar. Made in braces of its law:
+/// `OfGreenTensor{NeoHookean{mu, LogarithmicVolume{lambda}}}`.
 template <class Law>
 struct OfGreenTensor {
   Law w;  ///< stored energy per unit mass as a function of the matrix \f$C^i{}_j\f$
@@ -159,11 +163,11 @@ std::array<T, 2> traces(Matrix<T, n, n> const& C) {
 }  // namespace detail
 
 /// St Venant and Kirchhoff's solid: \f$w = \tfrac\lambda2(\Tr E)^2 + \mu\Tr E^2\f$ with
-/// \f$E = \tfrac12(C - 1)\f$. It does not resist collapse.
+/// \f$E = \tfrac12(C - 1)\f$. It does not resist collapse: it is for strains well below 1.
 template <class S>
 struct StVenantKirchhoff {
-  S lambda;  ///< Lame's first modulus over the mass density
-  S mu;      ///< shear modulus over the mass density
+  S lambda;  ///< Lame's first modulus over the mass density, speed squared; above \f$-2\mu/n\f$
+  S mu;      ///< shear modulus over the mass density, speed squared; positive
   template <class T, int n>
   T operator()(Matrix<T, n, n> const& C) const {
     Matrix<T, n, n> E = C;
@@ -174,10 +178,11 @@ struct StVenantKirchhoff {
 };
 
 /// The part of a solid's energy that knows the volume, \f$U = -s\log I + \tfrac\lambda8\log^2 I\f$ with
-/// \f$I = J^2 = \det C\f$; s is the slope that leaves the solid free of stress at rest.
+/// \f$I = J^2 = \det C\f$; s is the slope that leaves the solid free of stress at rest, and comes from the
+/// solid: \f$\mu/2\f$ for \ref NeoHookean.
 template <class S>
 struct LogarithmicVolume {
-  S lambda;  ///< Lame's first modulus over the mass density, for a neo-Hookean solid
+  S lambda;  ///< Lame's first modulus over the mass density, speed squared; zero or more
   template <Real T>
   T operator()(T const& I, Base<T> const& slope) const {
     using std::log;
@@ -188,6 +193,7 @@ struct LogarithmicVolume {
 
 /// The same by a power, over any field: \f$U = \tfrac sm(I^{-m} - 1)\f$, with \f$\lambda = 2m\mu\f$ for a
 /// neo-Hookean solid (Blatz and Ko's).
+/// @tparam m  a whole number, 1 or more: the larger, the less the volume changes
 template <int m>
 struct PowerVolume {
   template <class T>
@@ -197,11 +203,15 @@ struct PowerVolume {
 };
 
 /// A neo-Hookean solid: \f$w = \tfrac\mu2(\Tr C - n) + U(\det C)\f$. Energy and stress vanish at rest.
+///
+/// Made in braces, the shear modulus first: `NeoHookean{mu, LogarithmicVolume<double>{lambda}}` has
+/// \f$w = \tfrac\mu2(\Tr C - n) - \mu\log J + \tfrac\lambda2\log^2J\f$, and Lame's moduli
+/// \f$\rho\lambda\f$, \f$\rho\mu\f$ at small strains; `NeoHookean{mu, PowerVolume<m>{}}` is Blatz and Ko's.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct NeoHookean {
   static constexpr bool resists_collapse = true;  ///< there is no energy without volume
-  S mu;                                           ///< shear modulus over the mass density
-  Volume volume;                                  ///< U, given \f$\det C\f$ and its slope at rest
+  S mu;           ///< shear modulus over the mass density, speed squared; positive
+  Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest, speed squared
   template <class T, int n>
   T operator()(Matrix<T, n, n> const& C) const {
     Base<T> const half = Base<T>(mu) / Base<T>(2);
@@ -213,13 +223,14 @@ NeoHookean(S, Volume) -> NeoHookean<S, Volume>;
 
 /// Mooney and Rivlin's solid: \f$w = c_1(I_1 - n) + c_2\bigl(I_2 - \tfrac{n(n-1)}2\bigr) + U(\det C)\f$ with
 /// \f$I_1 = \Tr C\f$, \f$I_2 = \tfrac12(I_1^2 - \Tr C^2)\f$; its shear modulus is
-/// \f$2(c_1 + (n - 2)\,c_2)\f$. Energy and stress vanish at rest.
+/// \f$2(c_1 + (n - 2)\,c_2)\f$, positive. Energy and stress vanish at rest. Made in braces:
+/// `MooneyRivlin{c1, c2, LogarithmicVolume<double>{lambda}}`.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct MooneyRivlin {
   static constexpr bool resists_collapse = true;  ///< there is no energy without volume
-  S c1;                                           ///< modulus of the first invariant, over the mass density
-  S c2;                                           ///< modulus of the second
-  Volume volume;                                  ///< U, given \f$\det C\f$ and its slope at rest
+  S c1;           ///< modulus of the first invariant over the mass density, speed squared; positive
+  S c2;           ///< modulus of the second over the mass density, speed squared; zero or more
+  Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest, speed squared
   template <class T, int n>
   T operator()(Matrix<T, n, n> const& C) const {
     auto const [trace, square] = detail::traces(C);

@@ -74,6 +74,8 @@ Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S, n, N> 
 /// The Cauchy stress \f$\sigma^{ab} = \frac{2\rho}{J}\,\frac{\partial W}{\partial g_{ab}}\f$ (6.14), Doyle
 /// and Ericksen's formula: force per area of space.
 ///
+/// \snippet fields.cpp cauchy_stress
+///
 /// \implements{eq_6_14}
 /// @return  a symmetric matrix with upper indices
 /// @throws NotOrientationPreserving  where J is not positive

@@ -48,7 +48,10 @@ void examine_box(Box const& box) {
 }
 }  // namespace detail
 
-/// A rectangle of cells with corners \f$X = origin+(i\,h_1,j\,h_2)\f$.
+/// A rectangle of cells with corners \f$X = origin+(i\,h_1,j\,h_2)\f$. Made by its members in braces,
+/// `FastBox2d{{12, 8}, {0.1, 0.1}}`: what is left out is as below. A medium examines its box (\ref examine).
+///
+/// \snippet media.cpp fast_box_2d
 struct FastBox2d {
   std::array<int, 2> cells;                                 ///< how many along each direction
   std::array<double, 2> spacing;                            ///< \f$h_1\f$, \f$h_2\f$, length

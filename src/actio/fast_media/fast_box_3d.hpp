@@ -7,7 +7,9 @@
 
 namespace actio::media {
 
-/// A box of cells with corners \f$X = origin+(i\,h_1,j\,h_2,k\,h_3)\f$.
+/// A box of cells with corners \f$X = origin+(i\,h_1,j\,h_2,k\,h_3)\f$. Made by its members in braces,
+/// `FastBox3d{{64, 64, 64}, {0.01, 0.01, 0.01}}`: what is left out is as below. A medium examines its box
+/// (\ref examine).
 struct FastBox3d {
   /// The directions of the body, and of space.
   static constexpr int dimension = 3;

@@ -35,8 +35,9 @@ inline Space<double> as_vector(std::array<double, 3> const& a) { return {a[0], a
 
 /// A medium on a box of cells, of one density, stepped explicitly.
 ///
-/// @tparam Medium  `FastFluid`, `FastNeoHookean` or `FastStVenantKirchhoff`
-/// @tparam Box     `FastBox2d` or `FastBox3d`
+/// \snippet media.cpp fast_medium_2d
+/// @tparam Medium  \ref FastFluid, \ref FastNeoHookean or \ref FastStVenantKirchhoff
+/// @tparam Box     \ref FastBox2d or \ref FastBox3d
 template <class Medium, class Box>
 class FastMedium {
  public:

@@ -24,7 +24,27 @@ struct FusedNodes<FastBox2d, Cell> {
 };
 }  // namespace detail
 
-/// A medium on a rectangle of cells.
+/// A medium on a rectangle of cells: \ref FastMedium in the plane, with its constructor
+/// `FastMedium2d(medium, box, dt, density, placement, velocity, options)`. The type of the medium is deduced.
+///
+/// | argument | what it is |
+/// |---|---|
+/// | `medium` | stored energy per unit mass, speed squared: see below |
+/// | `box` | cells, their lengths and what the sides do: \ref FastBox2d |
+/// | `dt` | time step, time; positive |
+/// | `density` | mass per area of the body; positive |
+/// | `placement` | callable: a point of the body, two numbers, to its position at the start, length |
+/// | `velocity` | callable: the point to its velocity at the start, length/time |
+/// | `options` | threads and steps in one pass, \ref FastOptions; may be left out |
+///
+/// The medium is made by \ref neo_hookean or \ref blatz_ko, or is a \ref FastStVenantKirchhoff or a
+/// \ref FastFluid.
+///
+/// It throws OutsideDomain or NotFinite where the box, `dt` or `density` is none, or `dt` is longer than the
+/// longest stable step, which the message tells; and \ref CellInverts where a cell is inside out at the
+/// start.
+///
+/// \snippet media.cpp fast_medium_2d
 template <class Medium>
 using FastMedium2d = FastMedium<Medium, FastBox2d>;
 

@@ -20,7 +20,13 @@ struct FusedNodes<FastBox3d, Cell> {
 };
 }  // namespace detail
 
-/// A medium on a box of hexahedral cells.
+/// A medium on a box of hexahedral cells: \ref FastMedium in space, with its constructor
+/// `FastMedium3d(medium, box, dt, density, placement, velocity, options)`. The type of the medium is deduced.
+///
+/// Arguments and errors are those of \ref FastMedium2d, with a \ref FastBox3d, points of three numbers and
+/// the density as mass per volume of the body.
+///
+/// \snippet media.cpp fast_medium_3d
 template <class Medium>
 using FastMedium3d = FastMedium<Medium, FastBox3d>;
 

@@ -89,6 +89,8 @@ auto pull_back(Map const& f, Form const& omega) {
 
 /// The exterior derivative: \f$(d\omega)(V_0,\dots,V_k) = \sum_i
 /// (-1)^i\,V_i\bigl[\omega(V_0,\dots,\widehat{V_i},\dots,V_k)\bigr]\f$ for constant fields.
+///
+/// \snippet numbers.cpp forms
 template <class Form>
 auto exterior_derivative(Form const& omega) {
   return [omega]<class S, int D, int k>(Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {

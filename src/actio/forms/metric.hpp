@@ -208,6 +208,8 @@ std::array<Matrix<S, n, n>, n> metric_derivatives(Metric const& g, Matrix<S, n, 
 /// The Christoffel symbols \f$\gamma^c_{ab} = \tfrac12
 /// g^{ce}(\partial_bg_{ae} + \partial_ag_{be} - \partial_eg_{ab})\f$ at a point: `gamma[c](a, b)`.
 ///
+/// \snippet numbers.cpp metric
+///
 /// \implements{claim_6_2_christoffel}
 /// @throws Singular  where g is
 /// Accuracy: exact but for rounding; zero, without a computation, for constant metrics.
@@ -248,6 +250,7 @@ Matrix<S, n, 1> connection(Metric const& g, Matrix<S, n, 1> const& y, Matrix<S, 
 /// The divergence \f$\frac1{\sqrt{\det g}}\,\partial_a(\sqrt{\det g}\,u^a)\f$ of a vector field with respect
 /// to the volume of a metric.
 ///
+/// \snippet numbers.cpp metric
 /// @param g   metric, a callable on points
 /// @param u   vector field: a callable on points, over any scalar. It may depend on time as well: then points
 ///            are (t, y), and the derivatives are those by y

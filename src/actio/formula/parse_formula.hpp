@@ -108,6 +108,7 @@ class FormulaParser {
 ///
 ///     Tape const l = parse_formula("(w^2 + v1^2 + c*v2^2)/2", {"w", "v1", "v2"}, {{"c", 6}});
 ///
+/// \snippet numbers.cpp parse_formula
 /// @param text       definitions `name = formula;` and then the value
 /// @param names      what the inputs 0, 1, ... are called
 /// @param constants  numbers with names; each is taken as the shortest decimal number that reads as it

@@ -65,6 +65,9 @@ auto legendre_at_source(Gamma const& gamma, L const& l, A const& h) {
 /// the opposite of G it is minus (3.11) with \f$g = f_{10}\f$, \f$h = f_{21}\f$: \f$g_0g_1^{-1}\f$ turns
 /// pairs into group elements and products into products, but leads from the later configuration to the
 /// earlier, so that a velocity changes its sign.
+///
+/// \snippet reduction.cpp lagrange_equations
+///
 /// \implements{def_4_1_1}
 /// @param g, h  composable: the target of g is the source of h
 /// @return      covector on the fibre of the algebroid over the point where they meet

@@ -121,6 +121,7 @@ void over_batches(int dimension, Visit const& visit) {
 /// \f$R_g^*\,l'(g)\f$: the differential of l at g, read on
 /// \f$\vartheta\mapsto\frac{d}{d\epsilon}l(e^{\epsilon\vartheta}g)\f$.
 ///
+/// \snippet numbers.cpp differential
 /// @param l  function on G, callable at `S` and at dual numbers over it; energy x time where it is an action
 /// @param g  where
 /// @return   covector at the identity

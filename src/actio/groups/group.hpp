@@ -53,6 +53,8 @@ concept ExponentialGroup =
     });
 
 /// g in G.
+///
+/// \snippet numbers.cpp group
 template <Group G, Scalar S>
 struct Element {
   using GroupType = G;
@@ -140,6 +142,8 @@ Momentum<G, S> operator/(Momentum<G, S> const& a, std::type_identity_t<S> const&
 }
 
 /// \f$\langle\mu, \xi\rangle\f$: the only thing that joins the algebra and its dual.
+///
+/// \snippet numbers.cpp group
 template <Group G, Scalar S>
 S pair(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
   S sum(0);
@@ -157,6 +161,8 @@ template <Group G, Scalar S>
 Element<G, S> inverse(Element<G, S> const& g) { return {g.group, primitive::inverse(g.group, g.value)}; }
 
 /// \f$\mathrm{Ad}_g\,\xi = g\,\xi\,g^{-1}\f$.
+///
+/// \snippet numbers.cpp adjoint
 template <Group G, Scalar S>
 Velocity<G, S> Ad(Element<G, S> const& g, Velocity<G, S> const& xi) {
   return {g.group, primitive::Ad(g.group, g.value, xi.coordinates)};
@@ -166,6 +172,8 @@ template <Group G, Scalar S>
 auto Ad_matrix(Element<G, S> const& g) { return primitive::Ad_matrix<S>(g.group, g.value); }
 /// \f$\langle\mathrm{Ad}^*_g\,\mu, \xi\rangle = \langle\mu, \mathrm{Ad}_g\,\xi\rangle\f$: the dual map, with
 /// no inverse in it.
+///
+/// \snippet numbers.cpp adjoint
 template <Group G, Scalar S>
 Momentum<G, S> Ad_star(Element<G, S> const& g, Momentum<G, S> const& mu) {
   return {g.group, primitive::Ad_star(g.group, g.value, mu.components)};
@@ -196,6 +204,9 @@ Element<G, S> retract(Velocity<G, S> const& xi) {
   require_finite(g.value, "retract: result");
   return g;
 }
+/// The exponential: where the motion with the constant velocity \f$\xi\f$ is at the time 1.
+///
+/// \snippet numbers.cpp group
 /// @throws NotFinite  where the argument is no number, or so large that the result is none
 template <ExponentialGroup G, Real S>
 Element<G, S> exp(Velocity<G, S> const& xi) {
@@ -205,6 +216,8 @@ Element<G, S> exp(Velocity<G, S> const& xi) {
   return g;
 }
 /// The inverse of \ref exp in the natural chart (3.19).
+///
+/// \snippet numbers.cpp group
 /// @throws OutsideDomain  where g has no logarithm in the chart, with the angle (or eigenvalue) that was met
 template <ExponentialGroup G, Real S>
 Velocity<G, S> log(Element<G, S> const& g) {

@@ -8,7 +8,10 @@
 
 namespace actio {
 
-/// SE(n), n = 2 or 3.
+/// SE(n), n = 2 or 3: turns and shifts of the plane or of space, as matrices with n + 1 rows. Coordinates of a
+/// velocity are those of the turn, one number or three, and then the n of the shift.
+///
+/// \snippet numbers.cpp motions
 template <int n>
 struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
   using Rotations = SO<n>;

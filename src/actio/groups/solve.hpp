@@ -63,6 +63,7 @@ double turning_size(Velocity<G, S> const& xi) {
 /// An update that turns by more than 1 is shortened to 1 (\ref turning_size), so that a bad start does not
 /// leave the chart; one that only shifts is not, whatever the unit of length.
 ///
+/// \snippet numbers.cpp solve_on_group
 /// @param residual  element at any scalar -> covector at the same scalar
 /// @throws Singular      where the derivative has no inverse, at a solution too: the Lagrangian is not
 ///                       regular there

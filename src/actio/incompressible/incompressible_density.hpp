@@ -11,12 +11,17 @@ namespace actio {
 ///
 /// The multiplier adds to L: so \f$\lambda = \sqrt{\det G}\,P\f$ has the sign of a pressure that is positive
 /// in compression.
+/// An alias of \ref AugmentedDensity: its constructor takes the density L and the \ref VolumeConstraint,
+/// `IncompressibleDensity(medium, VolumeConstraint(medium.G, medium.g))`; \ref incompressible makes it of the
+/// medium alone. Neither throws: jets are examined where it is evaluated.
 /// \implements{eq_8_3}
 /// @tparam Medium  L, a density on jets over (n, n), such as \ref Continuum
 template <class Medium, class BodyMetric, class SpaceMetric>
 using IncompressibleDensity = AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>>;
 
 /// The incompressible medium with the metrics, the mass and the stored energy of a continuous one.
+///
+/// \snippet fields.cpp incompressible
 template <class BodyMetric, class SpaceMetric, class Mass, class Energy>
 auto incompressible(Continuum<BodyMetric, SpaceMetric, Mass, Energy> const& medium) {
   // [eq_8_3]

@@ -66,6 +66,8 @@ Split<S> split_by_columns(AnyMatrix<S> q, AnyVector<S> const& w) {
 /// dual of an algebra all \f$\mathrm{ad}^*_\eta\mu\f$. From 0 to 1. No Casimir function is needed, and none
 /// is missed. A family that starts with the identity, along which the rank of the bracket is constant,
 /// preserves the leaf of x exactly if the defect vanishes at all steps up to h.
+///
+/// \snippet reduction.cpp leaf_defect
 /// @param space   any space of spaces.hpp
 /// @param family  (h, point) -> point, at every scalar, both at the same
 /// @param h       step, time; not zero

@@ -26,7 +26,11 @@ auto poisson_residual(Space const& space, Map const& map, Point const& x) {
 /// lengths being the root of the sum of squares in coordinates divided by the sizes of the space, so that
 /// units do not matter. It is 0 where both brackets vanish. The reflection \f$\mu\mapsto-\mu\f$, which turns
 /// the bracket round, has the defect 1.
-/// @param space  any space of spaces.hpp
+///
+/// \snippet reduction.cpp poisson_defect
+/// @param space  \ref LiePoissonMinus for momenta of a body, \ref LiePoissonPlus for momenta in space,
+///               \ref RelativeMotionsLeft or \ref RelativeMotionsRight for relative motions, or another space
+///               of spaces.hpp
 /// @param map    point -> point, at every scalar
 /// @throws NotFinite, OutsideDomain  as \ref tangent_of_map
 /// Accuracy: a Poisson map gets a few epsilon times \f$|A|^2|B(x)|/|B(\Phi(x))|\f$, times the condition of

@@ -23,6 +23,8 @@ auto distance_in_sizes(Space const& space, Point const& x, Point const& y, char 
 ///
 /// The length of what leads from x to \f$\Phi_{-h}(\Phi_h(x))\f$, in coordinates divided by the sizes of the
 /// space at x: a momentum in units of itself, turns in radians.
+///
+/// \snippet reduction.cpp self_adjointness_defect
 /// @param space   any space of spaces.hpp
 /// @param family  (h, point) -> point
 /// @param h       step, time; not zero

@@ -82,6 +82,8 @@ auto integral(F const& f, Matrix<S, rows, 1> const& low, Matrix<S, rows, 1> cons
 }
 
 /// The action \f$S(\phi) = \int L(j^1\phi)\,d^{n+1}x\f$ of a section on a box.
+///
+/// \snippet fields.cpp action
 /// @param degree  of \f$L(j^1\phi)\f$ in each coordinate; with that the integral is exact
 template <class S, int n, class L, class Phi>
 S action(L const& density, Phi const& phi, Box<S, n> const& box, int degree) {

@@ -20,6 +20,8 @@ Matrix<S, N, 1> momentum_divergence(L const& density, SecondJet<S, n, N> const& 
 /// x^\mu}\frac{\partial L}{\partial v^a{}_\mu}\f$ at a second jet (6.12): the left side of the field
 /// equations.
 ///
+/// \snippet fields.cpp euler_lagrange_of_a_field
+///
 /// \implements{eq_6_12,eq_6_9}
 /// @param j  second jet of a section, \ref second_jet
 /// @return   a component for each a, per unit of \f$d^{n+1}x\f$: zero along solutions

@@ -14,7 +14,7 @@
 
 namespace actio {
 
-/// A point of space-time: (t, x^1, ..., x^n).
+/// A point of space-time, (t, x^1, ..., x^n): `Event<double, 2>(t, x1, x2)`, a column of n + 1 numbers.
 template <class S, int n>
 using Event = Matrix<S, n + 1, 1>;
 
@@ -69,6 +69,8 @@ inline constexpr int fibre_dimension = std::remove_cvref_t<decltype(std::declval
 }  // namespace detail
 
 /// The first jet \f$j^1\phi(x) = (x^\mu, \phi^a(x), \partial_\mu\phi^a(x))\f$ of a section.
+///
+/// \snippet fields.cpp first_jet
 ///
 /// \implements{claim_6_1_jet_bundle}
 /// @param phi  section: a callable from points of space-time to points of space, over any scalar

@@ -38,6 +38,9 @@ int halvings(Derived const& m, char const* where) {
 /// \f$\mathrm{iex}(w) = \sum_{n\ge0} w^n/(n+1)!\f$ of a square matrix; \f$w\,\mathrm{iex}(w) = e^w - 1\f$.
 ///
 /// Where the arithmetic has no transcendental functions w must be nilpotent.
+///
+/// \snippet numbers.cpp iex
+///
 /// \implements{eq_3_21}
 /// @throws NotInThisField  over an exact arithmetic, where w is not nilpotent
 /// Accuracy: a few epsilon times \f$e^{|w|}\f$ (series on w/2^s, then doubling).
@@ -87,6 +90,8 @@ auto chi(M const& w) {
 ///
 /// Not of w itself, where the two terms would cancel as the matrix contracts. Where the arithmetic has no
 /// transcendental functions w must be nilpotent.
+///
+/// \snippet numbers.cpp matrix_exponential
 /// @throws NotInThisField  over an exact arithmetic, where w is not nilpotent
 /// Accuracy: a few epsilon times the size of w.
 template <MatrixLike M>

@@ -133,6 +133,7 @@ void eliminate(Matrix<S, size, size>& a, MatrixView<S, size, columns> x, char co
 /// Rows and columns may have different units: pivots are chosen relative to their row, and a pivot counts as
 /// rounding noise by comparison with the terms whose difference it is, never with entries elsewhere.
 ///
+/// \snippet numbers.cpp solve_linear
 /// @param where  who asks, for the message
 /// @throws Singular   where a pivot is rounding noise: (pivot)/(largest term it was made from), and the bound
 /// @throws NotFinite  where an entry is a NaN or an infinity, or where the solution would be

@@ -38,6 +38,8 @@ typename M::PlainObject matrix_square_root(M const& a) {
 
 /// The logarithm with eigenvalues of imaginary part inside (-pi, pi), for plain scalars.
 ///
+/// \snippet numbers.cpp matrix_exponential
+///
 /// Accuracy: a few epsilon relative to the largest entry, as long as no eigenvalue comes near the negative
 /// real axis; near it the answer is compared with its exponential, and refused where they differ.
 /// @throws OutsideDomain   at and next to the edge of the chart

@@ -7,6 +7,8 @@
 namespace actio {
 
 /// The rank of a matrix: how many pivots stand out of rounding, 256 n epsilon of the largest entry.
+///
+/// \snippet numbers.cpp matrix_rank
 template <MatrixLike M>
 int matrix_rank(M const& matrix) {
   using S = typename M::Scalar;

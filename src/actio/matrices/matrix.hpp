@@ -21,6 +21,8 @@
 namespace actio {
 
 /// A matrix of R rows and C columns, each fixed or `Dynamic`.
+///
+/// \snippet numbers.cpp matrix
 template <class S, int R, int C>
 struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private detail::MatrixEntries<S, R, C> {
   using Operations = detail::MatrixOperations<Matrix, S, R, C>;  ///< what it has in common with a view

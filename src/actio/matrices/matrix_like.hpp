@@ -21,7 +21,8 @@ inline constexpr int Dynamic = -1;
 
 template <class S, int R = Dynamic, int C = Dynamic>
 struct Matrix;
-/// A column of n numbers.
+/// A column of n numbers: `Vector<double, 3>(1, 2, 3)`; with n = Dynamic `Vector<double>(n)`, whose entries
+/// are to be set. It is the \ref Matrix of n rows and one column, and has what that has.
 template <class S, int n = Dynamic>
 using Vector = Matrix<S, n, 1>;
 template <class S, int R, int C>

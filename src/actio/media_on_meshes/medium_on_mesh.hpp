@@ -24,6 +24,8 @@
 namespace actio::media {
 
 /// A medium on a mesh of a body.
+///
+/// \snippet media.cpp medium_on_mesh
 template <int d>
 class MediumOnMesh {
  public:

@@ -180,6 +180,7 @@ struct CellGrid {
 /// A box \f$[lower, upper]\f$ of box-like cells, node (i, j, k) being number \f$i + n_0(j + n_1k)\f$. Sides
 /// across a direction that is not periodic: left and right, bottom and top, front and back.
 ///
+/// \snippet media.cpp box_mesh
 /// @param lower, upper  opposite corners, length; as many coordinates as the body has dimensions, 1 to 3
 /// @param cells         how many along each direction; at least two along a periodic one
 /// @param periodic      along which directions the far side is the near one; empty: along none

@@ -45,6 +45,10 @@ struct BodySide {
 };
 /// What the sides do, by their names; others are free. A node of two sides that are held obeys both, and the
 /// motion of one of them before all.
+///
+/// A map, written in braces: `{{"left", {Side::fixed, {}}}}`, or with a motion
+/// `{{"right", {Side::moved, prescribed_motion<2>(chi)}}}`. Names are those of the sides of the
+/// \ref BodyMesh; a medium throws \ref UnknownSide for another one.
 template <int d>
 using BodySides = std::map<std::string, BodySide<d>>;
 

@@ -73,6 +73,8 @@ class GmshBody {
 }  // namespace detail
 
 /// The mesh of a body from the text of a Gmsh file.
+///
+/// \snippet media.cpp gmsh_mesh_of
 /// @param text  all of it
 /// @param name  of the file, for messages
 /// @throws NotAGmshFile  where the text is no mesh: with the line, or in a binary file the byte; where cells

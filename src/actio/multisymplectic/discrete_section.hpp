@@ -6,7 +6,8 @@
 
 namespace actio::media {
 
-/// The values of a section at the nodes of one level of time.
+/// The values of a section at the nodes of one level of time: a vector of points of space, one for each node,
+/// in the order of the mesh.
 template <class S, int N>
 using Level = std::vector<Matrix<S, N, 1>>;
 

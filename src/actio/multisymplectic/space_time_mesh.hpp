@@ -16,7 +16,8 @@
 
 namespace actio::media {
 
-/// The sides of a box: for each direction the near and the far one.
+/// The sides of a box: for each direction the near and the far one, `{{{Side::fixed, Side::free}}}` on a
+/// line. \ref all_sides makes them alike.
 template <int n>
 using Sides = std::array<std::array<Side, 2>, n>;
 
@@ -52,6 +53,8 @@ struct StraightBox {
 };
 
 /// A structured mesh of space-time.
+///
+/// \snippet media.cpp step_of_a_section
 template <class S, int n>
 class SpaceTimeMesh {
  public:

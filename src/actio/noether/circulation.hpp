@@ -26,6 +26,7 @@ Matrix<S, n, 1> material_velocity_form(SpaceMetric const& g, Jet<S, n, N> const&
 
 /// The circulation \f$\oint u_k\,dx^k\f$ along a closed loop of particles at time t.
 ///
+/// \snippet fields.cpp circulation
 /// @param phi     section, @param g metric of space
 /// @param loop    a callable from an angle in \f$[0, 2\pi]\f$ to points of the body, over any scalar;
 ///                periodic but for jumps of angular coordinates by their period

@@ -13,6 +13,8 @@ namespace actio {
 /// The divergence \f$D_\mu J^\mu\f$ of the Noether current along a section, the coefficient of
 /// \f$d\bigl((j^1\phi)^*J_L(\xi)\bigr)\f$, by differentiation of the current.
 ///
+/// \snippet fields.cpp current_divergence
+///
 /// \implements{eq_9_5}
 /// @param j  second jet of the section
 /// Accuracy: exact but for the rounding of L and xi.

@@ -78,6 +78,8 @@ Dual<S> variable(S const& t) {
 }
 
 /// The derivative of a function of one number: \f$f(t)\f$ and \f$f'(t)\f$.
+///
+/// \snippet numbers.cpp derivative
 /// @param f  a callable on numbers, over any scalar; its values are numbers, vectors or matrices
 /// @param t  where, a plain number or one over dual numbers
 /// Accuracy: exact but for the rounding of f.
@@ -94,6 +96,8 @@ Matrix<Dual<S>, R, C> moved_along(Matrix<S, R, C> const& x, Matrix<S, R, C> cons
 
 /// The derivative along a direction: \f$f(x)\f$ and \f$\frac{d}{d\epsilon}f(x + \epsilon w)\f$ at
 /// \f$\epsilon = 0\f$.
+///
+/// \snippet numbers.cpp derivative_along
 /// @param f  a callable on vectors (or matrices), over any scalar; its values are numbers, vectors or
 ///           matrices
 /// @param x  where
@@ -154,6 +158,8 @@ struct Derivative {
 /// The derivative of a function of several variables: its value and the matrix of its derivatives.
 ///
 /// f is evaluated once for each \ref batch of variables.
+///
+/// \snippet numbers.cpp derivative
 /// @param f  a callable on vectors (or matrices) over any scalar; its values are numbers, vectors or matrices
 /// @param x  where: a vector, or a matrix, whose entries are the variables column by column
 /// Accuracy: exact but for the rounding of f.

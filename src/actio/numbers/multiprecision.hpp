@@ -9,13 +9,17 @@
 
 namespace actio {
 
-/// Floating point with 50 decimal digits.
+/// Floating point with 50 decimal digits: `dec50("0.1")` is the number nearest to the text, `dec50(0.1)` that
+/// double. Functions of numbers are called without `std::`, as `sqrt(x)`.
+///
+/// \snippet numbers.cpp digits
 using dec50 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 /// Floating point with 100 decimal digits.
 using dec100 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
-/// Exact rational numbers: a residual over them is zero or it is not.
+/// Exact rational numbers: a residual over them is zero or it is not. `rational(1, 3)` is a third;
+/// `rational(0.1)` is the double that is nearest to a tenth. A denominator of zero throws.
 using rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 

@@ -16,6 +16,8 @@ namespace actio {
 
 /// A power series \f$\sum_k c_k t^k\f$, known up to \f$t^{order}\f$; a constant is known to all orders and
 /// stores one coefficient.
+///
+/// \snippet numbers.cpp taylor
 template <class S>
 struct Taylor {
   static constexpr int all = INT_MAX;  ///< the order of a constant

@@ -27,6 +27,8 @@ inline double laplacian_beside(int n, int k, int m) {
 }
 
 /// \f$\Delta\f$ on u(N), and \f$\Delta^{-1}\f$ on the matrices with trace zero.
+///
+/// \snippet sphere.cpp sphere_laplacian
 class SphereLaplacian {
  public:
   /// Factors the matrices of the diagonals; N^2 numbers are stored.

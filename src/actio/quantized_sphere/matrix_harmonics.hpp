@@ -90,11 +90,15 @@ void over_half_of_basis(int n, Use const& use) {
 }
 
 /// The matrix \f$W = i\sum f_{lm}T_{lm}\f$ of a real function. O(N^3) operations, O(N^2) memory.
+///
+/// \snippet sphere.cpp matrix_of
 /// @param f  of degrees below N; the imaginary part of \f$f_{l0}\f$ is not used
 SkewHermitian<> matrix_of(SphereHarmonics const& f);
 
 /// The coefficients \f$f_{lm} = \tfrac{4\pi}N\mathrm{Tr}(T_{lm}^*(-iW))\f$ of a matrix. O(N^3) operations,
 /// O(N^2) memory.
+///
+/// \snippet sphere.cpp matrix_of
 SphereHarmonics harmonics_of(SkewHermitian<> const& w);
 
 }  // namespace actio::sphere

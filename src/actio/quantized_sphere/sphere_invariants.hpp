@@ -11,6 +11,8 @@ namespace actio::sphere {
 
 /// The kinetic energy \f$-\tfrac12\int\psi\zeta = -\tfrac12\tfrac{4\pi}N\langle P, W\rangle\f$ of the unit
 /// sphere with unit density.
+///
+/// \snippet sphere.cpp sphere_invariants
 /// @param stream  the map W -> P, for instance a `SphereLaplacian`
 template <class Stream>
 double vorticity_energy(Stream const& stream, SkewHermitian<> const& w) {

@@ -64,6 +64,8 @@ std::vector<S> symmetric_composition(int order) {
 }
 /// Order 4 in five stages (Suzuki): \f$\gamma_1 = \gamma_2 = \gamma_4 = \gamma_5 = 1/(4-\sqrt[3]4)\f$ and
 /// \f$\gamma_3 = 1 - 4\gamma_1\f$. No substep is longer than 0.66 of the step.
+///
+/// \snippet reduction.cpp composed_left
 template <Real S>
 std::vector<S> suzuki() { return symmetric_composition<S>(4); }
 /// Order 6 in nine stages (Kahan and Li): \f$\gamma_1, \dots, \gamma_5\f$ and back.
@@ -135,6 +137,8 @@ struct ComposedRight : Composed<RightInvariant, Step, S> {
   ComposedRight(Step step, std::vector<S> const& parts) : ComposedRight::Composed(std::move(step), parts) {}
 };
 /// Substeps of a left-invariant step as one step, with relative motion \f$f_n\cdots f_2f_1\f$.
+///
+/// \snippet reduction.cpp composed_left
 template <class Step, class S>
 struct ComposedLeft : Composed<LeftInvariant, Step, S> {
   /// @throws OutsideDomain, NotFinite  where the fractions do not add up to 1, or are no numbers

@@ -83,6 +83,8 @@ Solved<Element<G, S>> step_euler_poincare_right(F const& l, Element<G, S> const&
 }
 /// The next relative motion of a left-invariant system: solves (3.11), \ref euler_poincare_left, for `f21`.
 /// Otherwise as \ref step_euler_poincare_right.
+///
+/// \snippet reduction.cpp step_euler_poincare_left
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_left(F const& l, Element<G, S> const& f10) {
   return solve_on_group(euler_poincare_left(l, f10), f10);

@@ -15,6 +15,8 @@ template <Group G, Scalar S, class F>
 Momentum<G, S> momentum_before_right(F const& l, Element<G, S> const& f) { return -right_differential(l, f); }
 /// \f$\Pi_0 = -L_f^*\ell'(f)\f$: the body momentum at the start of a left-invariant step with relative motion
 /// \f$f = g_1^{-1}g_0\f$.
+///
+/// \snippet reduction.cpp momentum_before_left
 template <Group G, Scalar S, class F>
 Momentum<G, S> momentum_before_left(F const& l, Element<G, S> const& f) { return -left_differential(l, f); }
 
@@ -47,6 +49,8 @@ Solved<Element<G, S>> relative_motion_from_momentum_right(F const& l, Momentum<G
 }
 /// The relative motion of the step that starts with a given body momentum: solves \f$-L_f^*\ell'(f) = \Pi\f$
 /// near `start`. Otherwise as \ref relative_motion_from_momentum_right.
+///
+/// \snippet reduction.cpp relative_motion_from_momentum_left
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> relative_motion_from_momentum_left(F const& l, Momentum<G, S> const& pi,
                                                          Element<G, S> const& start) {

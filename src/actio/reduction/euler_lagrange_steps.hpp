@@ -12,6 +12,8 @@ namespace actio {
 /// Configurations are those of \ref step_euler_lagrange to rounding, in a fraction of the time: the
 /// derivative of the equation is reused from step to step, and the next configuration is extrapolated from
 /// the last ones (\ref PredictorCorrector).
+///
+/// \snippet reduction.cpp euler_lagrange_steps
 /// @tparam L  discrete Lagrangian, \f$G\times G\to\mathbb R\f$, energy x time
 template <class L, ExponentialGroup G, Real S>
 class EulerLagrangeSteps {

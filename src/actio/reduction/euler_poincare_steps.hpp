@@ -60,6 +60,8 @@ struct EulerPoincareStepsRight : EulerPoincareSteps<RightInvariant, F, G, S> {
       : EulerPoincareStepsRight::EulerPoincareSteps(std::move(l), f01) {}
 };
 /// The motion of a left-invariant system: \ref euler_poincare_left solved step after step.
+///
+/// \snippet reduction.cpp euler_poincare_steps
 template <class F, ExponentialGroup G, Real S>
 struct EulerPoincareStepsLeft : EulerPoincareSteps<LeftInvariant, F, G, S> {
   /// @param l    reduced discrete Lagrangian, callable at every scalar

@@ -186,6 +186,8 @@ auto galerkin_step_right(F l, int s) {
 /// The Galerkin step of a left-invariant system, of order 2s, on body momenta:
 /// \f$\partial A/\partial\xi_s = \mathrm{iex}(\mathrm{ad}_{\xi_s})^T\Pi_0\f$ and
 /// \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\,\Pi_0\f$. Otherwise as \ref galerkin_step_right.
+///
+/// \snippet reduction.cpp galerkin_step_left
 /// @param l  reduced Lagrangian, function of \f$g^{-1}\dot g\f$, energy
 /// @param s  degree and number of nodes, 1 to 8
 template <Real S, class F>

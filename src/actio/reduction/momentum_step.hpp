@@ -94,6 +94,8 @@ auto natural_chart_step_right(F l) {
   return lie_poisson_step_right([l](auto const& h) { return natural_chart_lagrangian_right(l, h); });
 }
 /// The step by the natural chart (3.25) of a left-invariant system: order 2, self-adjoint.
+///
+/// \snippet reduction.cpp natural_chart_step_left
 /// @param l  reduced Lagrangian, function of \f$g^{-1}\dot g\f$, energy
 template <class F>
 auto natural_chart_step_left(F l) {

@@ -91,6 +91,8 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
 /// chart_midpoint_right. \f$\xi\f$ is the velocity at q translated to the identity on the right, so that this
 /// is (3.20) with its push-forward carried out, (3.22).
 ///
+/// \snippet reduction.cpp euler_lagrange_steps
+///
 /// \implements{eq_3_20}
 /// @param L     Lagrangian on TG
 /// @param h     step, time; not zero, negative to go back
@@ -155,6 +157,12 @@ auto natural_chart_lagrangian_right(Reduced l, T h) {
 }
 /// The reduced discrete Lagrangian of a left-invariant system: \f$\ell(f) = h\,l(-\log(f)/h)\f$ with
 /// \f$f = g_1^{-1}g_0\f$ and l a function of \f$g^{-1}\dot g\f$.
+///
+/// \snippet reduction.cpp natural_chart_lagrangian_left
+/// @param l  reduced Lagrangian, function of \f$g^{-1}\dot g\f$, energy
+/// @param h  step, time; not zero, negative to go back
+/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where f has no
+///                        logarithm
 template <class Reduced, class T>
 auto natural_chart_lagrangian_left(Reduced l, T h) { return natural_chart_lagrangian_right(l, h); }
 

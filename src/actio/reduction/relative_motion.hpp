@@ -70,6 +70,8 @@ Element<G, S> reconstruct_right(Element<G, S> const& gk, Element<G, S> const& f)
 /// Reconstruction (3.15): the configuration after \f$g_k\f$ when the relative motion is
 /// \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$.
 ///
+/// \snippet reduction.cpp euler_poincare_steps
+///
 /// \implements{eq_3_15}
 template <Group G, Scalar S>
 Element<G, S> reconstruct_left(Element<G, S> const& gk, Element<G, S> const& f) {

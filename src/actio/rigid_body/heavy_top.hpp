@@ -17,6 +17,8 @@ namespace actio {
 /// a symmetric top with its centre of mass on the axis of symmetry also the component of \f$\Pi\f$ along that
 /// axis, by Noether's theorem: the trace does not change when f is conjugated by a rotation that commutes
 /// with \f$\Lambda\f$. Energy is not.
+///
+/// \snippet bodies.cpp heavy_top
 template <Real S = double>
 class HeavyTopScheme {
  public:

@@ -21,7 +21,9 @@
 
 namespace actio {
 
-/// Body momentum, and the vertical (against gravity, a unit vector) in the body frame.
+/// The state of a heavy top, an \ref AdvectedState of SO(3): its member `momentum` is the body momentum about
+/// the fixed point, energy x time, and `vector` is the vertical in the body frame, a unit vector against
+/// gravity. Made by \ref release, or in braces: `HeavyTopState<>{momentum, vertical}`, which checks nothing.
 template <Real S = double>
 using HeavyTopState = AdvectedState<SO<3>, S, 3>;
 
@@ -62,6 +64,7 @@ struct HeavyTop {
 
 /// A heavy top from its inertia about the fixed point.
 ///
+/// \snippet bodies.cpp heavy_top
 /// @param mass     not negative
 /// @param inertia  about the fixed point, in the frame of the principal axes there
 /// @param centre   centre of mass from the fixed point, in that frame

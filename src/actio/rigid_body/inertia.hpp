@@ -108,6 +108,8 @@ Inertia<3, S> inertia_from_moments(Matrix<S, 3, 1> const& moments) {
   return inertia;
 }
 /// The same from three numbers.
+///
+/// \snippet bodies.cpp inertia_from_moments
 inline Inertia<3> inertia_from_moments(double i1, double i2, double i3) {
   return inertia_from_moments<double>(Eigen::Vector3d(i1, i2, i3));
 }

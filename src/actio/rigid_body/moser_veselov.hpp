@@ -19,6 +19,8 @@
 namespace actio {
 
 /// The Moser-Veselov scheme for one body and one step.
+///
+/// \snippet bodies.cpp moser_veselov
 template <int n, Real S = double>
 class MoserVeselov {
  public:

@@ -36,6 +36,7 @@ struct PrincipalInertia {
 
 /// Principal moments and axes of a full tensor of inertia.
 ///
+/// \snippet bodies.cpp principal_inertia
 /// @param tensor  3 by 3, symmetric, mass x length^2 (products of inertia with the sign they have in the
 ///                tensor)
 /// @throws NotFinite          where an entry is no number

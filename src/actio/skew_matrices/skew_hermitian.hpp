@@ -14,6 +14,8 @@ template <class S = double>
 using ComplexMatrix = Eigen::Matrix<std::complex<S>, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// An element of the Lie algebra u(N): \f$W = R + iJ\f$, \f$R^T = -R\f$, \f$J^T = J\f$.
+///
+/// \snippet sphere.cpp skew_hermitian
 template <class S = double>
 struct SkewHermitian {
   using Part = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;  ///< real matrices

@@ -38,6 +38,8 @@ void over_half_of_sphere(SphereGrid const& grid, int degrees, Use const& use) {
 /// Accuracy: about 1e-13 of the largest value at N = 2048. The grid may be coarser than the functions.
 std::vector<GridField> values_on(SphereGrid const& grid, std::vector<SphereHarmonics> const& functions);
 /// The same of one.
+///
+/// \snippet sphere.cpp values_on
 inline GridField values_on(SphereGrid const& grid, SphereHarmonics const& f) {
   return std::move(values_on(grid, std::vector{f}).front());
 }

@@ -168,8 +168,8 @@ Matrix<double, d, d> green_stress_of(Medium const& medium, Matrix<double, d, d> 
 /// \f$\rho\f$. Media without it have p = 1: W is energy per mass.
 template <class Medium>
 struct Weighed {
-  Medium medium;  ///< W
-  double power;   ///< p
+  Medium medium;  ///< W, in the unit that makes \f$\rho^pW\f$ a pressure
+  double power;   ///< p: 1 for energy per mass, 0 for energy per reference volume
 };
 template <class Medium>
 Weighed(Medium, double) -> Weighed<Medium>;
@@ -188,18 +188,22 @@ Matrix<double, d, d> green_stress_of(Weighed<Medium> const& weighed, Matrix<doub
 }
 /// A gas with pressure \f$K(\rho/J)^\gamma\f$: \f$\rho^\gamma\tfrac K{\gamma-1}J^{1-\gamma}\f$ per reference
 /// volume, of one entropy wherever its density varies.
+///
+/// \snippet media.cpp isentropic_gas
+/// @param K      pressure over \f$\rho^\gamma\f$ at J = 1, pressure x (volume/mass)^gamma; positive
+/// @param gamma  exponent, the ratio of the specific heats, above 1; 1.4 for air
 inline Weighed<FastFluid<PolytropicGas>> isentropic_gas(double K, double gamma) {
   return {{{K, gamma}}, gamma};
 }
-/// A medium whose moduli are given per reference volume, not per mass.
+/// A medium whose moduli are given per reference volume, not per mass: as pressures, in pascal for instance.
 template <class Medium>
 Weighed<Medium> per_volume(Medium const& medium) { return {medium, 0}; }
 
 /// The volume part \f$U = -\mu\log J+\tfrac\kappa2(J-1)^2\f$ of a neo-Hookean solid, free of stress at rest.
 struct QuadraticLaw {
-  double mu;     ///< shear modulus of the solid
-  double kappa;  ///< modulus of the volume
-  /// U.
+  double mu;     ///< shear modulus of the solid over the mass density, speed squared; that of its solid
+  double kappa;  ///< modulus of the volume over the mass density, speed squared; positive
+  /// U, speed squared.
   template <class T>
   T energy(T const& J) const {
     using std::log;

@@ -143,10 +143,12 @@ struct StVenantKirchhoffCell {
 };
 }  // namespace detail
 
-/// A barotropic fluid of the fast road: \f$W = U(J)\f$.
+/// A barotropic fluid, \f$W = U(J)\f$ per unit mass, for the optimised implementation: its pressure is
+/// \f$-\rho U'(J)\f$, \f$\rho\f$ the mass density of the body. Made in braces:
+/// `FastFluid{PolytropicGas{K, gamma}}`.
 template <class Volume>
 struct FastFluid {
-  Volume volume;  ///< U, a law of fast_volume_laws.hpp or one's own
+  Volume volume;  ///< U, speed squared: \ref PolytropicGas, \ref PolytropicByRoots, or a law of your own
   /// What steps a cell of these lengths.
   auto on(double h1, double h2) const {
     auto const scaled = detail::scaled(volume, h1 * h2, 0.25);
@@ -156,11 +158,14 @@ struct FastFluid {
 template <class Volume>
 FastFluid(Volume) -> FastFluid<Volume>;
 
-/// A neo-Hookean solid of the fast road: \f$W = \tfrac\mu2(\Tr C-2)+U(J)\f$.
+/// A neo-Hookean solid, \f$W = \tfrac\mu2(\Tr C-d)+U(J)\f$ per unit mass in d dimensions, for the optimised
+/// implementation. \ref neo_hookean and \ref blatz_ko make those that are free of stress at rest; in braces,
+/// `FastNeoHookean{mu, QuadraticLaw{mu, kappa}}`, that is so where \f$U'(1) = -\mu\f$.
 template <class Volume>
 struct FastNeoHookean {
-  double mu;      ///< shear modulus over the mass density
-  Volume volume;  ///< U
+  double mu;      ///< shear modulus over the mass density, speed squared; positive
+  /// U, speed squared: \ref LogarithmicLaw, \ref ReciprocalLaw, \ref QuadraticLaw, or your own
+  Volume volume;
   /// What steps a cell of these lengths.
   auto on(double h1, double h2) const {
     auto const scaled = detail::scaled(volume, h1 * h2, 0.25);
@@ -171,17 +176,29 @@ struct FastNeoHookean {
 template <class Volume>
 FastNeoHookean(double, Volume) -> FastNeoHookean<Volume>;
 
-/// A neo-Hookean solid free of stress at rest, with the house's logarithmic volume.
+/// A neo-Hookean solid that is free of stress at rest:
+/// \f$W = \tfrac\mu2(\Tr C-d) - \mu\log J + \tfrac\lambda2\log^2J\f$ per unit mass, in d dimensions, with
+/// \f$C = F^TF\f$ and \f$J = \det F > 0\f$. At small strains it is the linear solid with Lame's moduli
+/// \f$\rho\lambda\f$ and \f$\rho\mu\f$: with Young's modulus E and Poisson's ratio \f$\nu\f$ of a material in
+/// space, \f$\rho\mu = E/(2+2\nu)\f$ and \f$\rho\lambda = E\nu/((1+\nu)(1-2\nu))\f$.
+///
+/// \snippet media.cpp neo_hookean
+/// @param lambda  Lame's first modulus over the mass density, speed squared; at rest stable for
+///                \f$\lambda > -2\mu/d\f$, and zero or more for most materials
+/// @param mu      shear modulus over the mass density, speed squared; positive
 inline FastNeoHookean<LogarithmicLaw> neo_hookean(double lambda, double mu) { return {mu, {lambda, mu}}; }
 /// Blatz and Ko's solid, free of stress at rest: \f$U = \tfrac{\mu}{2m}(J^{-2m}-1)\f$, \f$\lambda = 2m\mu\f$.
+/// @tparam m  a whole number, 1 or more: the larger, the less the volume changes
+/// @param mu  shear modulus over the mass density, speed squared; positive
 template <int m>
 FastNeoHookean<PolytropicByRoots<1, 2 * m + 1>> blatz_ko(double mu) { return {mu, {mu}}; }
 
-/// St Venant and Kirchhoff's solid of the fast road: \f$W = \tfrac\lambda2(\Tr E)^2+\mu\Tr E^2\f$ with
-/// \f$E = \tfrac12(C-1)\f$.
+/// St Venant and Kirchhoff's solid, \f$W = \tfrac\lambda2(\Tr E)^2+\mu\Tr E^2\f$ per unit mass with Green's
+/// strain \f$E = \tfrac12(C-1)\f$, for the optimised implementation. Made in braces,
+/// `FastStVenantKirchhoff{lambda, mu}`. It does not resist collapse: it is for strains well below 1.
 struct FastStVenantKirchhoff {
-  double lambda;  ///< Lame's first modulus over the mass density
-  double mu;      ///< shear modulus over the mass density
+  double lambda;  ///< Lame's first modulus over the mass density, speed squared; above \f$-2\mu/d\f$
+  double mu;      ///< shear modulus over the mass density, speed squared; positive
   /// What steps a cell of these lengths.
   detail::StVenantKirchhoffCell on(double h1, double h2) const { return {lambda, mu, h1, h2}; }
 };

@@ -73,8 +73,8 @@ template <int root, int power>
 struct PolytropicByRoots {
   static_assert(root > 0 && power > root);
   static constexpr bool in_lanes = true;                              ///< slopes come four at a time
-  static constexpr double gamma = static_cast<double>(power) / root;  ///< the exponent
-  double K;                                                           ///< pressure over density at J = 1
+  static constexpr double gamma = static_cast<double>(power) / root;  ///< the exponent, above 1
+  double K;  ///< pressure over mass density at J = 1, speed squared; positive
 
   /// U, speed squared.
   template <class T>
@@ -127,8 +127,8 @@ struct PolytropicByRoots {
 /// Accuracy of the slope in lanes: \f$(4+5\gamma|\log J|)\f$ units in the last place.
 struct PolytropicGas {
   static constexpr bool in_lanes = true;  ///< slopes come four at a time
-  double K;                               ///< pressure over density at J = 1
-  double gamma;                           ///< exponent, above 1
+  double K;                               ///< pressure over mass density at J = 1, speed squared; positive
+  double gamma;                           ///< exponent, above 1: the ratio of the specific heats, 1.4 for air
 
   /// U, speed squared.
   template <class T>
@@ -164,8 +164,8 @@ struct PolytropicGas {
 /// Accuracy of the slope in lanes: 8 units in the last place of \f$(\mu+\lambda|\log J|)/J\f$.
 struct LogarithmicLaw {
   static constexpr bool in_lanes = true;  ///< slopes come four at a time
-  double lambda;                          ///< Lame's first modulus over the mass density
-  double mu;                              ///< shear modulus over the mass density
+  double lambda;  ///< Lame's first modulus over the mass density, speed squared; zero or more
+  double mu;      ///< shear modulus over the mass density, speed squared; that of its solid
 
   /// U, speed squared.
   template <class T>
@@ -206,9 +206,9 @@ struct LogarithmicLaw {
 /// Accuracy of the slope in lanes: 4 units in the last place of \f$a/J+bJ+|c|\f$.
 struct ReciprocalLaw {
   static constexpr bool in_lanes = true;  ///< slopes come four at a time
-  double a;                               ///< of the logarithm, modulus over the mass density
-  double b;                               ///< of the square, the same
-  double c;                               ///< of J, the same
+  double a;  ///< of the logarithm, a modulus over the mass density, speed squared; positive
+  double b;  ///< of the square, a modulus over the mass density, speed squared; positive
+  double c;  ///< of J, a modulus over the mass density, speed squared
 
   /// U, speed squared.
   template <class T>

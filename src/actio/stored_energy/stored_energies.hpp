@@ -60,6 +60,8 @@ struct StoredEnergyOf final : StoredEnergy<d> {
 
 /// The stored energy of a medium: one of the fast road, of this file, or a callable W(F) per mass on
 /// `Matrix<T, d, d>` over any scalar T. With `conserve = energy` W must be the same for F and QF, Q a turn.
+///
+/// \snippet media.cpp own_energy
 template <int d, class Medium>
 std::shared_ptr<StoredEnergy<d> const> stored_energy(Medium const& medium) {
   return std::make_shared<detail::StoredEnergyOf<d, Medium>>(medium);

@@ -12,6 +12,8 @@ namespace actio {
 /// rationals with no error at all.
 ///
 /// The nodes are fractions next to those of Chebyshev, where interpolation is harmless.
+///
+/// \snippet numbers.cpp quadrature
 template <Scalar S>
 struct Quadrature {
   std::vector<S> nodes;    ///< inside (0, 1)

@@ -16,6 +16,9 @@ namespace actio {
 ///
 /// In a chart this is (2.4); here the base derivative and the momentum are translated to the identity on the
 /// right.
+///
+/// \snippet bodies.cpp euler_lagrange
+///
 /// \implements{eq_2_4}
 /// @param L             Lagrangian on TG, energy
 /// @param v             state
@@ -36,6 +39,8 @@ Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocit
 
 /// The acceleration \f$\dot\xi\f$ that a regular Lagrangian gives a state: the Lagrange vector field is
 /// \f$(\xi, \dot\xi)\f$.
+///
+/// \snippet bodies.cpp euler_lagrange
 ///
 /// \implements{claim_2_1_lagrange_vector_field}
 /// @throws Singular  where L is not regular

@@ -65,6 +65,8 @@ Velocity<G, S> euler_poincare_acceleration_right(F const& l, Velocity<G, S> cons
                                  "euler_poincare: d2l/dxi2")};
 }
 /// \f$\dot\xi\f$ of a left-invariant system.
+///
+/// \snippet bodies.cpp euler_poincare
 /// @throws Singular  where l is not regular
 template <Group G, Scalar S, class F>
 Velocity<G, S> euler_poincare_acceleration_left(F const& l, Velocity<G, S> const& xi) {

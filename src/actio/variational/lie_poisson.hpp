@@ -36,6 +36,8 @@ Momentum<G, S> lie_poisson_rate_right(H const& h, Momentum<G, S> const& mu) {
 }
 /// \f$\dot\mu = +\mathrm{ad}^*_{\partial h/\partial\mu}\,\mu\f$: the Lie-Poisson equations of a
 /// left-invariant Hamiltonian.
+///
+/// \snippet bodies.cpp lie_poisson
 template <Group G, Scalar S, class H>
 Momentum<G, S> lie_poisson_rate_left(H const& h, Momentum<G, S> const& mu) {
   return ad_star(gradient(h, mu), mu);

@@ -27,6 +27,8 @@
 namespace actio::sphere {
 
 /// Steps of one length for one flow, in mixed precision.
+///
+/// \snippet sphere.cpp fast_vorticity_step
 /// @tparam Stream  a linear map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
 template <class Stream = SphereLaplacian>
 class FastVorticityStep : public StepSetting<Stream> {

@@ -23,7 +23,13 @@ Progress = Callable[[float, int], Any]
 
 
 class Member:
-    """One run of a sweep: its number, its values, and its run, or what went wrong."""
+    """One run of a sweep: its number, its values, and its run, or what went wrong.
+
+    index: the number of the member, from 0.
+    values: the swept keys and the values that they have here.
+    run: its `Run`; where it failed or was stopped, the rows that there were by then, or None.
+    error: the exception that ended it; None where it came to its end.
+    """
 
     __slots__ = ("index", "values", "run", "error")
 
@@ -56,7 +62,11 @@ class Member:
 
 
 class Sweep(Sequence[Member]):
-    """The members of a sweep, the last key being the fastest."""
+    """The members of a sweep: a sequence of `Member`, the last key varying fastest.
+
+        for member in sweep:
+            print(member.values, member.error or member.run.drift)
+    """
 
     def __init__(self, keys: Sequence[str], members: Sequence[Member]) -> None:
         self._keys = list(keys)
@@ -74,7 +84,7 @@ class Sweep(Sequence[Member]):
 
     @property
     def errors(self) -> list[Member]:
-        """The members that did not."""
+        """The members that did not come to their end."""
         return [member for member in self._members if member.error is not None]
 
     @overload

@@ -91,7 +91,7 @@ def _checked_names(
 
 
 class System:
-    """A system of one's own: a group, and a Lagrangian that is invariant under it.
+    """A system of your own: a group, and a Lagrangian that is invariant under it.
 
         sleigh = actio.System(
             group="SE(2)",
@@ -103,8 +103,8 @@ class System:
     group: the name of a group, "SO(3)", "SE(2) x R^1" (`actio.groups()` has them all); or a list of matrices
         that are a basis of its Lie algebra.
     lagrangian: a function of the velocity; of two arguments, of velocity and parameters; of three, of
-        velocity, parameters and carried vectors. The velocity is an array whose items have names as well,
-        `xi.v1`, and `xi.matrix` is its matrix; parameters are `p.c`, carried vectors arrays, `a.gravity`. Or
+        velocity, parameters and advected vectors. The velocity is an array whose items have names as well,
+        `xi.v1`, and `xi.matrix` is its matrix; parameters are `p.c`, advected vectors arrays, `a.gravity`. Or
         the text of a formula: "(w^2 + v1^2 + c*v2^2)/2".
     side: "left" where the Lagrangian is invariant under left multiplication, its velocity that in the body;
         or "right".
@@ -191,7 +191,7 @@ class System:
 
     @property
     def advected(self) -> dict[str, list[float]]:
-        """The carried vectors by name, where the motion is the identity."""
+        """The advected vectors by name, with their values where the motion is the identity."""
         return {name: list(items) for name, items in self._advected.items()}
 
     # ---- What is done with it
@@ -216,8 +216,8 @@ class System:
         step, order, method: of the method, which is one of `actio.systems()["euler_poincare"]["methods"]`.
         configuration: the matrix at the beginning; the identity where it is left out.
         quantities: what the rows hold, a name or several of `actio.quantities("euler_poincare")` and of
-            carried vectors; configuration, velocity, momenta, energy and the carried vectors where it is left
-            out.
+            advected vectors; where it is left out, configuration, velocity, momenta, energy and the
+            advected vectors.
         title: of the scene.
 
         All else that is left out has the default of the scene.

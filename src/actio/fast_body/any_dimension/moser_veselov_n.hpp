@@ -27,6 +27,8 @@ namespace actio::bodies {
 
 /// The Moser-Veselov scheme for one body in n dimensions and one step. One object serves many bodies, and
 /// threads.
+///
+/// \snippet bodies.cpp moser_veselov_n
 class FastMoserVeselov {
  public:
   using Group = SO<Eigen::Dynamic>;         ///< n at run time

@@ -34,7 +34,10 @@ struct FreeState {
   }
 };
 
-/// A body that turns freely, from a given start.
+/// A rigid body without a torque, from a given start: its exact motion, at any time by one evaluation.
+/// In steps of one length it is \ref FreeSteps, under a torque \ref TorquedBody; the theory is \ref ch05a.
+///
+/// \snippet bodies.cpp free_body
 class FreeBody {
  public:
   /// @param inertia   of the body, by principal moments or in a frame of any choice; momentum and attitude
@@ -75,6 +78,8 @@ class FreeBody {
 
   /// The parameters of a step of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified
   /// moments of inertia, 4, 6, 8, ...
+  ///
+  /// \snippet bodies.cpp moser_veselov_parameters
   /// @throws OutsideDomain  where the order is odd or not positive
   /// @throws StepTooLong    where there is no solution, with the largest step that would do
   StepParameters<double> moser_veselov_parameters(double h, int order) const;

@@ -9,7 +9,7 @@
 
 namespace actio::bodies {
 
-/// A free body in steps of one length.
+/// A free body in steps of one length: the exact motion (\ref ch05a), or that of another method.
 ///
 /// The steps are compensated: what a step adds is summed with what the sums before have lost. The numbers of
 /// a step are rounded once and for all, so that each step misses the orbit by a part of a rounding, always to
@@ -19,6 +19,8 @@ namespace actio::bodies {
 /// takes the error next to the separatrix down to what one rounding of the start makes. Steps of more than
 /// four radians there, of which one may pass by the middle axis more than once, are evaluated from the start,
 /// each as `at` of the body does it.
+///
+/// \snippet bodies.cpp free_steps
 class FreeSteps {
  public:
   /// @param body  where it starts

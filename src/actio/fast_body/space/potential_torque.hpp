@@ -49,6 +49,7 @@ inline Three<double> torque_of_slope(NineEntries const& rotation, NineEntries co
 
 /// The torque of a potential.
 ///
+/// \snippet bodies.cpp potential_torque
 /// @tparam Potential  (NineEntries const& rotation, double time, NineEntries& slope) -> double: V, energy,
 ///                    and its derivatives by the entries of the rotation, which takes the body to space
 template <class Potential>

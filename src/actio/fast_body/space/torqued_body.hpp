@@ -183,6 +183,7 @@ struct TorquedSteps {
 
 /// A body under a torque.
 ///
+/// \snippet bodies.cpp torqued_body
 /// @tparam Torque  (Four<double> const& attitude, double time) -> Three<double>: the torque on the body in
 ///                 its own axes, energy, from the unit quaternion (scalar first) that takes the body to space
 template <class Torque>

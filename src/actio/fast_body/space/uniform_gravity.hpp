@@ -51,6 +51,8 @@ class UniformGravity {
 };
 
 /// The torque of a uniform field.
+///
+/// \snippet bodies.cpp torqued_body
 /// @param lever    mass times the amount of gravity times the way from the fixed point to the centre of mass,
 ///                 in the axes of the body; energy
 /// @param gravity  of any length but zero, in space

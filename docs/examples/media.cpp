@@ -1,0 +1,136 @@
+// Examples of the modules stored_energy, fast_media, meshes, multisymplectic and media_on_meshes.
+#include "actio/fast_media/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_3d.hpp"
+#include "actio/media_on_meshes/medium_on_mesh.hpp"
+#include "actio/meshes/body_shapes.hpp"
+#include "actio/meshes/gmsh_mesh.hpp"
+#include "actio/multisymplectic/discrete_noether.hpp"
+#include "actio/multisymplectic/step_field_equations.hpp"
+#include "actio/noether/isometries.hpp"
+#include "actio/stored_energy/stored_energies.hpp"
+
+#include "example.hpp"
+
+BOOST_AUTO_TEST_SUITE(examples_of_media)
+using namespace actio;
+using namespace actio::media;
+
+// ---- stored_energy
+
+BOOST_AUTO_TEST_CASE(materials) {
+  // [neo_hookean]
+  // Rubber with lambda = 2 and mu = 1 (speeds squared: moduli over the mass density), stretched by 1.5.
+  auto const rubber = stored_energy<3>(neo_hookean(2, 1));
+  Matrix<double, 3, 3> F = Matrix<double, 3, 3>::Identity();
+  assert(rubber->energy(F) == 0 && rubber->stress(F).norm() == 0);  // no stress at rest
+  F(0, 0) = 1.5;
+  double const l = std::log(1.5);  // mu/2 (tr C - 3) - mu log J + lambda/2 log^2 J
+  assert(std::abs(rubber->energy(F) - (0.5 * (1.5 * 1.5 - 1) - l + l * l)) < 1e-15);
+  // [neo_hookean]
+  // [isentropic_gas]
+  // Air of 1.2 kg/m^3 at 101325 Pa: the pressure is K (rho/J)^1.4.
+  double const rho = 1.2, K = 101325 / std::pow(rho, 1.4);
+  auto const air = stored_energy<2>(isentropic_gas(K, 1.4));
+  Matrix<double, 2, 2> const still = Matrix<double, 2, 2>::Identity();
+  assert(std::abs(-air->weight(rho) * air->stress(still)(0, 0) / 101325 - 1) < 1e-14);
+  // [isentropic_gas]
+  // [own_energy]
+  // An energy of your own, per unit mass, over any scalar; its stress is its derivative.
+  auto const spring = []<class T>(Matrix<T, 2, 2> const& A) { return T(A.squaredNorm() / 2.0 - 1.0); };
+  auto const own = stored_energy<2>(spring);
+  assert((own->stress(still) - still).norm() < 1e-15);
+  // [own_energy]
+}
+
+// ---- fast_media
+
+BOOST_AUTO_TEST_CASE(a_sheet_of_rubber) {
+  // [fast_medium_2d]
+  // A sheet of rubber, 12 by 8 cells of 0.1, is stretched, set turning and let go.
+  auto const placed = [](auto const& X) { return std::array{1.3 * X[0], X[1]}; };
+  auto const turning = [](auto const& X) { return std::array{-X[1], X[0]}; };
+  FastMedium2d sheet(neo_hookean(2, 1), FastBox2d{{12, 8}, {0.1, 0.1}}, 0.02, 1, placed, turning);
+  double const angular = sheet.angular_momentum(), energy = sheet.energy();
+  sheet.step(1000);
+  assert(std::abs(sheet.angular_momentum() / angular - 1) < 1e-12);  // conserved to rounding
+  assert(std::abs(sheet.energy() / energy - 1) < 0.02);              // oscillates with the square of the step
+  // [fast_medium_2d]
+  // [fast_box_2d]
+  FastBox2d box{{12, 8}, {0.1, 0.1}};            // cells and their lengths; all sides are free
+  box.left_right = {Side::fixed, Side::sliding};  // held at the left, sliding along the right
+  assert(box.count() == 13 * 9 && box.nodes(0) == 13 && std::abs(box.measure() - 0.01) < 1e-16);
+  // [fast_box_2d]
+}
+
+BOOST_AUTO_TEST_CASE(a_block_of_rubber) {
+  // [fast_medium_3d]
+  auto const at_home = [](auto const& X) { return X; };
+  auto const pushed = [](auto const&) { return std::array{1.0, 0.0, 0.5}; };
+  FastMedium3d block(neo_hookean(2, 1), FastBox3d{{4, 4, 4}, {0.1, 0.1, 0.1}}, 0.02, 1, at_home, pushed);
+  block.step(50);  // it flies: one unit of time
+  assert(std::abs(block.places()[0][0] - 1) < 1e-12 && std::abs(block.places()[0][2] - 0.5) < 1e-12);
+  // [fast_medium_3d]
+}
+
+// ---- meshes
+
+BOOST_AUTO_TEST_CASE(meshes) {
+  // [box_mesh]
+  BodyMesh const beam = box_mesh({0, 0, 0}, {4, 1, 1}, {8, 2, 2});
+  assert(beam.nodes.size() == 9 * 3 * 3 && beam.sides.count("left") == 1);
+  // [box_mesh]
+  // [gmsh_mesh_of]
+  // Two triangles, as Gmsh writes them; `gmsh_mesh` reads a file.
+  std::string const text =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+      "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+      "$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n$EndElements\n";
+  BodyMesh const square = gmsh_mesh_of(text, "square.msh");
+  assert(square.cells.size() == 2 && square.nodes.size() == 4);
+  // [gmsh_mesh_of]
+}
+
+// ---- media_on_meshes
+
+BOOST_AUTO_TEST_CASE(a_beam) {
+  // [medium_on_mesh]
+  // A beam of rubber, held at its left end and pushed sideways.
+  BodyStart<3> start;  // density 1, undeformed
+  start.velocity = [](auto const& X) { return std::array{0.0, 0.1 * X[0], 0.0}; };
+  MediumOnMesh<3> beam(box_mesh({0, 0, 0}, {4, 1, 1}, {8, 2, 2}), stored_energy<3>(neo_hookean(2, 1)), start,
+                       {.step = 0.02}, {{"left", {Side::fixed, {}}}});
+  beam.step(50);
+  assert(beam.places()[0] == (std::array{0.0, 0.0, 0.0}));  // a node of the side
+  assert(beam.places()[8][1] > 0.05);                       // one of the free end
+  // [medium_on_mesh]
+}
+
+// ---- multisymplectic
+
+BOOST_AUTO_TEST_CASE(own_density) {
+  // [step_of_a_section]
+  // Born and Infeld's density: every wave f(X - t) is a solution.
+  auto const density = []<class T>(Jet<T, 1, 1> const& j) {
+    using std::sqrt;
+    return T(-sqrt(T(1.0 - j.v(0, 0) * j.v(0, 0) + j.v(0, 1) * j.v(0, 1))));
+  };
+  using Point = Matrix<double, 1, 1>;
+  auto const wave = [](Event<double, 1> const& x) {  // x = (t, X)
+    return Point(0.5 * std::exp(-(x[1] - x[0]) * (x[1] - x[0])));
+  };
+  // 100 cells and 30 steps; the wave gives the first two levels, and the values at the ends.
+  SpaceTimeMesh<double, 1> const mesh(equal_steps(0.0, 0.08, 30), {100}, all_sides<1>(Side::fixed),
+                                      StraightBox<double, 1>{Point(-5.0), Point(8.0)});
+  auto y = restricted(mesh, wave, 2);
+  while (y.last() + 1 < mesh.levels()) step(density, mesh, y, wave);
+  assert(std::abs((y(30, 56) - wave(mesh.event(30, 56)))[0]) < 0.01);
+  // [step_of_a_section]
+  // [noether_balance]
+  // A shift of y is a symmetry: the momentum over the boundary of a box of space-time.
+  auto const shift = motion_of_space<1>([](auto const& z) { return 0.0 * z + Point(1.0); });
+  auto const balance = noether_balance(density, shift, mesh, y, CellBox<1>{5, 20, {{30}}, {{40}}});
+  assert(std::abs(balance.sum / balance.terms) < 1e-13);
+  // [noether_balance]
+}
+
+BOOST_AUTO_TEST_SUITE_END()
