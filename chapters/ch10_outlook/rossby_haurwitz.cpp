@@ -115,7 +115,8 @@ std::string wave_on_discs() {
     discs += book::sphere_disc({120 + 240.0 * k, 120}, 108, grid, values_on(grid, f), largest, {20, 35});
     discs += book::svg::label({120 + 240.0 * k, 250}, "day " + std::to_string(k), "middle");
   }
-  return book::svg::picture(480, 262, discs);
+  discs += book::colour_bar({140, 284}, 200, largest, "vorticity, less that of the sphere");
+  return book::svg::picture(480, 314, discs);
 }
 
 int main(int argc, char** argv) {
