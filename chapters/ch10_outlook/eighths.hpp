@@ -48,12 +48,13 @@ inline void show_eighths(book::Program& program, Eighths const& whole, Eighths c
                     two(half.deviation[k])});
   rows.push_back({"trend per eighth, with its standard error", two(whole.trend), two(whole.uncertainty),
                   two(half.trend), two(half.uncertainty)});
-  program.table("eighths",
-                {"eighth of the run", "mean, step " + book::number(step), "deviation",
-                 "mean, step " + book::number(step / 2), "deviation"},
-                rows,
-                "The relative change of the energy, for two runs over the same time: mean and standard "
-                "deviation in each eighth; in the last line the trend of the means from the second eighth on.");
+  program.table(
+      "eighths",
+      {"eighth of the run", "mean, step " + book::number(step), "deviation",
+       "mean, step " + book::number(step / 2), "deviation"},
+      rows,
+      "The relative change of the energy, for two runs over the same time: mean and standard "
+      "deviation in each eighth; in the last line the trend of the means from the second eighth on.");
   auto const figure = [&](char const* name, double value, char const* meaning) {
     program.figure(name, value, two(value), meaning);
   };

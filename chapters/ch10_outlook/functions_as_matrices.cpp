@@ -1,8 +1,9 @@
 // Functions on the sphere as matrices, the smallest ones written out in full.
 //
-// What is shown. The coordinates and the harmonics as matrices of two and of three rows; one flow as a matrix,
-// with its stream function, its rate and what it conserves; which part of a function stands on which diagonal;
-// and how the bracket of matrices of a few rows differs from that of functions. Read first. Section 10A.1.
+// What is shown. The coordinates and the harmonics as matrices of two and of three rows; one flow as a
+// matrix, with its stream function, its rate and what it conserves; which part of a function stands on which
+// diagonal; and how the bracket of matrices of a few rows differs from that of functions. Read first. Section
+// 10A.1.
 //
 //   S_j  spin matrices        T_lm  matrix of the harmonic Y_lm        W, P  vorticity and stream function
 #include <Eigen/Core>
@@ -70,7 +71,8 @@ void show_small(book::Program& program) {
   std::vector<book::Program::Row> coordinates, harmonics;
   for (int axis : {0, 1, 2}) {
     book::Program::Row row{formula("x_" + std::to_string(axis + 1))};
-    for (int n : {2, 3}) row.push_back(formula(written(QuantizedSphere(n).hbar() * QuantizedSphere(n).spin(axis))));
+    for (int n : {2, 3})
+      row.push_back(formula(written(QuantizedSphere(n).hbar() * QuantizedSphere(n).spin(axis))));
     coordinates.push_back(row);
   }
   program.table("coordinates", {"function", "$N=2$", "$N=3$"}, coordinates,
@@ -108,9 +110,10 @@ double show_flow(book::Program& program) {
   line("[P,W]", written(moves.complex()));
   auto const values = vorticity_values(w);
   line("\\text{spectrum of }-iW", root(values[0]) + ",\\;" + root(values[1]) + ",\\;" + root(values[2]));
-  program.table("flow", {"matrix", "its entries"}, rows,
-                "One flow on the smallest sphere on which anything moves: vorticity, stream function, $\\hbar$ "
-                "times the rate of change of the vorticity, and the three values of the vorticity.");
+  program.table(
+      "flow", {"matrix", "its entries"}, rows,
+      "One flow on the smallest sphere on which anything moves: vorticity, stream function, $\\hbar$ "
+      "times the rate of change of the vorticity, and the three values of the vorticity.");
   // The part of degree 1 is a.x; the rest turns about a at the rate |a|/3.
   double const a = std::sqrt(3 / (4 * M_PI)) * flow_on_three()(1, 0).real();
   SphereHarmonics rest = flow_on_three();
@@ -132,8 +135,7 @@ Parts bracket_of(int n) {
   f(2, 1) = -size, g(2, 1) = Number(0, size);
   auto const c = harmonics_of((1 / QuantizedSphere(n).hbar()) * commutator(matrix_of(f), matrix_of(g)));
   // [iF, iG] = i(iF G - G iF), and the bracket of functions is that of matrices over i hbar.
-  return {-c(1, 0).real() / std::sqrt(4 * M_PI / 3),
-          n > 3 ? -c(3, 0).real() / std::sqrt(4 * M_PI / 7) : 0};
+  return {-c(1, 0).real() / std::sqrt(4 * M_PI / 3), n > 3 ? -c(3, 0).real() / std::sqrt(4 * M_PI / 7) : 0};
 }
 Parts show_bracket(book::Program& program) {
   std::vector<book::Program::Row> rows;
@@ -143,13 +145,15 @@ Parts show_bracket(book::Program& program) {
     rows.push_back({std::to_string(n), number(last.first, 5), n > 3 ? number(last.third, 5) : "none",
                     n > 3 ? number(n * n * (0.8 - last.third), 4) : ""});
   }
-  program.table("bracket", {"N", "factor of $x_3$", "factor of $P_3(x_3)$", "$N^2$ times the error of the second"},
-                rows, "The bracket of $x_1x_3$ and $x_2x_3$ on matrices. On the sphere the factors are 0.2 and 0.8.");
+  program.table(
+      "bracket", {"N", "factor of $x_3$", "factor of $P_3(x_3)$", "$N^2$ times the error of the second"},
+      rows, "The bracket of $x_1x_3$ and $x_2x_3$ on matrices. On the sphere the factors are 0.2 and 0.8.");
   return last;
 }
 
 // 6. Pictures. A matrix as coloured cells, with numbers where there is room.
-std::string cells(book::svg::Point corner, double side, ComplexMatrix<> const& a, double largest, bool numbers) {
+std::string cells(book::svg::Point corner, double side, ComplexMatrix<> const& a, double largest,
+                  bool numbers) {
   std::string out;
   double const cell = side / static_cast<double>(a.rows());
   for (Eigen::Index i = 0; i < a.rows(); ++i)
@@ -160,8 +164,9 @@ std::string cells(book::svg::Point corner, double side, ComplexMatrix<> const& a
              "\" width=\"" + book::svg::pixel(cell) + "\" height=\"" + book::svg::pixel(cell) +
              "\" style=\"fill:" + book::colour_of(value, largest) + "\"/>\n";
       if (numbers)
-        out += book::svg::label({x + cell / 2, y + cell / 2 + 4}, std::abs(value) < 1e-14 ? "0" : number(value, 2),
-                                "middle", " style=\"fill:#22272d;font-size:11px\"");
+        out += book::svg::label({x + cell / 2, y + cell / 2 + 4},
+                                std::abs(value) < 1e-14 ? "0" : number(value, 2), "middle",
+                                " style=\"fill:#22272d;font-size:11px\"");
     }
   return out;
 }
@@ -189,7 +194,8 @@ std::string diagonals() {
   constexpr int n = 8;
   SphereGrid const grid = SphereGrid::uniform(80, 160);
   SphereHarmonics f(n);
-  f(1, 0) = 0.5, f(2, 0) = -0.6, f(4, 0) = 0.5, f(3, 1) = 0.55, f(4, 1) = -0.45, f(3, 3) = -0.5, f(5, 3) = 0.6;
+  f(1, 0) = 0.5, f(2, 0) = -0.6, f(4, 0) = 0.5, f(3, 1) = 0.55, f(4, 1) = -0.45, f(3, 3) = -0.5,
+       f(5, 3) = 0.6;
   double const strong = field_of(grid, f).cwiseAbs().maxCoeff(),
                entry = matrix_of(f).hermitian().real().cwiseAbs().maxCoeff();
   std::string out;
@@ -213,10 +219,11 @@ int main(int argc, char** argv) {
   show_small(program);
   double const turning = show_flow(program);
   auto const parts = show_bracket(program);
-  program.picture("dictionary", dictionary(),
-                  "The harmonics of degree 1 and 2, real parts, and below each its matrix of three rows, times "
-                  "$\\sqrt{4\\pi/3}$ and of norm 1. The order $m$ says on which diagonal it stands, the degree how "
-                  "its entries change along the diagonal.");
+  program.picture(
+      "dictionary", dictionary(),
+      "The harmonics of degree 1 and 2, real parts, and below each its matrix of three rows, times "
+      "$\\sqrt{4\\pi/3}$ and of norm 1. The order $m$ says on which diagonal it stands, the degree how "
+      "its entries change along the diagonal.");
   program.picture("diagonals", diagonals(),
                   "A function, its matrix of eight rows and their parts. What depends on the longitude as "
                   "$\\cos m\\varphi$ stands on the two diagonals at the distance $m$ from the main one.");
@@ -228,7 +235,8 @@ int main(int argc, char** argv) {
                             .real() *
                         std::pow(QuantizedSphere(3).hbar(), 2);
   program.claim(measured(std::abs(square - 1)) < 1e-15, "the squares of the coordinates add up to 1");
-  program.claim(measured(turning) < 1e-14, "the flow on three rows turns its part of degree 2 at a third of a");
+  program.claim(measured(turning) < 1e-14,
+                "the flow on three rows turns its part of degree 2 at a third of a");
   program.claim(measured(std::abs(parts.first - 0.2) + std::abs(parts.third - 0.8)) < 3e-3,
                 "with 48 rows the bracket is near that of functions");
   program.figure("turning", turning, "relative difference of [P, W] from a rotation, on three rows");

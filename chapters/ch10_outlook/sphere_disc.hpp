@@ -76,8 +76,7 @@ class FieldOnSphere {
 /// to 1.
 template <class Value>
 std::string coloured_ellipse(svg::Point at, double across, double up, double largest, Value const& value) {
-  int const width = static_cast<int>(std::lround(2 * across)),
-            height = static_cast<int>(std::lround(2 * up));
+  int const width = static_cast<int>(std::lround(2 * across)), height = static_cast<int>(std::lround(2 * up));
   std::vector<unsigned char> cells;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {

@@ -2,7 +2,7 @@
 //
 // What is shown. Vortices of one sign merge, and the energy goes to the largest scales while enstrophy goes
 // to the small ones: at the end a few vortices are left. Every invariant of the flow is what it was in the
-// beginning, the whole spectrum of the matrix with it; the form of all invariants is used. Read first.
+// beginning, the whole spectrum of the matrix with it; the variant of all invariants is used. Read first.
 // Section 10A.6.
 //
 //   W   vorticity as a matrix, of angular momentum zero       l   degree of a harmonic
