@@ -76,7 +76,7 @@ void show_small(book::Program& program) {
     coordinates.push_back(row);
   }
   program.table("coordinates", {"function", "$N=2$", "$N=3$"}, coordinates,
-                "The coordinates of the sphere as matrices, $\\hbar S_1$, $\\hbar S_2$ and $\\hbar S_3$.");
+                "The coordinates of the sphere as matrices of two and of three rows.");
   for (int l : {1, 2})
     for (int m = 0; m <= l; ++m) {
       book::Program::Row row{formula("Y_{" + std::to_string(l) + std::to_string(m) + "}")};
@@ -145,9 +145,9 @@ Parts show_bracket(book::Program& program) {
     rows.push_back({std::to_string(n), number(last.first, 5), n > 3 ? number(last.third, 5) : "none",
                     n > 3 ? number(n * n * (0.8 - last.third), 4) : ""});
   }
-  program.table(
-      "bracket", {"N", "factor of $x_3$", "factor of $P_3(x_3)$", "$N^2$ times the error of the second"},
-      rows, "The bracket of $x_1x_3$ and $x_2x_3$ on matrices. On the sphere the factors are 0.2 and 0.8.");
+  program.table("bracket",
+                {"N", "factor of $x_3$", "factor of $P_3(x_3)$", "$N^2$ times the error of the second"}, rows,
+                "The bracket of the two functions on matrices. On the sphere the factors are 0.2 and 0.8.");
   return last;
 }
 
@@ -166,7 +166,8 @@ std::string cells(book::svg::Point corner, double side, ComplexMatrix<> const& a
       if (numbers)
         out += book::svg::label({x + cell / 2, y + cell / 2 + 4},
                                 std::abs(value) < 1e-14 ? "0" : number(value, 2), "middle",
-                                " style=\"fill:#22272d;font-size:11px\"");
+                                std::abs(value) > 0.6 * largest ? " style=\"fill:#ffffff;font-size:11px\""
+                                                                : " style=\"fill:#22272d;font-size:11px\"");
     }
   return out;
 }
@@ -221,9 +222,9 @@ int main(int argc, char** argv) {
   auto const parts = show_bracket(program);
   program.picture(
       "dictionary", dictionary(),
-      "The harmonics of degree 1 and 2, real parts, and below each its matrix of three rows, times "
-      "$\\sqrt{4\\pi/3}$ and of norm 1. The order $m$ says on which diagonal it stands, the degree how "
-      "its entries change along the diagonal.");
+      "The harmonics of degree 1 and 2, real parts, and below each its matrix of three rows, scaled to the "
+      "norm 1. The order $m$ says on which diagonal it stands, the degree how its entries change "
+      "along the diagonal.");
   program.picture("diagonals", diagonals(),
                   "A function, its matrix of eight rows and their parts. What depends on the longitude as "
                   "$\\cos m\\varphi$ stands on the two diagonals at the distance $m$ from the main one.");
