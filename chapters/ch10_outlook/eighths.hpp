@@ -44,13 +44,13 @@ inline void show_eighths(book::Program& program, Eighths const& whole, Eighths c
   std::vector<book::Program::Row> rows;
   auto const two = [](double x) { return book::number(x, 2); };
   for (std::size_t k = 0; k < 8; ++k)
-    rows.push_back({std::to_string(k + 1), two(whole.mean[k]), two(whole.deviation[k]), two(half.mean[k]),
-                    two(half.deviation[k])});
+    rows.push_back({"eighth " + std::to_string(k + 1), two(whole.mean[k]), two(whole.deviation[k]),
+                    two(half.mean[k]), two(half.deviation[k])});
   rows.push_back({"trend per eighth, with its standard error", two(whole.trend), two(whole.uncertainty),
                   two(half.trend), two(half.uncertainty)});
   program.table(
       "eighths",
-      {"eighth of the run", "mean, step " + book::number(step), "deviation",
+      {"part of the run", "mean, step " + book::number(step), "deviation",
        "mean, step " + book::number(step / 2), "deviation"},
       rows,
       "The relative change of the energy, for two runs over the same time: mean and standard "

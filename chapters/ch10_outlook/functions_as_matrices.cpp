@@ -146,7 +146,7 @@ Parts show_bracket(book::Program& program) {
                     n > 3 ? number(n * n * (0.8 - last.third), 4) : ""});
   }
   program.table("bracket",
-                {"N", "factor of $x_3$", "factor of $P_3(x_3)$", "$N^2$ times the error of the second"}, rows,
+                {"N", "factor of $x_3$", "factor of $\\mathsf P_3(x_3)$", "$N^2$ times the error of the second"}, rows,
                 "The bracket of the two functions on matrices. On the sphere the factors are 0.2 and 0.8.");
   return last;
 }
