@@ -145,8 +145,8 @@ Parts show_bracket(book::Program& program) {
     rows.push_back({std::to_string(n), number(last.first, 5), n > 3 ? number(last.third, 5) : "none",
                     n > 3 ? number(n * n * (0.8 - last.third), 4) : ""});
   }
-  program.table("bracket",
-                {"N", "factor of $x_3$", "factor of $\\mathsf P_3(x_3)$", "$N^2$ times the error of the second"}, rows,
+  program.table("bracket", {"N", "factor of $x_3$", "factor of $\\mathsf P_3(x_3)$", "$N^2$ times its error"},
+                rows,
                 "The bracket of the two functions on matrices. On the sphere the factors are 0.2 and 0.8.");
   return last;
 }
