@@ -1,4 +1,4 @@
-// A cloud of gas spreads into empty space: a mesh beside the exact ellipse, and both conserving forms.
+// A cloud of gas spreads into empty space: a mesh beside the exact ellipse, and both conserving variants.
 //
 // What is shown. The cloud of chapter 6 stays an ellipse, x = A(t) X, and A is known to rounding. A smooth
 // mesh follows it with an error of second order, one whose lines have kinks with a lower one. With
@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
     rows.push_back(
         {name, number(r.error), number(r.energy, 2), number(r.angular, 2), number(r.circulation, 2)});
   program.table("switch", {"conserve", "error", "energy", "angular momentum", "circulation"}, rows,
-                "The two forms on the smooth mesh with 24 cells across.");
+                "The two variants on the smooth mesh with 24 cells across.");
   program.picture("ellipse", picture(), "The cells at three times, and the rim of the exact ellipse.");
   double const order = smooth.back().order, kinked_order = kinked.back().order;
   program.figure("order", order, number(order, 4), "order of the error between the two finest meshes");
@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
   program.claim(measured(std::abs(order - 2)) < 0.05, "on a smooth mesh the error has order 2");
   // Some tens of roundings of a sum of a few hundred terms.
   program.claim(measured(std::max(smooth.back().angular, energy.angular)) < 1e-13,
-                "angular momentum stays with both forms");
+                "angular momentum stays with both variants");
   program.claim(measured(energy.energy) < 1e-13 && measured(form.energy) > 1e-6,
                 "energy stays with the second, and not with the first");
   program.headline("order " + number(order, 4) + " on an ellipse in empty space", order);

@@ -1,10 +1,10 @@
-// Order 4 for the fluid on the sphere: which weights, which form, with the projection along the orbit or
+// Order 4 for the fluid on the sphere: which weights, which variant, with the projection along the orbit or
 // without.
 //
-// What is shown. Every form of a step, composed of substeps with the weights b of the triple jump, of Suzuki
-// or of McLachlan, is of order 4; each composition conserves what its form does, and the projection along the
-// orbit adds what is left. Each is run with several steps: its error, against order 6 with short ones, is set
-// against the products of matrices that it took. Read first. "Order four" of section 10A.4.
+// What is shown. Every variant of a step, composed of substeps with the weights b of the triple jump, of
+// Suzuki or of McLachlan, is of order 4; each composition conserves what its variant does, and the projection
+// along the orbit adds what is left. Each is run with several steps: its error, against order 6 with short
+// ones, is set against the products of matrices that it took. Read first. "Order four" of section 10A.4.
 //
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Core>
@@ -85,7 +85,7 @@ void show_weights(book::Program& program, NamedWeights const& sets) {
                 "Constants of the error of compositions of order 4, for a step and for the same work.");
 }
 
-// 4. The schemes: single steps, every set of weights, every form, with the projection and without.
+// 4. The schemes: single steps, every set of weights, every variant, with the projection and without.
 std::vector<Scheme> all_schemes(NamedWeights const& sets) {
   using enum Conserved;
   std::vector<Scheme> schemes{{"all invariants", "one step", all_invariants, {1.0}, 2, false}};
@@ -113,8 +113,8 @@ void show(book::Program& program, std::vector<Scheme> const& schemes) {
   for (Scheme const& s : schemes)
     rows.push_back({s.name, s.weights, number(s.measured_order()), number(s.products()), number(s.energy, 2),
                     number(s.momentum, 2), number(s.spectrum, 2)});
-  program.table("schemes", {"form", "weights", "order", "products", "energy", "angular momentum", "spectrum"},
-                rows,
+  program.table("schemes",
+                {"variant", "weights", "order", "products", "energy", "angular momentum", "spectrum"}, rows,
                 "Order; complex products for a unit of time at an error of " + number(accuracy) +
                     " (extrapolated for single steps); relative changes of the invariants, N = " +
                     std::to_string(size) + ".");
@@ -125,7 +125,7 @@ void show(book::Program& program, std::vector<Scheme> const& schemes) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "order 4 for the fluid on the sphere, in three forms");
+  book::Program program(argc, argv, "order 4 for the fluid on the sphere, in three variants");
   program.say("a flow at random from seed ", seed);
   NamedWeights const sets{
       {"triple jump", triple_jump<double>()}, {"Suzuki", suzuki<double>()}, {"McLachlan", mclachlan()}};
@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
   program.claim(measured(std::max(spectrum, rest)) < 1e-12,
                 "every scheme conserves the spectrum; all invariants and the projections conserve the rest");
   program.claim(measured(std::min(schemes[4].energy, schemes[6].momentum)) > 1e-12,
-                "the other forms give up energy or angular momentum");
+                "the other variants give up energy or angular momentum");
   program.claim(measured(std::min({times(1), times(3), times(5)})) > 1,
                 "all invariants with Suzuki's weights take the fewest products");
   program.headline("order 4: " + number(times(0), 2) + " times fewer products for eight digits", times(0));

@@ -2,7 +2,7 @@
 //
 // What is shown. A single harmonic of degree l drifts to the west on a rotating sphere at the rate 2
 // Omega/(l(l+1)), and keeps its shape. The matrices have this motion exactly, with the rate of the fluid.
-// Three forms of a step follow it: the Lie-Poisson form to second order, the other two to rounding in a
+// Three variants of a step follow it: the Lie-Poisson one to second order, the other two to rounding in a
 // single step, if the frame turns with the wave. Read first. Section 10A.5.
 //
 //   zeta   vorticity in the rotating frame       W   absolute vorticity, zeta + 2 Omega cos(theta)
@@ -41,7 +41,7 @@ SkewHermitian<> exact(double t) {
   return about_pole((rotation + drift_of(degree)) * t, absolute(wave()));
 }
 
-// 3. The state after some time, in `steps` steps of one form; its error, and the drift that is seen.
+// 3. The state after some time, in `steps` steps of one variant; its error, and the drift that is seen.
 struct Followed {
   double error, drift;
 };
@@ -70,7 +70,7 @@ double error_of(Conserved form, int steps, bool turning) {
   }
 }
 
-// 4. The errors of three forms, the first one in a frame at rest too, for steps of six lengths.
+// 4. The errors of three variants, the first one in a frame at rest too, for steps of six lengths.
 struct Errors {
   std::vector<double> lengths, of[4];
 };
@@ -115,7 +115,8 @@ std::string wave_on_discs() {
     discs += book::sphere_disc({120 + 240.0 * k, 120}, 108, grid, values_on(grid, f), largest, {20, 35});
     discs += book::svg::label({120 + 240.0 * k, 250}, "day " + std::to_string(k), "middle");
   }
-  return book::svg::picture(480, 262, discs);
+  discs += book::colour_bar({140, 284}, 200, largest, "vorticity, less that of the sphere");
+  return book::svg::picture(480, 314, discs);
 }
 
 int main(int argc, char** argv) {
@@ -127,21 +128,21 @@ int main(int argc, char** argv) {
       book::exponent({lengths.begin() + 2, lengths.end()}, {errors[1].begin() + 2, errors[1].end()});
   double const one_step = std::max(errors[2][0], errors[3][0]);
   auto const seen = follow(Conserved::all_invariants, 1, true);
-  program.figure("order", slope, "order of the Lie-Poisson form");
-  program.figure("one_step", one_step, "relative error of the other two forms after a single step");
+  program.figure("order", slope, "order of the Lie-Poisson variant");
+  program.figure("one_step", one_step, "relative error of the other two variants after a single step");
   program.figure("drift", seen.drift, book::number(seen.drift, 12),
                  "drift of the wave in one step, radians per unit of time");
   program.figure("exact_drift", drift_of(degree), book::number(drift_of(degree), 12),
                  "the drift of the fluid");
   program.picture("wave", wave_on_discs(),
                   "The vorticity of the wave, seen by an observer on the rotating sphere, at "
-                  "the start and after eight steps of the form of all invariants: it drifts "
+                  "the start and after eight steps of the variant of all invariants: it drifts "
                   "to the west and keeps its shape.");
 
   // 6. What must be so. Rounding of a solved step: a hundred epsilon for each of some ten evaluations.
   double const eps = std::numeric_limits<double>::epsilon();
-  program.claim(std::abs(slope - 2) < 0.1, "the Lie-Poisson form has order 2");
-  program.claim(book::measured(one_step) < 1000 * eps, "one step of the other forms is exact to rounding");
+  program.claim(std::abs(slope - 2) < 0.1, "the Lie-Poisson variant has order 2");
+  program.claim(book::measured(one_step) < 1000 * eps, "one step of the other variants is exact to rounding");
   program.claim(book::measured(std::abs(seen.drift - drift_of(degree))) < 1000 * eps,
                 "the wave drifts as in the fluid");
   program.headline("the wave exact to " + book::number(one_step, 2) + " in one step", one_step);

@@ -12,6 +12,7 @@
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
+#include "eighths.hpp"
 
 using namespace actio;
 using namespace actio::media;
@@ -62,23 +63,6 @@ Kept kept(double dt, long steps) {
   return out;
 }
 
-// Mean and standard deviation of the energy's change in each eighth of a run.
-struct Eighth {
-  double mean = 0, deviation = 0;
-};
-std::array<Eighth, 8> eighths(std::vector<double> const& band) {
-  std::array<Eighth, 8> out;
-  std::size_t const count = band.size() / 8;
-  for (std::size_t k = 0; k < 8; ++k) {
-    for (std::size_t i = k * count; i < (k + 1) * count; ++i)
-      out[k].mean += band[i] / static_cast<double>(count);
-    for (std::size_t i = k * count; i < (k + 1) * count; ++i)
-      out[k].deviation += std::pow(band[i] - out[k].mean, 2) / static_cast<double>(count);
-    out[k].deviation = std::sqrt(out[k].deviation);
-  }
-  return out;
-}
-
 // 3. The block in flight. A throw and its weight move every node alike, along a parabola: in the discrete
 //    equations as well, where second differences of t and t^2 are exact. So they are added to the places.
 std::string flight() {
@@ -106,40 +90,21 @@ std::string flight() {
   return plot.svg();
 }
 
-// 4. The energy in eighths of the run: where the mean goes, in units of the oscillation about it, from the
-//    second eighth to the last; and the oscillation, over all eighths but the first.
-double drift_of(std::array<Eighth, 8> const& of) { return (of[7].mean - of[1].mean) / of[7].deviation; }
-double oscillation_of(std::array<Eighth, 8> const& of) {
-  double sum = 0;
-  for (std::size_t k = 1; k < 8; ++k) sum += of[k].deviation;
-  return sum / 7;
-}
+// 4. The energy in eighths of the run: where the mean goes, in units of the oscillation about it.
 void show_energy(book::Program& program, Kept const& run, Kept const& half) {
-  auto const whole_step = eighths(run.band), half_step = eighths(half.band);
-  std::vector<book::Program::Row> rows;
-  for (std::size_t k = 0; k < 8; ++k)
-    rows.push_back({std::to_string(k + 1), book::number(whole_step[k].mean, 2),
-                    book::number(whole_step[k].deviation, 2), book::number(half_step[k].mean, 2),
-                    book::number(half_step[k].deviation, 2)});
-  program.table(
-      "eighths", {"eighth", "mean, step " + book::number(step), "deviation", "mean, half of it", "deviation"},
-      rows, "The relative change of the energy in each eighth of the run: mean and standard deviation.");
+  Eighths const whole_step(run.band), half_step(half.band);
+  show_eighths(program, whole_step, half_step, step);
   auto plot = book::Plot("time", "relative change of the energy");
-  plot.curve(run.times, run.band, "step " + book::number(step)).curve(half.times, half.band, "half of it");
+  plot.curve(run.times, run.band, "step " + book::number(step))
+      .curve(half.times, half.band, "step " + book::number(step / 2));
   program.picture("energy", plot.svg(),
                   "The energy with the step and with half of it. It oscillates; with the "
                   "longer step its mean drifts as well.");
-  double const drift = drift_of(whole_step), half_drift = drift_of(half_step),
-               ratio = oscillation_of(whole_step) / oscillation_of(half_step),
-               widening = whole_step[7].deviation / whole_step[1].deviation;
-  program.figure("drift", drift, book::number(drift, 2),
-                 "deviations by which the mean changes from the second eighth to the last");
-  program.figure("half_drift", half_drift, book::number(half_drift, 2), "the same with half the step");
-  program.figure("ratio", ratio, "oscillation of the energy over that with half the step");
-  program.figure("widening", widening, "oscillation in the last eighth over that in the second");
+  double const ratio = whole_step.oscillation / half_step.oscillation;
   program.claim(book::measured(std::abs(ratio - 4)) < 1, "half the step, a quarter of the oscillation");
-  program.claim(book::measured(widening) < 1.5, "the oscillation does not grow");
-  program.claim(book::measured(std::abs(half_drift)) < 1,
+  program.claim(book::measured(whole_step.deviation[7] / whole_step.deviation[1]) < 1.5,
+                "the oscillation does not grow");
+  program.claim(book::measured(std::abs(half_step.drift())) < 1,
                 "with half the step the mean stays where it is, within the oscillation");
 }
 

@@ -2,7 +2,7 @@
 //
 // What is shown. Vortices of one sign merge, and the energy goes to the largest scales while enstrophy goes
 // to the small ones: at the end a few vortices are left. Every invariant of the flow is what it was in the
-// beginning, the whole spectrum of the matrix with it; the form of all invariants is used. Read first.
+// beginning, the whole spectrum of the matrix with it; the variant of all invariants is used. Read first.
 // Section 10A.6.
 //
 //   W   vorticity as a matrix, of angular momentum zero       l   degree of a harmonic
@@ -11,7 +11,7 @@
 #include "actio/quantized_sphere/sphere_invariants.hpp"
 #include "actio/sphere_fields/sphere_transform.hpp"
 #include "actio/sphere_fields/symbols.hpp"
-#include "actio/vorticity/vorticity_step.hpp"
+#include "actio/vorticity/fast_vorticity_step.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
 #include "random_flow.hpp"
@@ -20,8 +20,8 @@
 using namespace actio;
 using namespace actio::sphere;
 
-constexpr int size = 36, steps = 1400;
-constexpr double h = 0.1;
+constexpr int size = 128, steps = 1400;
+constexpr double h = 0.03;
 unsigned const seed = 4;
 
 // 1. A flow of the degrees 4 to 8, whose vorticity has mean square 1.
@@ -33,15 +33,6 @@ SkewHermitian<> flow_at_random() {
   return matrix_of(f);
 }
 
-// 2. Both sides of the sphere.
-std::string both_sides(SphereGrid const& grid, SphereHarmonics const& f, double down, double largest,
-                       std::string const& name) {
-  auto const field = values_on(grid, f);
-  return book::sphere_disc({110, down + 105}, 98, grid, field, largest, {20, 25}) +
-         book::sphere_disc({330, down + 105}, 98, grid, field, largest, {200, -25}) +
-         book::svg::label({220, down + 222}, name, "middle");
-}
-
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "vortices on the sphere merge, and every invariant stays");
   program.say("a flow at random from seed ", seed);
@@ -49,18 +40,19 @@ int main(int argc, char** argv) {
   auto w = flow_at_random();
   double const energy = vorticity_energy(laplacian, w), flow = std::sqrt(2 * energy);
   auto const values = vorticity_values(w);
-  VorticityStep step(laplacian, Conserved::all_invariants, h);
-  SphereGrid const grid = SphereGrid::uniform(72, 144);
+  FastVorticityStep step(laplacian, Conserved::all_invariants, h);
+  SphereGrid const grid = SphereGrid::uniform(128, 256);
 
-  // 3. The run: pictures at three times, and the energy by degrees.
-  std::string discs;
+  // 2. The run: maps of the whole sphere at three times, and the energy by degrees.
+  std::string maps;
   double down = 0, largest = 0;
   auto const look = [&](int k) {
     // Berezin's symbol: the vorticity without the scales below the resolution.
-    auto const f = symbol_of(w, Symbol::berezin);
-    if (k == 0) largest = values_on(grid, f).cwiseAbs().maxCoeff();
-    discs += both_sides(grid, f, down, largest, "time " + book::number(k * h));
-    down += 236;
+    auto const field = values_on(grid, symbol_of(w, Symbol::berezin));
+    if (k == 0) largest = field.cwiseAbs().maxCoeff();
+    maps += book::sphere_map({260, down + 106}, 400, grid, field, largest);
+    maps += book::svg::label({10, down + 18}, "time " + book::number(k * h));
+    down += 220;
   };
   std::vector<double> times, large, middle;
   auto const spectrum = [&](int k) {
@@ -72,16 +64,17 @@ int main(int argc, char** argv) {
   for (int k = 1; k <= steps; ++k) {
     step.advance(w);
     if (k % 20 == 0) spectrum(k);
-    if (k == steps / 8 || k == steps) look(k);
+    if (k == steps / 7 || k == steps) look(k);
   }
-  program.picture("late", book::svg::picture(440, down, discs),
-                  "The vorticity on the two sides of the sphere, at three times: blue "
+  maps += book::colour_bar({160, down + 20}, 200, largest, "vorticity");
+  program.picture("late", book::svg::picture(520, down + 50, maps),
+                  "The vorticity on the whole sphere, in a projection of equal areas, at three times: blue "
                   "turns clockwise, red the other way.");
   auto plot = book::Plot("time", "share of the energy");
   plot.curve(times, large, "degrees 1 to 3").curve(times, middle, "degrees 4 to 8");
   program.picture("shares", plot.svg(), "The energy moves to the largest scales.");
 
-  // 4. What has stayed.
+  // 3. What has stayed.
   double const energy_change = std::abs(vorticity_energy(laplacian, w) / energy - 1);
   double const momentum = sphere_momentum(w).norm() / flow;
   double const unit = norm(w) / std::sqrt(double(size));

@@ -1,5 +1,5 @@
 // The reference of the package actio of Python: what the built module says of itself, for the page
-// docs/pages/24b_python_reference.md. A command `\pythonreference{run,load}` on its own line is replaced by the
+// docs/pages/07_python_reference.md. A command `\pythonreference{run,load}` on its own line is replaced by the
 // entries of these names: signature, docstring, and for a class its members.
 import fs from 'node:fs';
 import path from 'node:path';
