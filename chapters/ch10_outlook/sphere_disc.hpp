@@ -13,8 +13,8 @@ namespace book {
 /// @param largest  the value of the strongest colour
 inline std::string sphere_disc(svg::Point at, double radius, actio::sphere::SphereGrid const& grid,
                                actio::sphere::GridField const& field, double largest, SeenFrom eye) {
-  return globe(at, radius,
-               {grid.latitudes(), grid.longitudes, {field.data(), field.data() + field.size()}}, largest, eye);
+  return globe(at, radius, {grid.latitudes(), grid.longitudes, {field.data(), field.data() + field.size()}},
+               largest, eye);
 }
 
 }  // namespace book

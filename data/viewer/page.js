@@ -230,7 +230,11 @@ function tellSummary() {
   }
 }
 
+/** A page in a frame rests while the frame is out of sight. */
+let inSight = true;
 function drawAll(milliseconds) {
+  requestAnimationFrame(drawAll);
+  if (!inSight) return;
   if (player) player.frame(milliseconds);
   if (dirty) {
     dirty = false;
@@ -238,13 +242,15 @@ function drawAll(milliseconds) {
     for (const stage of stages) stage.draw(now);
     for (const panel of panels) panel.draw();
   }
-  requestAnimationFrame(drawAll);
 }
 
 /** #t=12.5 stands for a moment, #play for playing from it, #stage for the moving picture alone, again and again. */
 function begin() {
   const alone = /[#&]stage/.test(location.hash) && Boolean(document.body);
-  if (alone) document.body.classList.add("alone");
+  if (alone) {
+    document.body.classList.add("alone");
+    if (typeof IntersectionObserver === "function") new IntersectionObserver(([seen]) => { inSight = seen.isIntersecting; }).observe(document.body);
+  }
   tellScene();
   layOutCurves();
   raiseStages();

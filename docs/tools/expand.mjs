@@ -303,10 +303,11 @@ for (const p of pages) {
     },
     scenefile(name) { block(sceneCard(book.scenes.get(name))); },
     sceneviewer(arg) {
-      const [name, moment] = split(arg, 2), scene = book.scenes?.get(name), viewer = scene && viewerOf(scene);
+      const [name, moment, stage] = split(arg, 3), scene = book.scenes?.get(name), viewer = scene && viewerOf(scene);
       if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
       if (!viewer) return errors.add(p.file, line, `scene ${name} has left no page plots/index.html`);
-      block(viewerFrame(scene, viewer.to, moment));
+      if (stage && stage !== 'stage') return errors.add(p.file, line, `\\sceneviewer{NAME,moment,stage}, not '${stage}'`);
+      block(viewerFrame(scene, viewer.to, moment, stage));
     },
     scenepicture(arg) {
       const [name, picture, title] = split(arg, 3);

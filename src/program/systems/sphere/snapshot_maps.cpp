@@ -95,7 +95,8 @@ std::string vorticity_map(Scene const& scene, std::string const& folder, double 
     double const x = gap + static_cast<double>(k % 2) * (map + gap), y = static_cast<double>(k / 2) * line;
     elements += book::svg::label({x, y + 14},
                                  fmt::format("t = {:.6g}", maps.times[k]) + (unit.empty() ? "" : " " + unit));
-    elements += book::whole_sphere({x + map / 2, y + 20 + height / 2}, map, smooth(maps.fields[k]), maps.largest);
+    elements +=
+        book::whole_sphere({x + map / 2, y + 20 + height / 2}, map, smooth(maps.fields[k]), maps.largest);
   }
   double const below = std::ceil(static_cast<double>(maps.times.size()) / 2) * line;
   elements += book::colour_bar({width / 2 - 130, below}, 260, maps.largest, "vorticity");
