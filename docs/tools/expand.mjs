@@ -303,10 +303,9 @@ for (const p of pages) {
     },
     scenefile(name) { block(sceneCard(book.scenes.get(name))); },
     sceneviewer(arg) {
-      const [name, moment, stage] = split(arg, 3), scene = book.scenes?.get(name), viewer = scene && viewerOf(scene);
+      const [name, ...rest] = split(arg, 3), stage = rest.includes('stage'), [moment] = rest.filter(x => x !== 'stage'), scene = book.scenes?.get(name), viewer = scene && viewerOf(scene);
       if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
       if (!viewer) return errors.add(p.file, line, `scene ${name} has left no page plots/index.html`);
-      if (stage && stage !== 'stage') return errors.add(p.file, line, `\\sceneviewer{NAME,moment,stage}, not '${stage}'`);
       block(viewerFrame(scene, viewer.to, moment, stage));
     },
     scenepicture(arg) {

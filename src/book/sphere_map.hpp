@@ -12,7 +12,8 @@ namespace book {
 
 /// From where a sphere is seen, in degrees.
 struct SeenFrom {
-  double longitude, latitude;
+  double longitude;  ///< of the middle of what is seen
+  double latitude;   ///< north positive
 };
 
 /// A field on the sphere between its values on a grid: cubic in both angles, across the poles as well.
