@@ -39,6 +39,8 @@ endif()
 
 find_package(Boost 1.74 REQUIRED COMPONENTS unit_test_framework)
 
+find_package(ZLIB REQUIRED)  # pictures are packed with it
+
 # What the reader of a chapter's program is told, and the pictures it draws.
 # Compiled once: in each program of a chapter it would take a second or two.
 file(GLOB book CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/book/*.cpp")
@@ -46,6 +48,7 @@ add_library(actio_book STATIC ${book})
 target_include_directories(actio_book PUBLIC "${PROJECT_SOURCE_DIR}/src")
 target_compile_features(actio_book PUBLIC cxx_std_20)
 target_compile_options(actio_book PRIVATE -Wall -Wextra)
+target_link_libraries(actio_book PRIVATE ZLIB::ZLIB)
 set_target_properties(actio_book PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD ON)
 
 # actio_own(TARGET LEVEL): our own code, at -O2 (LEVEL fast), or at -Og where multiprecision dominates (LEVEL

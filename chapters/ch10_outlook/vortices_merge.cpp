@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     // Berezin's symbol: the vorticity without the scales below the resolution.
     auto const field = values_on(grid, symbol_of(w, Symbol::berezin));
     if (k == 0) largest = field.cwiseAbs().maxCoeff();
-    maps += book::sphere_map({260, down + 106}, 400, grid, field, largest);
+    maps += book::whole_sphere({260, down + 106}, 400, book::on_sphere(grid, field), largest, 0);
     maps += book::svg::label({10, down + 18}, "time " + book::number(k * h));
     down += 220;
   };

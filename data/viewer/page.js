@@ -169,10 +169,10 @@ function raiseMedium() {
 function raiseMaps() {
   if (run.medium) return raiseMedium();
   if (!run.maps) return raisePlanes();
-  const { times, largest, of } = run.maps;
+  const { times, of } = run.maps;
   useStages("map");
-  raise("map", new MapView(byId("map").querySelector("img"), run.maps));
-  say(`Blue is negative, red positive, the strongest colour ${shownNumber(largest, 3)}.`, times.length < of && `${times.length} of ${of} snapshots are shown.`);
+  raise("map", new MapView(canvasOf("map"), run.maps, changed));
+  say(times.length < of && `${times.length} of ${of} snapshots are shown.`);
   play(clockOf({ from: times, to: times }));
 }
 function raiseStages() {
@@ -230,7 +230,11 @@ function tellSummary() {
   }
 }
 
+/** A page in a frame rests while the frame is out of sight. */
+let inSight = true;
 function drawAll(milliseconds) {
+  requestAnimationFrame(drawAll);
+  if (!inSight) return;
   if (player) player.frame(milliseconds);
   if (dirty) {
     dirty = false;
@@ -238,17 +242,22 @@ function drawAll(milliseconds) {
     for (const stage of stages) stage.draw(now);
     for (const panel of panels) panel.draw();
   }
-  requestAnimationFrame(drawAll);
 }
 
-/** #t=12.5 stands for a moment, #play for playing from it. */
+/** #t=12.5 stands for a moment, #play for playing from it, #stage for the moving picture alone, again and again. */
 function begin() {
+  const alone = /[#&]stage/.test(location.hash) && Boolean(document.body);
+  if (alone) {
+    document.body.classList.add("alone");
+    if (typeof IntersectionObserver === "function") new IntersectionObserver(([seen]) => { inSight = seen.isIntersecting; }).observe(document.body);
+  }
   tellScene();
   layOutCurves();
   raiseStages();
   tellSummary();
   const asked = /[#&]t=([-+.\deE]+)/.exec(location.hash);
   if (player) {
+    player.again = alone;
     player.go(asked ? Number(asked[1]) : player.motion.from);
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (!still && (!asked || location.hash.includes("play"))) player.toggle(true);

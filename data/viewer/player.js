@@ -3,7 +3,7 @@
 class Player {
   /** @param shown  called with the time whenever it changes */
   constructor(motion, timeUnit, shown) {
-    Object.assign(this, { motion, timeUnit, shown, time: motion.from, playing: false, speed: 1 });
+    Object.assign(this, { motion, timeUnit, shown, time: motion.from, playing: false, speed: 1, again: false });
     this.button = document.getElementById("play");
     this.scrubber = document.getElementById("scrubber");
     this.clock = document.getElementById("clock");
@@ -59,8 +59,8 @@ class Player {
     const passed = this.last === null ? 0 : Math.min(0.1, (milliseconds - this.last) / 1000);
     this.last = milliseconds;
     const t = this.time + passed * this.speed * this.motion.pace;
-    if (t >= this.motion.to) this.toggle(false);
-    this.go(t);
+    if (t >= this.motion.to && !this.again) this.toggle(false);
+    this.go(t >= this.motion.to && this.again && this.time >= this.motion.to ? this.motion.from : t);
   }
   say() {
     const icon = this.playing ? "M2 1h4v14H2zM10 1h4v14h-4z" : "M3 1l11 7-11 7z";

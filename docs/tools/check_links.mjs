@@ -26,7 +26,7 @@ for (const [f, text] of html) {
     const to = file === '' ? f : path.normalize(path.join(path.dirname(f), decodeURI(file)));
     if (!all.has(to)) { errors.add(f, line(m.index), `dead link: ${target}`); continue; }
     // The page of a run takes a moment for an anchor.
-    if (/^t=[\d.]+$/.test(anchor ?? '') && anchors.get(to)?.has('scrubber')) continue;
+    if (/^t=[\d.]+(&play&stage)?$/.test(anchor ?? '') && anchors.get(to)?.has('scrubber')) continue;
     if (anchor && anchors.has(to) && !anchors.get(to).has(decodeURIComponent(anchor))) errors.add(f, line(m.index), `dead anchor: ${target}`);
   }
 }

@@ -308,10 +308,10 @@ for (const p of pages) {
     },
     scenefile(name) { block(sceneCard(book.scenes.get(name))); },
     sceneviewer(arg) {
-      const [name, moment] = split(arg, 2), scene = book.scenes?.get(name), viewer = scene && viewerOf(scene);
+      const [name, ...rest] = split(arg, 3), stage = rest.includes('stage'), [moment] = rest.filter(x => x !== 'stage'), scene = book.scenes?.get(name), viewer = scene && viewerOf(scene);
       if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
       if (!viewer) return errors.add(p.file, line, `scene ${name} has left no page plots/index.html`);
-      block(viewerFrame(scene, viewer.to, moment));
+      block(viewerFrame(scene, viewer.to, moment, stage));
     },
     scenepicture(arg) {
       const [name, picture, title] = split(arg, 3);

@@ -55,8 +55,11 @@ export function viewerOf(scene) {
   return fs.existsSync(from) ? { from, to: `viewer_${scene.name}.html` } : null;
 }
 
-/// That page in a frame, at a moment of the run, and a link to it.
-export function viewerFrame(scene, to, moment) {
+/// That page in a frame, at a moment of the run, and a link to it; or its moving picture alone, which plays by itself.
+export function viewerFrame(scene, to, moment, stage) {
+  if (stage)
+    return `<figure class="viewer stage"><iframe src="${to}#t=${escapeHtml(moment || '0')}&amp;play&amp;stage" title="${escapeHtml(scene.summary.title)}: the motion" loading="lazy"></iframe>` +
+      `<figcaption><code>actio run ${scene.name} --plots</code> · <a href="${to}">its page with curves and figures</a> · <a href="@ref:page:scenefile_${scene.name}">the scene</a></figcaption></figure>`;
   return `<figure class="viewer"><iframe src="${to}#t=${escapeHtml(moment || '0')}" title="${escapeHtml(scene.summary.title)}: the page of the run" loading="lazy"></iframe>` +
     `<figcaption><a href="${to}">Open the viewer</a>: <code>plots/index.html</code> of this run. Play, drag to turn the view, drag over a curve to look closer.</figcaption></figure>`;
 }

@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# readme_program.sh SOURCE: the program in the README is, to the letter, the one that the install test builds
-# and runs.
+# readme_program.sh SOURCE: the program in C++ in the README is, to the letter, the one that the install test
+# builds and runs, and the one in Python is the one that the book runs.
 set -euo pipefail
 source=$1
-shown=$(awk '/^```cpp$/ { inside = 1; text = ""; next } /^```$/ { if (inside && text ~ /int main/) print text; inside = 0; next } inside { text = text $0 "\n" }' "$source/README.md")
-if ! diff <(printf '%s' "$shown" | awk 1) "$source/tests/install_consumer/main.cpp"; then
-  echo "README.md shows another program than tests/install_consumer/main.cpp"
-  exit 1
-fi
+shown() { # LANGUAGE: its blocks
+  awk -v "opening=\`\`\`$1" '$0 == opening { inside = 1; next } /^```$/ { inside = 0; next } inside' "$source/README.md"
+}
+for pair in cpp:tests/install_consumer/main.cpp python:data/scenes/own_first.py; do
+  if ! diff <(shown "${pair%%:*}") "$source/${pair#*:}"; then
+    echo "README.md shows another program than ${pair#*:}"
+    exit 1
+  fi
+done

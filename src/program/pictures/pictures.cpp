@@ -176,6 +176,9 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
     pictures.emplace_back(
         "plots/medium.svg",
         standing_alone(scene.title, plot_width, medium_picture(*medium, plot_width, time_unit(scene))));
+  if (std::string const film = medium ? medium_film(*medium, plot_width, printable(scene.title)) : "";
+      !film.empty())
+    pictures.emplace_back("plots/film.svg", film);
   pictures.emplace_back(
       "plots/index.html",
       viewer_page(scene, overview, file_contents(folder + "/summary.json"),

@@ -80,5 +80,9 @@ std::string medium_json(PlayedMedium const& medium);
 /// A picture of some frames, the first and the last among them, coloured by the first field that varies.
 /// @param unit  of time; empty where it is not known
 std::string medium_picture(PlayedMedium const& medium, double width, std::string const& unit);
+/// A picture that moves by itself, over and over, with the outline at some times left behind as a trace: an
+/// SVG of at most about half a megabyte, which needs no script. Where less motion is wished for it stands
+/// still. Empty where there are fewer than eight snapshots, or more faces than it could carry.
+std::string medium_film(PlayedMedium const& medium, double width, std::string const& title);
 
 }  // namespace actio::scene

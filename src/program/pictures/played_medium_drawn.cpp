@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 
 #include "book/png.hpp"
@@ -53,6 +54,12 @@ Point3 looked_at(int dimension, Point3 const& p) {
   return {right, up * p[2] + over * back, over * p[2] - up * back};
 }
 
+/// A point of a picture, in tenths of a pixel.
+std::array<long, 2> in_tenths(Point3 const& p, book::svg::Point at, double scale) {
+  return {std::lround(10 * (at.x + scale * p[0])), std::lround(10 * (at.y - scale * p[1]))};
+}
+std::string tenths(long n) { return book::svg::pixel(0.1 * static_cast<double>(n)); }
+
 /// The faces of one frame as paths, each of one colour: in the plane those of a colour together, in space
 /// from the back to the front, darker where they look away from the light.
 class FramePicture {
@@ -90,11 +97,15 @@ class FramePicture {
   }
   std::string face(std::size_t f, book::svg::Point at, double scale) const {
     std::string out;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (k == 0 || medium_.faces[f][k] != medium_.faces[f][k - 1])
-        out += (k == 0 ? "M" : "L") + book::svg::pixel(at.x + scale * corner(f, k)[0]) + " " +
-               book::svg::pixel(at.y - scale * corner(f, k)[1]);
-    return out + "Z";
+    std::array<long, 2> last{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (k > 0 && medium_.faces[f][k] == medium_.faces[f][k - 1]) continue;
+      std::array<long, 2> const p = in_tenths(corner(f, k), at, scale);
+      out += k == 0 ? "M" + tenths(p[0]) + " " + tenths(p[1])
+                    : (k == 1 ? "l" : " ") + tenths(p[0] - last[0]) + " " + tenths(p[1] - last[1]);
+      last = p;
+    }
+    return out + "z";
   }
   /// Normal to a face, of no particular length.
   Point3 normal(std::size_t f) const {
@@ -126,6 +137,48 @@ class FramePicture {
   double low_, high_;
   std::vector<Point3> seen_;
 };
+
+/// The outline of a frame as a path; pieces that follow one another are joined.
+std::string outline_of(PlayedMedium const& medium, std::size_t frame, book::svg::Point at, double scale) {
+  auto const point = [&](int k) {
+    return in_tenths(looked_at(medium.dimension, medium.places[frame][static_cast<std::size_t>(k)]), at,
+                     scale);
+  };
+  std::multimap<int, int> next;
+  for (auto const& [a, b] : medium.outline) next.emplace(a, b);
+  std::string out;
+  while (!next.empty()) {
+    int at_point = next.begin()->first;
+    std::array<long, 2> last = point(at_point);
+    out += "M" + tenths(last[0]) + " " + tenths(last[1]);
+    for (auto found = next.find(at_point); found != next.end(); found = next.find(at_point)) {
+      at_point = found->second;
+      next.erase(found);
+      std::array<long, 2> const p = point(at_point);
+      out += "l" + tenths(p[0] - last[0]) + " " + tenths(p[1] - last[1]);
+      last = p;
+    }
+  }
+  return out;
+}
+/// The box of all frames, as they are looked at.
+struct SeenBox {
+  double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
+  explicit SeenBox(PlayedMedium const& medium) {
+    for (auto const& frame : medium.places)
+      for (auto const& place : frame) {
+        Point3 const p = looked_at(medium.dimension, place);
+        left = std::min(left, p[0]), right = std::max(right, p[0]);
+        bottom = std::min(bottom, p[1]), top = std::max(top, p[1]);
+      }
+  }
+};
+/// The first field that varies; the first of all where none does.
+PlayedMedium::Field const& varying_field(PlayedMedium const& medium) {
+  for (auto const& field : medium.fields)
+    if (field.highest() > field.lowest()) return field;
+  return medium.fields.front();
+}
 
 std::string in_base64(std::string const& bytes) { return "\"" + book::base64(bytes) + "\""; }
 
@@ -166,20 +219,11 @@ std::string medium_json(PlayedMedium const& medium) {
 
 std::string medium_picture(PlayedMedium const& medium, double width, std::string const& unit) {
   if (medium.times.empty()) return "";
-  auto const varies = [](auto const& field) { return field.highest() > field.lowest(); };
-  auto field = std::find_if(medium.fields.begin(), medium.fields.end(), varies);
-  if (field == medium.fields.end()) field = medium.fields.begin();
+  auto const& field = varying_field(medium);
   // About a megabyte and a half of paths.
   std::size_t const bytes = 40 * medium.faces.size(), most = std::clamp<std::size_t>(1'500'000 / bytes, 2, 6),
                     frames = std::min(most, medium.times.size());
-  // All frames in the same box.
-  double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
-  for (auto const& frame : medium.places)
-    for (auto const& place : frame) {
-      Point3 const p = looked_at(medium.dimension, place);
-      left = std::min(left, p[0]), right = std::max(right, p[0]);
-      bottom = std::min(bottom, p[1]), top = std::max(top, p[1]);
-    }
+  auto const [left, right, bottom, top] = SeenBox(medium);  // all frames in the same box
   double const gap = 16, one = frames > 1 ? (width - 3 * gap) / 2 : width - 2 * gap;
   double const scale = std::min(one / (right - left), one / (top - bottom));
   double const height = scale * (top - bottom), line = height + 34;
@@ -190,17 +234,63 @@ std::string medium_picture(PlayedMedium const& medium, double width, std::string
     double const x = gap + static_cast<double>(k % 2) * (one + gap), y = static_cast<double>(k / 2) * line;
     elements += book::svg::label(
         {x, y + 14}, fmt::format("t = {:.6g}", medium.times[frame]) + (unit.empty() ? "" : " " + unit));
-    elements += FramePicture(medium, *field, frame)
+    elements += FramePicture(medium, field, frame)
                     .svg({x + 0.5 * (one - scale * (left + right)), y + 22 + scale * top}, scale);
   }
   double const below = std::ceil(static_cast<double>(frames) / 2) * line, from = width / 2 - 130;
   for (int k = 0; k < colours; ++k)
     elements += fmt::format("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"4.4\" height=\"10\" fill=\"{}\"/>\n",
                             from + 260.0 / colours * k, below, text_of(colour(k)));
-  elements += book::svg::label({from, below + 24}, book::number(field->lowest(), 4), "middle");
-  elements += book::svg::label({from + 130, below + 24}, field->name, "middle");
-  elements += book::svg::label({from + 260, below + 24}, book::number(field->highest(), 4), "middle");
+  elements += book::svg::label({from, below + 24}, book::number(field.lowest(), 4), "middle");
+  elements += book::svg::label({from + 130, below + 24}, field.name, "middle");
+  elements += book::svg::label({from + 260, below + 24}, book::number(field.highest(), 4), "middle");
   return book::svg::picture(width, below + 34, elements);
+}
+
+std::string medium_film(PlayedMedium const& medium, double width, std::string const& title) {
+  constexpr std::size_t most_bytes = 500'000, least_frames = 8, most_frames = 120;
+  std::size_t const bytes = 32 * medium.faces.size(),
+                    frames = std::min({most_bytes / bytes, most_frames, medium.times.size()});
+  if (frames < least_frames) return "";
+  auto const& field = varying_field(medium);
+  auto const [left, right, bottom, top] = SeenBox(medium);
+  double const margin = 14, scale = (width - 2 * margin) / (right - left),
+               height = scale * (top - bottom) + 2 * margin + 34, seconds = 8;
+  book::svg::Point const at{margin - scale * left, margin + scale * top};
+  std::string trace, moving;
+  for (std::size_t k = 0; k < frames; ++k) {
+    std::size_t const frame = (k * (medium.times.size() - 1) + (frames - 1) / 2) / (frames - 1);
+    std::string const outline = outline_of(medium, frame, at, scale);
+    if (k % std::max<std::size_t>(1, frames / 6) == 0)
+      trace += "<path class=\"trace\" d=\"" + outline + "\"/>\n";
+    moving += fmt::format(
+        "<g class=\"frame{}\" style=\"animation-delay:{:.3f}s\">\n{}<path class=\"outline\" "
+        "d=\"{}\"/></g>\n",
+        k == 0 ? " first" : "", seconds * static_cast<double>(k) / static_cast<double>(frames),
+        FramePicture(medium, field, frame).svg(at, scale), outline);
+  }
+  std::string bar;
+  double const from = width / 2 - 130, below = height - 32;
+  for (int k = 0; k < colours; ++k)
+    bar += fmt::format("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"4.4\" height=\"8\" fill=\"{}\"/>\n",
+                       from + 260.0 / colours * k, below, text_of(colour(k)));
+  std::array<std::string, 3> const texts{book::number(field.lowest(), 3), field.name,
+                                         book::number(field.highest(), 3)};
+  for (std::size_t k = 0; k < 3; ++k)
+    bar += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", from + 130.0 * static_cast<double>(k),
+                       below + 22, book::svg::escape(texts[k]));
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" viewBox=\"0 0 {0} {1:.0f}\" "
+      "font-family=\"sans-serif\" font-size=\"12\" text-anchor=\"middle\">\n<title>{2}</title>\n"
+      "<style>text{{fill:#5c6670}}.trace{{fill:none;stroke:#8a939c;stroke-width:.8;opacity:.55}}"
+      ".outline{{fill:none;stroke:#22272d;stroke-width:1}}"
+      "@media(prefers-color-scheme:dark){{text{{fill:#98a1aa}}.outline{{stroke:#d8dbde}}}}"
+      ".frame{{visibility:hidden;animation:film {3}s step-end infinite}}"
+      "@keyframes film{{0%{{visibility:visible}}{4:.3f}%{{visibility:hidden}}}}"
+      "@media(prefers-reduced-motion:reduce){{.frame{{animation:none}}.first{{visibility:visible}}}}</style>\n"
+      "{5}{6}{7}</svg>\n",
+      width, height, book::svg::escape(title), seconds, 100.0 / static_cast<double>(frames), trace, moving,
+      bar);
 }
 
 }  // namespace actio::scene

@@ -1,5 +1,5 @@
-// Maps of the snapshots of a run on a sphere: longitudes to the right, latitudes upwards, equal angles
-// equally long.
+// Maps of the snapshots of a run on a sphere: the whole sphere in the projection of Mollweide, with the north
+// above and the longitude pi in the middle; and for the page of a run, values on a grid of equal angles.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@ namespace actio::scene {
 /// @throws FileError, SceneError  where the coefficients of one cannot be read
 std::string vorticity_map(Scene const& scene, std::string const& folder, double width);
 /// Maps of all of them, or of a hundred, as the page of the run has them: in JSON their times and their
-/// pictures, the largest modulus, and how many snapshots there are. `null` where there are fewer than two.
+/// values as pictures in shades of grey, the largest modulus, and how many snapshots there are.
+/// `null` where there are fewer than two.
 /// @throws FileError, SceneError  as above
 std::string vorticity_maps_json(Scene const& scene, std::string const& folder);
 
