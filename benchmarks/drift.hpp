@@ -12,7 +12,7 @@ namespace benchmark {
 struct Drift {
   double amount;   ///< of |M|
   double energy;   ///< of the energy
-  double spatial;  ///< of the momentum in space, as a vector, over its amount
+  double spatial;  ///< of the momentum in space, as a vector, over its magnitude
 };
 
 /// Amount, energy, and momentum in space with the quaternion taken at unit length.

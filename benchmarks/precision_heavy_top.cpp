@@ -4,11 +4,11 @@
 #include "actio/reduction/advected_steps.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
-#include "road_precision.hpp"
+#include "own_precision.hpp"
 
 using namespace actio;
 
-/// A symmetric composition of steps of the general road with an advected vector: each stage has a
+/// A symmetric composition of steps of the generic implementation with an advected vector: each stage has a
 /// derivative of its own.
 class ComposedTop {
  public:
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < 3; ++i)
     system.start[i] = start.momentum.components[i], system.start[3 + i] = start.vector[i];
   auto const way = [&](std::string const& name, std::vector<double> const& fractions, double first) {
-    return benchmark::road_way(
+    return benchmark::own_way(
         system, name,
         [&, fractions](double h) {
           return [motion = ComposedTop(known.top, start, fractions, h)](bool) mutable {

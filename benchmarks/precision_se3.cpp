@@ -3,7 +3,7 @@
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
-#include "road_precision.hpp"
+#include "own_precision.hpp"
 
 using namespace actio;
 
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < 6; ++i) system.start[i] = inertia[i] * xi[i];
   auto const start = momentum_state(energy, velocity(SE<3>{}, xi));
   auto const way = [&](std::string const& name, auto const& step, double first) {
-    return benchmark::road_way(
+    return benchmark::own_way(
         system, name,
         [step, start](double h) {
           return [step, h, state = start, g = identity<double>(SE<3>{})](bool) mutable {

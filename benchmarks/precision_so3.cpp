@@ -3,7 +3,7 @@
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
-#include "road_precision.hpp"
+#include "own_precision.hpp"
 
 using namespace actio;
 
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
       equations, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
   auto const start = momentum_state(energy, velocity(SO<3>{}, Vector<double, 3>(1.8, -1, 0.7)));
   auto const way = [&](std::string const& name, auto const& step, double first) {
-    return benchmark::road_way(
+    return benchmark::own_way(
         system, name,
         [step, start](double h) {
           return [step, h, state = start, g = identity<double>(SO<3>{})](bool) mutable {

@@ -13,7 +13,7 @@
 
 namespace benchmark {
 
-/// How many times on the way, the end included, a run is compared with the witness.
+/// How many times on the way, the end included, a run is compared with the reference solution.
 inline constexpr int looks = 10;
 using States = std::array<peers::Seven, looks>;
 using Witnesses = std::array<peers::Exact, looks>;
@@ -21,7 +21,7 @@ using Witnesses = std::array<peers::Exact, looks>;
 /// One run over the whole time.
 struct Run {
   double setting;  ///< number of steps, or the tolerance where steps are controlled
-  double error;    ///< largest at the ten times, against the witness
+  double error;    ///< largest at the ten times, against the reference solution
   double seconds;  ///< set-up included
 };
 

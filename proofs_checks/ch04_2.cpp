@@ -358,9 +358,9 @@ STATEMENT(claim_4_2_dlp_consequence, "the momentum update that follows from the 
 // Section 4.2, second part: the Lie-Poisson Hamilton-Jacobi equation and the Poisson map that its solution
 // generates.
 //
-// The witness is the power series in the time of a motion on a group, for a Hamiltonian with a cubic term and
-// with coefficients in the scalar of the unit: equations between such series are checked power by power, over
-// the rationals exactly.
+// The reference solution is the power series in the time of a motion on a group, for a Hamiltonian with a
+// cubic term and with coefficients in the scalar of the unit: equations between such series are checked power
+// by power, over the rationals exactly.
 
 namespace {
 
@@ -735,12 +735,10 @@ template <class L>
 struct EvenPart {
   L l;
   template <class T>
-  T operator()(GroupElement<T> const& f) const {
-    return l(f) + l(inverse(f));
-  }
+  T operator()(GroupElement<T> const& f) const { return l(f) + l(inverse(f)); }
 };
 
-/// A free left-invariant motion from the witness: the inverse of the configuration moves by the
+/// A free left-invariant motion from the reference solution: the inverse of the configuration moves by the
 /// right-invariant system with the opposite linear term.
 template <class S>
 struct Witness {

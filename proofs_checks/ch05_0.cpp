@@ -1,6 +1,6 @@
 // Section 5.0: the generalised rigid body, its inertia, its Lagrangian.
 //
-// The witness is a body of point masses, described without Lambda.
+// The reference solution is a body of point masses, described without Lambda.
 #include "actio/rigid_body/inertia.hpp"
 #include "models/bodies.hpp"
 #include "statement.hpp"
@@ -11,9 +11,7 @@ using namespace actio::checks;
 namespace {
 
 template <class S>
-Vector<S> diagonal_of(Matrix<S> const& m) {
-  return m.diagonal();
-}
+Vector<S> diagonal_of(Matrix<S> const& m) { return m.diagonal(); }
 /// The energy by planes: \f$\tfrac12\sum_{i<j}(\Lambda_i+\Lambda_j)\,\xi_{ij}^2\f$.
 template <class S>
 S energy_by_planes(Matrix<S> const& lambda, Matrix<S> const& xi) {

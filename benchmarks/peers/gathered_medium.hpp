@@ -132,7 +132,7 @@ class GatheredMedium {
   }
 };
 
-/// On a box of the fast road, from the places and velocities of its nodes, row by row.
+/// On a box of the optimised implementation, from the places and velocities of its nodes, row by row.
 /// @param box  has `dimension`, `cells`, `spacing`, `nodes`, `periodic`, `period`, `response`
 template <class Stress, class Box, class Points>
 auto gathered(Stress const& stress, Box const& box, double dt, Points const& x, Points const& v) {

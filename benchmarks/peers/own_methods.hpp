@@ -79,14 +79,15 @@ class TwistEachStep {
   TwistEachStep(actio::bodies::FreeBody const& body, Task const& task, double h, int order)
       : polynomials_(task, order), modified_(order > 2), half_(h / 2) {
     for (int i = 0; i < 3; ++i) J_[i] = 1 / task.I[i];
-    amount_ = body.amount();
+    magnitude_ = body.magnitude();
   }
   [[gnu::always_inline]] void operator()(actio::bodies::FrameState<double>& state) const {
     auto const& u = state.direction;
     double s = 1, d = 0;
     double const energy = J_[0] * u[0] * u[0] + J_[1] * u[1] * u[1] + J_[2] * u[2] * u[2];
-    if (modified_) polynomials_.at(amount_ * amount_, amount_ * amount_ * energy, half_ * half_, s, d);
-    double const t = half_ * amount_;
+    if (modified_)
+      polynomials_.at(magnitude_ * magnitude_, magnitude_ * magnitude_ * energy, half_ * half_, s, d);
+    double const t = half_ * magnitude_;
     actio::bodies::Three<double> const j{t * (s * J_[0] + d), t * (s * J_[1] + d), t * (s * J_[2] + d)};
     bool found = false;
     auto const parameters = actio::bodies::moser_veselov_parameters<double>(j, u, found);
@@ -97,7 +98,7 @@ class TwistEachStep {
  private:
   PreprocessingPolynomials polynomials_;
   bool modified_;
-  double half_, amount_;
+  double half_, magnitude_;
   actio::bodies::Three<double> J_;
 };
 inline Method moser_veselov_each_step(int order) {

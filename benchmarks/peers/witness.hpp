@@ -1,4 +1,4 @@
-// The independent witness: the free body by power series of the time, in 50 digits.
+// The independent reference solution: the free body by power series of the time, in 50 digits.
 //
 // The coefficients follow one another by the products of series in Euler's equations. Steps are such that
 // what is cut off is below 1e-24.

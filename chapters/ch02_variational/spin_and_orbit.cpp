@@ -123,7 +123,7 @@ Throw throw_about_all_axes(book::Program& program) {
 struct Compared {
   Throw right, whole, wrong;
   double apart = 0;   // attitudes of the first two
-  double lowest = 1;  // the momentum about the middle axis, over its amount
+  double lowest = 1;  // the momentum about the middle axis, over its magnitude
 };
 Compared throw_about_the_middle(book::Program& program) {
   Vector3d const middle(0.01, 1, 0.01);

@@ -4,7 +4,7 @@
 // and Pi . P do not, because they belong to the coadjoint orbit. The discrete Lie-Poisson update (3.18)
 // carries the momentum along its orbit, whatever the step. Runge-Kutta, which solves Kirchhoff's equations
 // with the same step and more accurately at first, leaves it.
-// Read first. The section "The discrete Lie-Poisson algorithm" of chapter 3, and two_roads_on_se3.
+// Read first. The section "The discrete Lie-Poisson algorithm" of chapter 3, and two_ways_on_se3.
 //
 //   Pi, P    body momenta of turning and of gliding        f     relative motion g1^-1 g0
 //   l        reduced discrete Lagrangian, J s              h     step, s
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
       argc, argv,
       "the momenta of a submarine stay on their coadjoint orbit; under Runge-Kutta they leave it");
 
-  // 1. The submarine of two_roads_on_se3, cast off the same way.
+  // 1. The submarine of two_ways_on_se3, cast off the same way.
   Submarine const energy;
   double const h = 0.2;
   auto const l = natural_chart_lagrangian_left(energy, h);

@@ -37,7 +37,7 @@ std::vector<Series> generating_functions(Throw const& thrown) {
   return all;
 }
 
-// 3. Body momenta after 0, 1, ..., n steps of h with a generating function; and, as a witness, Euler's
+// 3. Body momenta after 0, 1, ..., n steps of h with a generating function; and, as a reference, Euler's
 //    equations solved by somebody else.
 std::vector<Vector3d> momenta(Series const& generating, Throw const& thrown, double h, int n) {
   auto M = thrown.M0;
@@ -83,7 +83,7 @@ void turn_over(book::Program& program, Throw const& thrown, std::vector<Series> 
   program.claim(book::measured(off_sphere) < 2 * count * 0x1p-52,
                 "the momentum stays on its sphere to rounding");
   program.figure("sphere", off_sphere,
-                 "largest change of the amount of the momentum at the coarse step, relative");
+                 "largest change of the magnitude of the momentum at the coarse step, relative");
 }
 
 // 5. How the error falls, and what must be so: the orders. The two longest steps are too long for the leading

@@ -8,7 +8,7 @@
 // 5A, The exact free body; middle_axis_flip, polhode.
 //
 //   I      principal moments                  delta, T   numbers of the half turn and the twist of a step
-//   M      body momentum, L its amount        f          relative motion, g1^T g0
+//   M      body momentum, L its magnitude        f          relative motion, g1^T g0
 //   g, q   attitude, matrix and quaternion    h          step
 //
 // Compiled at -O2: it takes many steps.
@@ -27,7 +27,7 @@ using namespace actio;
 using namespace actio::bodies;
 using Vector3d = actio::Vector<double, 3>;
 
-// The witness: power series of Euler's equations, in fifty digits.
+// The reference solution: power series of Euler's equations, in fifty digits.
 FreeState true_state(Body const& body, double t) {
   auto const fifty = [](auto const& v) { return v.template cast<dec50>().eval(); };
   auto const plain = [](auto const& v) {
@@ -74,7 +74,7 @@ void equation_along_the_motion(book::Program& program, Body const& brick) {
     double const h = angle / spin;
     // axes as the steps name them: for ascending moments those of the body
     Three<double> const j = inertia_of(body.step_parameters(h));
-    Vector3d const modified = (h * body.amount() / 2) * Vector3d(1 / j[0], 1 / j[1], 1 / j[2]);
+    Vector3d const modified = (h * body.magnitude() / 2) * Vector3d(1 / j[0], 1 / j[1], 1 / j[2]);
     Element<SO<3>, double> const f{SO<3>{}, matrix_of(true_state(brick, h).attitude).transpose()};
     Momentum<SO<3>, double> const M = body_momentum(brick.principal.inertia, brick.principal_spin());
     double const with = residual(modified, f, M, h), without = residual(I, f, M, h);

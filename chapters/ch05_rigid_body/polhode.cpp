@@ -1,11 +1,11 @@
 // Polhodes of two tumbling asteroids: the exact curve of the body momentum, and the steps of the
 // Moser-Veselov scheme on it.
 //
-// What is shown. The momentum runs where a sphere (its amount) and an ellipsoid (the energy) meet. The scheme
-// conserves both, so its steps lie on the exact curve to rounding, at every step length; what the step length
-// costs is the time at which they get there, to second order. The spin of Apophis in the catalogue is the one
-// that has the two periods of its light curves; the scheme gives them back, to second order. Read first.
-// middle_axis_flip, and section 5.3.
+// What is shown. The momentum runs where a sphere (its magnitude) and an ellipsoid (the energy) meet. The
+// scheme conserves both, so its steps lie on the exact curve to rounding, at every step length; what the step
+// length costs is the time at which they get there, to second order. The spin of Apophis in the catalogue is
+// the one that has the two periods of its light curves; the scheme gives them back, to second order. Read
+// first. middle_axis_flip, and section 5.3.
 //
 //   I      principal moments (only their ratios are known), ascending
 //   h      step, in the body's unit of time
@@ -97,7 +97,7 @@ void orbit_of(book::Program& program, Body const& body) {
   char const* const names[] = {"a", "b", "c"};
   for (int i = 0; i < 3; ++i)
     program.figure(names[i], std::sqrt(2 * energy * inertia.moments[i]) / amount,
-                   "half axis of the ellipsoid of energy of Apophis, over the amount of the momentum");
+                   "half axis of the ellipsoid of energy of Apophis, over the magnitude of the momentum");
 }
 
 // 5. The momentum of the body runs round the short axis. Both periods, over `turns` times round, come from

@@ -1,4 +1,4 @@
-// A rubber ball, pulled long and let go: its stresses, by every road the chapter has, and a material that
+// A rubber ball, pulled long and let go: its stresses, by every way the chapter has, and a material that
 // forgets which side is out.
 //
 // What is shown. The ball is stiff inside and soft at its surface, so that x = A(t) X is an exact motion of
@@ -51,7 +51,7 @@ Ball(Energy) -> Ball<Energy>;
 Ball const rubber{neo_hookean};
 Ball const stiff{st_venant_kirchhoff};
 
-// 1. The field equations and the roads to the stress are evaluated along the motion, the worst of random
+// 1. The field equations and the ways to the stress are evaluated along the motion, the worst of random
 //    particles counting.
 struct Misses {
   double equation = 0, momenta = 0, piola = 0, symmetry = 0, turning = 0;
@@ -101,7 +101,7 @@ std::array<Misses, 3> throw_balls(book::Program& program) {
   };
   std::array const found{follow("neo-Hookean", rubber), follow("St Venant and Kirchhoff", stiff),
                          follow("lopsided", Ball{Lopsided{}})};
-  program.table("roads", {"material", "equations", "momenta", "Piola", "asymmetry", "turning"}, rows,
+  program.table("ways", {"material", "equations", "momenta", "Piola", "asymmetry", "turning"}, rows,
                 "A ball that is thrown and turns: residual of the field equations; the first "
                 "Piola-Kirchhoff stress beside minus the momenta and beside Piola's transformation; "
                 "asymmetry of that stress times F; change of the angular momentum. All relative.");
@@ -157,9 +157,9 @@ int main(int argc, char** argv) {
   program.picture("breath", radii.svg(),
                   "Blown up to 1.6 times its radius and let go. Below zero the ball is inside out.");
   double const exact = std::max(a.equation, b.equation),
-               roads = std::max({a.momenta, b.momenta, a.piola, b.piola, a.symmetry, b.symmetry});
+               ways = std::max({a.momenta, b.momenta, a.piola, b.piola, a.symmetry, b.symmetry});
   program.figure("equation", exact, "field equations over acceleration");
-  program.figure("roads", roads, "largest difference between the roads to the first Piola-Kirchhoff stress");
+  program.figure("ways", ways, "largest difference between the ways to the first Piola-Kirchhoff stress");
   program.figure("turning", std::max(a.turning, b.turning), "change of the angular momentum");
   program.figure("lopsided", c.piola, "lopsided: Piola's transformation beside the stress");
   program.figure("lopsided_turning", c.turning, "lopsided: change of the angular momentum");
@@ -167,14 +167,14 @@ int main(int argc, char** argv) {
   program.figure("inside_out", inside_out, "smallest radius of the other");
   program.claim(book::measured(exact) < 1e-12 && book::measured(c.equation) < 1e-12,
                 "the field equations vanish on the motion, whatever the material");
-  program.claim(book::measured(roads) < 1e-13 && book::measured(c.momenta) < 1e-13,
-                "all roads lead to one stress");
+  program.claim(book::measured(ways) < 1e-13 && book::measured(c.momenta) < 1e-13,
+                "all ways lead to one stress");
   program.claim(book::measured(a.turning) < 1e-12 && book::measured(b.turning) < 1e-12,
                 "angular momentum is kept");
   program.claim(book::measured(c.piola) > 1e-3 && book::measured(c.turning) > 1e-3,
                 "where the energy knows more than the Green tensor, neither holds");
   program.claim(book::measured(smallest) > 0 && book::measured(inside_out) < 0,
                 "the neo-Hookean ball bounces, that of St Venant and Kirchhoff turns inside out");
-  program.headline("first Piola-Kirchhoff stress by three roads to " + book::number(roads, 2), roads);
+  program.headline("first Piola-Kirchhoff stress by three ways to " + book::number(ways, 2), ways);
   return program.finish();
 }

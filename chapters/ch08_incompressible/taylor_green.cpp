@@ -144,7 +144,7 @@ void compare_pressures(book::Program& program) {
 int main(int argc, char** argv) {
   book::Program program(
       argc, argv,
-      "cells of fluid: paths by elliptic functions, a patch of dye, and the pressure by two roads");
+      "cells of fluid: paths by elliptic functions, a patch of dye, and the pressure by two ways");
   show_paths(program);
   show_dye(program);
   compare_pressures(program);

@@ -1,4 +1,5 @@
-// A density of one's own on the general road: a row of pendulums on a band of rubber, in twenty lines.
+// A density of one's own by the generic implementation: a row of pendulums on a band of rubber, in twenty
+// lines.
 //
 // What is shown. The reader writes L as a function of a jet, and that is all: discrete jets, Cartan forms,
 // field equations and their solution follow. Here L is that of the sine-Gordon equation, on which Marsden,

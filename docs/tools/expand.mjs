@@ -12,7 +12,7 @@ import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable,
 import { knowStatements } from './small_print.mjs';
 import { localHeaders, textbookBlocks } from './textbook.mjs';
 import { coverage } from './coverage.mjs';
-import { housePlan, houseTable, readHouse } from './house.mjs';
+import { architecturePlan, architectureTable, readHouse } from './architecture.mjs';
 import { keysPage, readKeys } from './keys.mjs';
 import * as pythonReference from './python_reference.mjs';
 import { beyondTable, codeAt, codeBlock, kernelCounts, kernelPage, kernelTable, proofFiles, readKernel, seal } from './kernel.mjs';
@@ -325,8 +325,8 @@ for (const p of pages) {
       if (!fs.existsSync(file)) return errors.add(p.file, line, `there is no data/scenes/${name}.py`);
       block(pythonCard(`data/scenes/${name}.py`, fs.readFileSync(file, 'utf8'), fs.existsSync(said) ? fs.readFileSync(said, 'utf8') : null));
     },
-    houseplan(which) { block(housePlan(readHouse(opt.root, errors, which || 'library'))); },
-    house(which) { block(houseTable(readHouse(opt.root, errors, which || 'library'))); },
+    houseplan(which) { block(architecturePlan(readHouse(opt.root, errors, which || 'library'))); },
+    house(which) { block(architectureTable(readHouse(opt.root, errors, which || 'library'))); },
     scenes() {
       block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`);
       if (book.scenes) emit(`Each has a page with its motion and its text: ${[...book.scenes.keys()].map(name => `\\subpage scenefile_${name} "${name}"`).join(', ')}.\n`);

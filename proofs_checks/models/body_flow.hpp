@@ -1,5 +1,5 @@
 // The motion of a free body by Taylor's series, and how near the discrete motions come to it as the step goes
-// to zero: the witness of the orders in chapter 5.
+// to zero: the reference solution of the orders in chapter 5.
 //
 // Nothing of the schemes and nothing of the library's \f$\mathrm{ad}^*\f$ is in it: \f$\dot\mu =
 // \mathrm{ad}^*_\xi\mu\f$, \f$\dot g = g\xi\f$, \f$\xi = J^{-1}\mu\f$ by the structure constants, which

@@ -1,8 +1,8 @@
 // A top in any group: a Lagrangian whose flow is no polynomial, and its equations of motion written out by
 // hand, with commutators of matrices and nothing of the library.
 //
-// Solved by power series they are the witness for flows, actions and limits. Without its weight W the top is
-// right-invariant.
+// Solved by power series they are the reference solution for flows, actions and limits. Without its weight W
+// the top is right-invariant.
 #pragma once
 
 #include <utility>

@@ -13,7 +13,8 @@ using Colour = std::array<unsigned char, 3>;
 
 /// The bytes of a picture, compressed.
 /// @param cells    the number of the colour of each, row by row from above
-/// @param palette  at most 256 colours; a cell with the number after the last one, if there are fewer, is not painted
+/// @param palette  at most 256 colours; where there are fewer, a cell with the number after the last one is
+///                 not painted
 /// @throws std::runtime_error  where zlib has no memory
 std::string png(int width, int height, std::span<unsigned char const> cells,
                 std::vector<Colour> const& palette);

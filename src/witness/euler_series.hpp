@@ -1,5 +1,5 @@
-// The free body by power series in the time, in any number of digits: the witness for everything that moves
-// one faster.
+// The free body by power series in the time, in any number of digits: the reference solution for everything
+// that moves one faster.
 //
 // Euler's equations M' = M x omega and q' = q (0, omega)/2, omega = M/I, are of second degree: each
 // coefficient is a sum of products of the ones before it. Nothing here knows of orbits, half turns or

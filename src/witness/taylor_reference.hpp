@@ -1,6 +1,6 @@
 // Reference solutions of differential equations by power series: y' = f(y) with as many terms as the digits
-// of the scalar ask for. In 50 or 100 digits they are the witness that has nothing in common with the schemes
-// it judges.
+// of the scalar ask for. In 50 or 100 digits they are the reference solution that has nothing in common with
+// the schemes it judges.
 #pragma once
 
 #include "actio/numbers/taylor.hpp"

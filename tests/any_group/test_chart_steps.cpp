@@ -1,4 +1,5 @@
-// Steps of the natural chart by structure constants: against the general road on the groups of the library.
+// Steps of the natural chart by structure constants: against the generic implementation on the groups of the
+// library.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/motions.hpp"
@@ -51,7 +52,7 @@ Matrix<S, 3, 3> cayley_inverse(Matrix<S, 3, 3> const& g) {
 
 BOOST_AUTO_TEST_SUITE(chart_steps)
 
-// Both roads solve to 16 epsilon of the row, fifty times.
+// Both ways solve to 16 epsilon of the row, fifty times.
 constexpr double after_fifty_steps = 50 * 16 * eps;
 
 BOOST_AUTO_TEST_CASE(a_sleigh_on_either_side) {
@@ -96,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_group_that_is_not_compact_and_one_that_is_nilpotent) {
 }
 
 BOOST_AUTO_TEST_CASE(a_top_with_the_direction_of_gravity_as_a_carried_vector) {
-  // The action of the general road: the mean of the Lagrangian at both ends of the step.
+  // The action of the generic implementation: the mean of the Lagrangian at both ends of the step.
   double const h = 0.02;
   auto const l = [](auto const& v, auto const& a) {
     auto const& w = v.coordinates;
@@ -155,7 +156,8 @@ BOOST_AUTO_TEST_CASE(compositions_have_their_orders) {
 }
 
 BOOST_AUTO_TEST_CASE(the_chart_by_cayleys_transform) {
-  // The discrete Lagrangian h l(c^-1(f^-1)/h) on the general road, with the inverse of Cayley's transform c.
+  // The discrete Lagrangian h l(c^-1(f^-1)/h) by the generic implementation, with the inverse of Cayley's
+  // transform c.
   double const h = 0.1;
   auto const action = [&](auto const& f) {
     using S = typename std::decay_t<decltype(f)>::Scalar;

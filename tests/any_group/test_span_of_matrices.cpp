@@ -1,5 +1,5 @@
-// The general road on an algebra told at run time is that on the types of the library; which matrices are
-// elements.
+// The generic implementation on an algebra told at run time is that on the types of the library; which
+// matrices are elements.
 #include <Eigen/Core>
 
 #include <boost/test/unit_test.hpp>

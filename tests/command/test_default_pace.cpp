@@ -93,10 +93,10 @@ BOOST_AUTO_TEST_CASE(rows_of_a_medium_between_its_steps_change_no_step) {
   Medium wave;
   wave.initial = "placement = [\"X + 0.02*sin(2*pi*X)\", \"Y\"]";
   wave.quantities = "\"energy\", \"momentum\", \"circulation\"", wave.until = "0.06", wave.every = "";
-  for (char const* const road : {"", "obstacle = { potential = \"0*x\" }\n"})
+  for (char const* const way : {"", "obstacle = { potential = \"0*x\" }\n"})
     for (char const* const method :
          {"", "conserve = \"energy\"\n", "order = 4\n", "viscosity = { linear = 0.5, quadratic = 2 }\n"}) {
-      wave.system = road;
+      wave.system = way;
       auto const rows = [&](std::string const& step, std::string const& at) {
         Folder const folder;
         Medium scene = wave;
@@ -107,11 +107,11 @@ BOOST_AUTO_TEST_CASE(rows_of_a_medium_between_its_steps_change_no_step) {
       Table const few = rows("0.002", "[0.03, 0.06]"),
                   more = rows("0.002", "[0.03, 0.0305, 0.0451, 0.06]\nbetween_steps = true"),
                   fine = rows("0.0001", "[0.03, 0.0305, 0.0451, 0.06]");
-      BOOST_TEST((few.rows[0] == more.rows[0] && few.rows[1] == more.rows[3]), road << method);
+      BOOST_TEST((few.rows[0] == more.rows[0] && few.rows[1] == more.rows[3]), way << method);
       for (std::size_t k = 0; k < 4; ++k)
         BOOST_TEST(std::abs(more["energy"][k] - fine["energy"][k]) <= 1e-4 * fine["energy"][k],
-                   road << method);
-      BOOST_TEST((more["energy"][1] != more["energy"][0]), road << method);
+                   way << method);
+      BOOST_TEST((more["energy"][1] != more["energy"][0]), way << method);
     }
 }
 

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(without_gravity_it_is_the_free_body_about_the_fixed_point) 
   BOOST_TEST(found.outcome.status == 0, found.outcome.err);
   BOOST_TEST(contains(found.summary, "no gravity: free motion, exact flow"));
   BOOST_TEST(apart(last(found), last(command::run(free))) <= 64 * eps * 6);
-  // Gravity next to nothing takes the road of kicks, and tells the same.
+  // Gravity next to nothing is stepped by kicks, and tells the same.
   auto little = top;
   little.system.replace(little.system.find("[0, 0, 0]"), 9, "[0, 0, -1e-200]");
   auto const kicked = command::run(little);

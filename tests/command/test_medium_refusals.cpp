@@ -99,9 +99,9 @@ BOOST_AUTO_TEST_CASE(a_motion_begins_where_the_placement_is_and_sides_agree_in_t
   BOOST_TEST(kicked.find("motion.left begins with another velocity than initial.velocity, by up to 0.1") !=
                  std::string::npos,
              kicked);
-  for (char const* const road : {"", "\nobstacle = { potential = \"0*x\" }"}) {
+  for (char const* const way : {"", "\nobstacle = { potential = \"0*x\" }"}) {
     std::string const told = plan_of(with_start(
-        with_system(gas(), std::string("boundary = { left = \"fixed\" }") + road), "velocity = [0.1, 0]"));
+        with_system(gas(), std::string("boundary = { left = \"fixed\" }") + way), "velocity = [0.1, 0]"));
     BOOST_TEST(told.find("side left is fixed to the velocity that it has at the start, up to 0.1") !=
                    std::string::npos,
                told);

@@ -55,9 +55,9 @@ Medium shear_wave() {
 
 BOOST_AUTO_TEST_SUITE(medium_scenes)
 
-BOOST_AUTO_TEST_CASE(a_simple_wave_has_order_two_on_both_roads) {
+BOOST_AUTO_TEST_CASE(a_simple_wave_has_order_two_on_both_ways) {
   std::string const gas = "name = \"polytropic_gas\", K = 1, gamma = 3";
-  // The plain road steps what has order 4 in time, and still cells of order 2.
+  // The generic implementation steps what has order 4 in time, and still cells of order 2.
   for (std::string const method : {"", "order = 4"}) {
     double const coarse = error_of_simple_wave(32, gas, method), fine = error_of_simple_wave(64, gas, method);
     double const order = std::log2(coarse / fine);

@@ -9,7 +9,7 @@
 
 #include "actio/fast_body/space/free_steps.hpp"
 #include "actio/numbers/multiprecision.hpp"
-#include "free_body_witness.hpp"
+#include "free_body_reference.hpp"
 
 namespace actio::testing {
 
@@ -22,7 +22,7 @@ struct FreeProblem {
     return bodies::FreeBody(inertia_from_moments(moments[0], moments[1], moments[2]),
                             {SO<3>{}, Eigen::Vector3d(momentum[0], momentum[1], momentum[2])});
   }
-  double amount() const { return std::hypot(momentum[0], momentum[1], momentum[2]); }
+  double magnitude() const { return std::hypot(momentum[0], momentum[1], momentum[2]); }
   /// The largest component of the angular velocity at the start.
   double rate() const {
     return std::max({std::abs(momentum[0] / moments[0]), std::abs(momentum[1] / moments[1]),
@@ -34,7 +34,7 @@ template <class S>
 FreePath<S> start_of(FreeProblem const& p) {
   return {{S(p.momentum[0]), S(p.momentum[1]), S(p.momentum[2])}, {S(1), S(0), S(0), S(0)}};
 }
-/// The witness' answer.
+/// The reference solution' answer.
 template <class S>
 FreePath<S> witness_of(FreeProblem const& p, int digits) {
   return FreeBodyWitness<S>(p.moments, digits).after(start_of<S>(p), S(p.time));
@@ -103,7 +103,7 @@ double condition(FreeProblem const& p, FreePath<S> const& answer, Answers const&
   auto const ask = [&](auto const& change) {
     FreeProblem moved = p;
     change(moved);
-    sum += apart(answer_to(moved), answer, p.amount()).larger();
+    sum += apart(answer_to(moved), answer, p.magnitude()).larger();
   };
   auto const up = [](double& x) { x = std::nextafter(x, 2 * x); };
   for (int i = 0; i < 3; ++i)
@@ -122,11 +122,11 @@ inline double condition(FreeProblem const& p, FreePath<long double> const& answe
 inline double units_off(FreeProblem const& p, FreePath<long double> const& answer, double enough) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   auto const found = path_of(p.body().at(p.time));
-  double const quick = apart(answer, found, p.amount()).larger() / (eps + condition(p, answer));
+  double const quick = apart(answer, found, p.magnitude()).larger() / (eps + condition(p, answer));
   if (quick <= enough) return quick;
   auto const slow = [](FreeProblem const& question) { return witness_of<dec50>(question, 45); };
   auto const truth = slow(p);
-  return apart(truth, found, p.amount()).larger() / (eps + condition(p, truth, slow));
+  return apart(truth, found, p.magnitude()).larger() / (eps + condition(p, truth, slow));
 }
 
 /// What a motion should conserve: relative changes of |M|^2, of the energy, of the momentum in space, and of
@@ -160,7 +160,7 @@ inline ConservationErrors conservation_errors(bodies::Three<double> const& momen
 inline ConservationErrors conservation_errors(bodies::FreeSteps const& motion,
                                               bodies::Three<double> const& moments) {
   auto const now = path_of(motion.state()), start = path_of(motion.body().at(0));
-  double const L = motion.body().amount();
+  double const L = motion.body().magnitude();
   return conservation_errors(
       moments, {{{now.momentum[0] / L, now.momentum[1] / L, now.momentum[2] / L}, now.attitude}, {{}, {}}},
       {{start.momentum[0] / L, start.momentum[1] / L, start.momentum[2] / L}, start.attitude});

@@ -17,7 +17,7 @@ struct Signs {
 /// @param time  of the motion, before or after the start; steps are a twentieth of a turn or less
 Signs compare(FreeProblem const& p, double time) {
   auto const body = p.body();
-  double const fastest = body.amount() / std::min({p.moments[0], p.moments[1], p.moments[2]});
+  double const fastest = body.magnitude() / std::min({p.moments[0], p.moments[1], p.moments[2]});
   int const steps = 20 + static_cast<int>(4 * std::abs(time) * fastest);
   FreeSteps small(body, time / steps);
   Signs signs;
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(a_far_time_has_the_sign_that_small_steps_arrive_at) {
   Signs all;
   for (int trial = 0; trial < 400; ++trial) {
     auto const p = problems.next(1);
-    double const fastest = p.amount() / std::min({p.moments[0], p.moments[1], p.moments[2]});
+    double const fastest = p.magnitude() / std::min({p.moments[0], p.moments[1], p.moments[2]});
     auto const signs = compare(p, problems.sign() * problems.between(5, 200) / fastest);
     all.wrong += signs.wrong, all.seen += signs.seen;
     BOOST_TEST(signs.wrong == 0, "problem " << trial);

@@ -19,12 +19,12 @@ using testing::FreePath, testing::FreeProblem;
 
 template <class S>
 double unit_of() { return to_double(epsilon<S>()); }
-enum class Road { chosen, series, elliptic };
+enum class Way { chosen, series, elliptic };
 
 // A problem in the numbers of S, from a start that is the same real number in all of them. The middle moment
 // is the second.
 template <class S>
-StepParameters<S> parameters_on(FreeProblem const& p, Road road, S& amount, Three<S>& u) {
+StepParameters<S> parameters_on(FreeProblem const& p, Way way, S& amount, Three<S>& u) {
   using std::sqrt;
   Three<S> I;
   S square(0);
@@ -34,22 +34,22 @@ StepParameters<S> parameters_on(FreeProblem const& p, Road road, S& amount, Thre
   InverseMoments<S> const body(I);
   Orbit<S> const orbit(body, u);
   S const t = S(p.time) / S(2) * amount;
-  return road == Road::chosen   ? exact_flow<S>(body, u, t)
-         : road == Road::series ? bodies::detail::flow_by_series<S>(body, orbit, t)
-                                : bodies::detail::flow_by_elliptic_functions<S>(body, u, orbit, t);
+  return way == Way::chosen   ? exact_flow<S>(body, u, t)
+         : way == Way::series ? bodies::detail::flow_by_series<S>(body, orbit, t)
+                              : bodies::detail::flow_by_elliptic_functions<S>(body, u, orbit, t);
 }
 template <class S>
-FreePath<S> arrive(FreeProblem const& p, Road road = Road::chosen) {
+FreePath<S> arrive(FreeProblem const& p, Way way = Way::chosen) {
   S amount(0);
   FrameState<S> state{{}, {S(1), S(0), S(0), S(0)}};
-  HalfTurn<S>(parameters_on<S>(p, road, amount, state.direction)).leap(state);
+  HalfTurn<S>(parameters_on<S>(p, way, amount, state.direction)).leap(state);
   return {{amount * state.direction[0], amount * state.direction[1], amount * state.direction[2]},
           state.attitude};
 }
-/// \f$s_1t^2\f$, by which the road is chosen.
+/// \f$s_1t^2\f$, by which the way is chosen.
 double reach(FreeProblem const& p) {
   InverseMoments<double> const body({p.moments[0], p.moments[1], p.moments[2]});
-  double const L = p.amount(), t = p.time * L / 2;
+  double const L = p.magnitude(), t = p.time * L / 2;
   return Orbit<double>(body, {p.momentum[0] / L, p.momentum[1] / L, p.momentum[2] / L}).s1 * t * t;
 }
 void sort_axes(FreeProblem& p) {
@@ -80,11 +80,11 @@ std::vector<FreeProblem> shapes() {
 
 // The error in the unit of S: roundings, times the angle where it is long.
 template <class S>
-double error_in_units(FreeProblem const& p, Road road = Road::chosen) {
+double error_in_units(FreeProblem const& p, Way way = Way::chosen) {
   constexpr int digits = std::numeric_limits<S>::digits10 + 3;
   using W = std::conditional_t<std::is_same_v<S, double>, dec50, S>;
-  return testing::apart(testing::witness_of<W>(p, std::is_same_v<S, double> ? 25 : digits),
-                        arrive<S>(p, road), p.amount())
+  return testing::apart(testing::witness_of<W>(p, std::is_same_v<S, double> ? 25 : digits), arrive<S>(p, way),
+                        p.magnitude())
              .larger() /
          unit_of<S>();
 }
@@ -96,8 +96,8 @@ void follows_the_unit(char const* name) {
       p.time = time;
       double const error = error_in_units<S>(p);
       worst = std::max(worst, error);
-      // 16 roundings, and of the phase as many for each radian; the witness has a few of its own for each of
-      // its steps.
+      // 16 roundings, and of the phase as many for each radian; the reference solution has a few of its own
+      // for each of its steps.
       BOOST_TEST(error <= 16 * (1 + 2 * time));
     }
   BOOST_TEST_MESSAGE("exact flow, " << name << ": errors up to " << worst << " units in the last place");
@@ -107,8 +107,8 @@ void follows_the_unit(char const* name) {
 BOOST_AUTO_TEST_SUITE(exact_flow)
 
 BOOST_AUTO_TEST_CASE(the_witness_is_the_reference_solution) {
-  // The witness' own recurrences beside the general Taylor method, which is given Euler's equations and
-  // nothing else.
+  // The reference solution' own recurrences beside the general Taylor method, which is given Euler's
+  // equations and nothing else.
   FreeProblem const p{{0.6, 0.8, 1.0}, {0.9, 0.3, -0.5}, 1.5};
   actio::Vector<dec50, 7> y;
   y << dec50(0.9), dec50(0.3), dec50(-0.5), 1, 0, 0, 0;
@@ -143,24 +143,24 @@ BOOST_AUTO_TEST_CASE(errors_follow_the_unit_in_the_last_place_100_digits) {
 }
 
 BOOST_AUTO_TEST_CASE(the_series_ends_where_it_may) {
-  // On both sides of the switch, by both roads.
+  // On both sides of the switch, by both ways.
   for (FreeProblem const& shape : shapes())
     for (double const part : {0.25, 0.9, 0.999, 1.001}) {
       FreeProblem const p = at_reach(shape, part * bodies::detail::short_enough);
-      // A nearly spherical body turns ten thousand times meanwhile: the phase is rounded in both roads, but
+      // A nearly spherical body turns ten thousand times meanwhile: the phase is rounded in both ways, but
       // not in the same way.
       double const angle = 1 + p.time * p.rate();
-      for (Road const road : {Road::series, Road::elliptic})
+      for (Way const way : {Way::series, Way::elliptic})
         if (angle < 1e3) {
-          BOOST_TEST(error_in_units<double>(p, road) <= 16 * angle);
+          BOOST_TEST(error_in_units<double>(p, way) <= 16 * angle);
         }
       BOOST_TEST(
-          testing::apart(arrive<double>(p, Road::series), arrive<double>(p, Road::elliptic), p.amount())
+          testing::apart(arrive<double>(p, Way::series), arrive<double>(p, Way::elliptic), p.magnitude())
               .larger() <= 16 * angle * unit_of<double>());
-      BOOST_TEST(testing::apart(arrive<dec50>(p, Road::series), arrive<dec50>(p, Road::elliptic), p.amount())
+      BOOST_TEST(testing::apart(arrive<dec50>(p, Way::series), arrive<dec50>(p, Way::elliptic), p.magnitude())
                      .larger() <= 16 * angle * unit_of<dec50>());
       BOOST_TEST(
-          testing::apart(arrive<dec100>(p, Road::series), arrive<dec100>(p, Road::elliptic), p.amount())
+          testing::apart(arrive<dec100>(p, Way::series), arrive<dec100>(p, Way::elliptic), p.magnitude())
               .larger() <= 16 * angle * unit_of<dec100>());
     }
 }

@@ -32,11 +32,12 @@ double differ(FreeState const& a, FreeState const& b) {
 // Roundings of one step; the energy has 1/I in it.
 void keeps_what_is_kept(FreeBody const& body, FreeState const& s, double steps = 1) {
   auto const start = body.at(0);
-  double const size = body.amount() > 0 ? body.amount() : 1;
+  double const size = body.magnitude() > 0 ? body.magnitude() : 1;
   BOOST_TEST(is_finite(momentum_of(s)));
   BOOST_TEST(is_finite(s.attitude.value));
   BOOST_TEST(std::abs(s.attitude.value.norm() - 1) <= 4 * eps);
-  BOOST_TEST(std::abs(momentum_of(s).stableNorm() / size - (body.amount() > 0 ? 1 : 0)) <= 16 * eps * steps);
+  BOOST_TEST(std::abs(momentum_of(s).stableNorm() / size - (body.magnitude() > 0 ? 1 : 0)) <=
+             16 * eps * steps);
   BOOST_TEST((s.spatial_momentum().components / size - start.spatial_momentum().components / size).norm() <=
              32 * eps * steps);
 }
@@ -80,7 +81,7 @@ BOOST_AUTO_TEST_CASE(about_a_principal_axis_it_turns_steadily) {
         auto const body = body_of(I, spin * I[axis] * Vector3d::Unit(axis));
         for (double const angle : {1e-10, 0.5, M_PI, -4.0, 2 * M_PI, 1000.0}) {
           auto const s = body.at(angle / spin);
-          BOOST_TEST((momentum_of(s) - momentum_of(body.at(0))).norm() <= 4 * eps * body.amount());
+          BOOST_TEST((momentum_of(s) - momentum_of(body.at(0))).norm() <= 4 * eps * body.magnitude());
           auto const expected = exp(velocity(SU2{}, Vector3d(angle * Vector3d::Unit(axis))));
           BOOST_TEST(std::min((s.attitude.value - expected.value).norm(),
                               (s.attitude.value + expected.value).norm()) <= 4 * eps * (1 + std::abs(angle)));
@@ -98,10 +99,10 @@ BOOST_AUTO_TEST_CASE(whatever_the_body_momentum_and_energy_stay) {
     auto const s = body.at(p.time);
     double energy = 0, start = 0;
     for (int i = 0; i < 3; ++i) {
-      energy += momentum_of(s)[i] / body.amount() * (momentum_of(s)[i] / p.moments[i]),
-          start += p.momentum[i] / body.amount() * (p.momentum[i] / p.moments[i]);
+      energy += momentum_of(s)[i] / body.magnitude() * (momentum_of(s)[i] / p.moments[i]),
+          start += p.momentum[i] / body.magnitude() * (p.momentum[i] / p.moments[i]);
     }
-    double const size = body.amount(),
+    double const size = body.magnitude(),
                  slack = (s.spatial_momentum().components - body.at(0).spatial_momentum().components).norm() /
                          size;
     // Of a component next to zero the rounding is one of the amount: in the energy it is multiplied by the
@@ -128,7 +129,7 @@ BOOST_AUTO_TEST_CASE(two_flows_compose_to_one) {
     // The place in the middle is rounded, a component next to zero by the amount: in turns about the axis of
     // the least moment that is the rate at full momentum.
     double const angle =
-        std::abs(p.time) * body.amount() / std::min({p.moments[0], p.moments[1], p.moments[2]});
+        std::abs(p.time) * body.magnitude() / std::min({p.moments[0], p.moments[1], p.moments[2]});
     if (angle > 1e3) continue;
     ++judged;
     if (!(differ(end, again) <= 32 * eps * (1 + angle) * std::exp(std::min(angle, 3.0))))
@@ -160,7 +161,7 @@ BOOST_AUTO_TEST_CASE(the_names_of_the_axes_do_not_matter) {
       for (int i = 0; i < 3; ++i)
         named.body_momentum.components[i] = sign * momentum_of(usual)[o[i]],
         named.attitude.value[1 + i] = sign * usual.attitude.value[1 + o[i]];
-      // The amount of the momentum is summed in another order.
+      // The magnitude of the momentum is summed in another order.
       BOOST_TEST(differ(named, other) <= 8 * eps * (1 + t));
     }
   }
@@ -275,8 +276,8 @@ BOOST_AUTO_TEST_CASE(near_the_separatrix_is_told_relative_to_the_orbit) {
   }
 }
 
-// With the parameters of the scheme the steps are those of the scheme on the general road, which at this
-// length departs from the exact motion by a thousandth.
+// With the parameters of the scheme the steps are those of the scheme by the generic implementation, which at
+// this length departs from the exact motion by a thousandth.
 BOOST_AUTO_TEST_CASE(steps_with_the_parameters_of_a_scheme_are_its_steps) {
   Vector3d const I(0.6, 0.8, 1), M(0.3, -0.7, 0.45);
   auto const body = body_of(I, M);
@@ -406,8 +407,8 @@ BOOST_AUTO_TEST_CASE(the_longest_step_does_not_depend_on_the_unit_of_mass) {
 }
 
 BOOST_AUTO_TEST_CASE(next_to_a_steady_turn_the_setting_back_disturbs_nothing) {
-  // A turn about the axis of the largest moment that wobbles by 1e-6: the gradients of amount and energy are
-  // nearly parallel, and what they are set back by must not be rounding.
+  // A turn about the axis of the largest moment that wobbles by 1e-6: the gradients of magnitude and energy
+  // are nearly parallel, and what they are set back by must not be rounding.
   auto const body = body_of(Vector3d(0.36836901187385251, 0.36840266704489788, 4.0490418486419611e-05),
                             Vector3d(-4.648010031437658e-9, -1, 6.3513638317865446e-10));
   FreeSteps motion(body, -2.5 / 1024);

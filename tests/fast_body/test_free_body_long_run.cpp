@@ -28,7 +28,7 @@ void say(std::string const& what, ConservationErrors const& k) {
 
 // Whether the moments that make a step exact are those of a body for which the general solver has the
 // solution: the step is the smallest root.
-bool general_road(Inertia<3> const& inertia, FreeBody const& body, double h, Inertia<3>& replaced) {
+bool generic_implementation(Inertia<3> const& inertia, FreeBody const& body, double h, Inertia<3>& replaced) {
   auto const j = inertia_of(body.step_parameters(h));
   Eigen::Vector3d moments;
   int first = 0;
@@ -36,7 +36,7 @@ bool general_road(Inertia<3> const& inertia, FreeBody const& body, double h, Ine
              (inertia.moments[(first + 2) % 3] - inertia.moments[(first + 1) % 3]) <
          0)
     ++first;
-  for (int i = 0; i < 3; ++i) moments[(i + first) % 3] = h * body.amount() / (2 * j[i]);
+  for (int i = 0; i < 3; ++i) moments[(i + first) % 3] = h * body.magnitude() / (2 * j[i]);
   for (int i = 0; i < 3; ++i)
     if (!(moments[i] > 0) || moments[(i + 1) % 3] + moments[(i + 2) % 3] < moments[i]) return false;
   replaced = inertia_from_moments<double>(moments);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(ten_thousand_exact_steps_are_those_of_the_general_solver_wi
     double const h = uniform(random) / spin.coordinates.norm(),
                  angle = std::abs(h) * pi.norm() / inertia.moments.minCoeff();
     Inertia<3> replaced;
-    if (!general_road(inertia, body, h, replaced)) {
+    if (!generic_implementation(inertia, body, h, replaced)) {
       ++without;
       continue;
     }
@@ -123,11 +123,11 @@ BOOST_AUTO_TEST_CASE(a_thousand_seconds_of_hard_bodies_to_twelve_digits) {
     FreeProblem const p{
         c.moments, {c.spin[0] * c.moments[0], c.spin[1] * c.moments[1], c.spin[2] * c.moments[2]}, 1000};
     auto const truth = testing::witness_of<Quad>(p, 27);
-    auto const once = testing::apart(truth, testing::path_of(p.body().at(1000)), p.amount());
+    auto const once = testing::apart(truth, testing::path_of(p.body().at(1000)), p.magnitude());
     // A tenth is rounded: steps of 1/8 are a thousand seconds exactly.
     FreeSteps steps(p.body(), 0.125);
     steps.advance(8000);
-    auto const many = testing::apart(truth, testing::path_of(steps.state()), p.amount());
+    auto const many = testing::apart(truth, testing::path_of(steps.state()), p.magnitude());
     BOOST_TEST_MESSAGE(c.name << ", t = 1000: at(t) momentum " << once.momentum << ", attitude "
                               << once.attitude << "; 8000 steps " << many.momentum << ", " << many.attitude);
     BOOST_TEST(once.larger() <= 1e-12);
@@ -152,8 +152,8 @@ BOOST_AUTO_TEST_CASE(steps_of_nasty_bodies_are_as_good_as_one_evaluation) {
     ++count;
     FreeSteps motion(body, h);
     motion.advance(steps);
-    worst = std::max(
-        worst, testing::apart(truth, testing::path_of(motion.state()), p.amount()).larger() / (eps + open));
+    worst = std::max(worst, testing::apart(truth, testing::path_of(motion.state()), p.magnitude()).larger() /
+                                (eps + open));
   }
   BOOST_TEST_MESSAGE("1024 steps of 500 nasty bodies: at most "
                      << worst

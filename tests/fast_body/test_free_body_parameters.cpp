@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(the_pace_is_made_of_the_moments_and_the_momentum) {
                    s1 = (J[0] - J[1]) * (H2 - J[2] * L2) + (J[1] - J[2]) * (J[0] * L2 - H2);
       auto const body = body_of(unit * I, unit * M);
       BOOST_TEST(std::abs(body.pace() / std::sqrt(s1) - 1) <= 32 * eps);
-      BOOST_TEST(std::abs(body.amount() / unit / std::sqrt(L2) - 1) <= 8 * eps);
+      BOOST_TEST(std::abs(body.magnitude() / unit / std::sqrt(L2) - 1) <= 8 * eps);
       // The frequency of Jacobi's functions, and no more than root two of it.
       double const frequency =
           std::sqrt(std::max((J[0] - J[1]) * (H2 - J[2] * L2), (J[1] - J[2]) * (J[0] * L2 - H2)));

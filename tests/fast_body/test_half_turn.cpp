@@ -48,8 +48,9 @@ struct RationalMotion {
   }
 };
 
-// One step of the fast road beside the general solver; what is allowed is a residual of 16 epsilon times the
-// angle in each, over the slope with which the equation crosses zero: at the largest step that is none.
+// One step of the optimised implementation beside the general solver; what is allowed is a residual of 16
+// epsilon times the angle in each, over the slope with which the equation crosses zero: at the largest step
+// that is none.
 struct Beside {
   double momentum = 0, attitude = 0, room = 0;
 };
@@ -265,7 +266,8 @@ BOOST_AUTO_TEST_CASE(the_twist_is_the_same_all_along_the_orbit_and_steps_back_un
     HalfTurn<double> const back(body.moser_veselov_parameters(-h, 2));
     for (int k = 0; k < 200; ++k) back.step(state);
     auto const end = body.state(state), start = body.state(body.start());
-    BOOST_TEST((end.body_momentum - start.body_momentum).components.norm() <= 400 * 32 * eps * body.amount());
+    BOOST_TEST((end.body_momentum - start.body_momentum).components.norm() <=
+               400 * 32 * eps * body.magnitude());
     BOOST_TEST((end.attitude.value - start.attitude.value).norm() <= 400 * 32 * eps);
   }
 }

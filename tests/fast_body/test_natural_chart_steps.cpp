@@ -1,5 +1,5 @@
-// The natural-chart scheme by closed forms: against the general road, its orders, what it conserves, and
-// where it ends.
+// The natural-chart scheme by closed forms: against the generic implementation, its orders, what it
+// conserves, and where it ends.
 #include <boost/test/unit_test.hpp>
 
 #include <Eigen/Geometry>
@@ -44,14 +44,14 @@ BOOST_AUTO_TEST_CASE(the_closed_form_of_the_momentum_is_chi) {
       auto const& I = body.moments;
       Vector3d const closed = vector(NaturalChartStep({I[0], I[1], I[2]})
                                          .momentum({v.coordinates[0], v.coordinates[1], v.coordinates[2]}));
-      // The matrix functions of the general road take some ten products.
+      // The matrix functions of the generic implementation take some ten products.
       BOOST_TEST((closed - NaturalChartScheme<3>(body, 1.0).momentum_of(v).components).norm() <=
                  50 * eps * magnitude(I) * angle);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(its_steps_are_those_of_the_general_road) {
+BOOST_AUTO_TEST_CASE(its_steps_are_those_of_the_general_way) {
   std::mt19937 random(testing::seed);
   for (int trial = 0; trial < 5; ++trial) {
     auto const [body, turn] = testing::random_body<3>(random);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(its_steps_are_those_of_the_general_road) {
       auto const s = fast.state();
       auto const& q = s.attitude.value;
       Eigen::Matrix3d const R = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-      // a residual of tens of epsilon over the least moment a step on the general road
+      // a residual of tens of epsilon over the least moment a step by the generic implementation
       double const room = 200 * k * eps;
       BOOST_TEST((s.body_momentum.components - pi.components).norm() <= room * size);
       BOOST_TEST((R - g.value).norm() <= room);

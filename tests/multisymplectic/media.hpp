@@ -1,4 +1,4 @@
-// Media, meshes and discrete solutions that the tests of the general road share.
+// Media, meshes and discrete solutions that the tests of the generic implementation share.
 #pragma once
 
 #include "actio/continuum/materials.hpp"

@@ -150,7 +150,7 @@ struct Passage {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(equal_steps_on_segments_are_the_synchronous_scheme) {
-  // The general road takes the same discrete Lagrangian, another way.
+  // The generic implementation takes the same discrete Lagrangian, another way.
   auto const density = gas<double, 1>();
   double const h = 0.01;
   int const steps = 40;
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(equal_steps_on_segments_are_the_synchronous_scheme) {
   double apart = 0;
   for (int node = 0; node < 9; ++node)
     apart = std::max(apart, std::abs(events.place(node, steps * h)[0] - section(steps, node)[0]));
-  BOOST_TEST_MESSAGE("equal steps beside the general road: " << apart);
+  BOOST_TEST_MESSAGE("equal steps beside the generic implementation: " << apart);
   // Places near one, rounded twice in each step.
   BOOST_TEST(apart < 2 * steps * epsilon<double>());
 }

@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_symmetry_of_the_density_is_one_of_every_cell_and_a_growth
 }
 
 BOOST_AUTO_TEST_CASE(the_discrete_action_is_of_second_order) {
-  // A smooth motion of a bent body; the action of the straight one by Gauss's rule is another road.
+  // A smooth motion of a bent body; the action of the straight one by Gauss's rule is another way.
   auto const motion = []<class T>(Matrix<T, 3, 1> const& x) {
     return Matrix<T, 2, 1>(x[1] + x[0] * x[2] * x[1] / 3, x[2] * 2 + x[1] * x[1] * x[0] / 5 - x[0] * x[0]);
   };

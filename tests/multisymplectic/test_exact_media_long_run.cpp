@@ -1,6 +1,6 @@
-// The plain road of media against exact solutions: simple waves oblique to meshes of triangles and of
-// hexahedra, gas that expands into vacuum, a disc that is deformed alike everywhere, and waves of which the
-// discrete equations have a closed solution; then momenta over many steps.
+// The generic implementation of media against exact solutions: simple waves oblique to meshes of triangles
+// and of hexahedra, gas that expands into vacuum, a disc that is deformed alike everywhere, and waves of
+// which the discrete equations have a closed solution; then momenta over many steps.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/media_on_meshes/medium_on_mesh.hpp"

@@ -1,4 +1,4 @@
-// The fast road of media in space: held to the general road, and what it refuses.
+// The optimised implementation of media in space: held to the generic implementation, and what it refuses.
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
@@ -16,14 +16,14 @@ using Place = std::array<double, 3>;
 using enum Side;
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(fast_roads_in_space)
+BOOST_AUTO_TEST_SUITE(fast_ways_in_space)
 
 namespace {
-/// The general road: one level by the fast road, the others by the discrete Euler-Lagrange field equations of
-/// the density, by duals.
+/// The generic implementation: one level by the optimised implementation, the others by the discrete
+/// Euler-Lagrange field equations of the density, by duals.
 template <class Medium, class Energy>
-void roads_agree(Medium const& medium, Energy const& energy, FastBox3d::Ends const (&fast_sides)[3],
-                 Side const (&general)[3]) {
+void ways_agree(Medium const& medium, Energy const& energy, FastBox3d::Ends const (&fast_sides)[3],
+                Side const (&general)[3]) {
   int const steps = 6;
   double const dt = 0.01, density = 2.5;
   FastBox3d const box{{4, 3, 2}, {0.1, 0.13, 0.11}, {fast_sides[0], fast_sides[1], fast_sides[2]}};
@@ -63,27 +63,28 @@ void roads_agree(Medium const& medium, Energy const& energy, FastBox3d::Ends con
   double worst = 0;
   for (std::size_t k = 0; k < x.size(); ++k)
     worst = std::max(worst, (section.levels.back()[k] - Eigen::Vector3d(x[k].data())).norm());
-  // The general road solves each level to 64 roundings of places below 1, and both lose some 200 roundings of
-  // a kick, dt^2 times a modulus below 4 over h; what a step is off goes on as a velocity.
+  // The generic implementation solves each level to 64 roundings of places below 1, and both lose some 200
+  // roundings of a kick, dt^2 times a modulus below 4 over h; what a step is off goes on as a velocity.
   double const h = 0.1, a_step = eps * (64 + 200 * dt * dt * 4 / h * (1 + 1 / h));
-  BOOST_TEST_MESSAGE("in space the fast road and the general road differ by " << worst);
+  BOOST_TEST_MESSAGE("in space the optimised implementation and the generic implementation differ by "
+                     << worst);
   BOOST_TEST(worst <= a_step * steps * (steps + 1) / 2);
 }
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(both_roads_are_the_same_to_rounding) {
+BOOST_AUTO_TEST_CASE(both_ways_are_the_same_to_rounding) {
   FastBox3d::Ends const loose{Side::free, Side::free}, held{fixed, fixed}, round{periodic, periodic};
   for (auto const& [fast, general] :
        {std::pair{std::array{loose, held, round}, std::array{Side::free, Side::fixed, Side::periodic}},
         {std::array{round, loose, loose}, std::array{Side::periodic, Side::free, Side::free}}}) {
     FastBox3d::Ends const fast_sides[3] = {fast[0], fast[1], fast[2]};
     Side const sides[3] = {general[0], general[1], general[2]};
-    roads_agree(FastFluid{PolytropicByRoots<1, 2>{0.7}}, Barotropic{WholePolytropic<double, 1>{0.7}},
-                fast_sides, sides);
-    roads_agree(FastStVenantKirchhoff{0.9, 0.6}, OfGreenTensor{StVenantKirchhoff<double>{0.9, 0.6}},
-                fast_sides, sides);
-    roads_agree(neo_hookean(0.9, 0.6), OfGreenTensor{NeoHookean{0.6, LogarithmicVolume<double>{0.9}}},
-                fast_sides, sides);
+    ways_agree(FastFluid{PolytropicByRoots<1, 2>{0.7}}, Barotropic{WholePolytropic<double, 1>{0.7}},
+               fast_sides, sides);
+    ways_agree(FastStVenantKirchhoff{0.9, 0.6}, OfGreenTensor{StVenantKirchhoff<double>{0.9, 0.6}},
+               fast_sides, sides);
+    ways_agree(neo_hookean(0.9, 0.6), OfGreenTensor{NeoHookean{0.6, LogarithmicVolume<double>{0.9}}},
+               fast_sides, sides);
   }
 }
 

@@ -1,4 +1,5 @@
-// The fast road of media in space: held to a plain loop in matrices of Eigen, to the plane and to itself.
+// The optimised implementation of media in space: held to a plain loop in matrices of Eigen, to the plane and
+// to itself.
 #include <Eigen/Core>
 
 #include <boost/test/unit_test.hpp>

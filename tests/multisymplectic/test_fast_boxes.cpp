@@ -1,4 +1,4 @@
-// Boxes of the fast road: what sides make of the nodes there, periods, and what is no box.
+// Boxes of the optimised implementation: what sides make of the nodes there, periods, and what is no box.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_media/fast_box_3d.hpp"

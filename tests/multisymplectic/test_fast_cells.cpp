@@ -1,5 +1,5 @@
-// Cells of the fast road by what defines them: the energy of a cell as a sum over its corners, forces and
-// stiffness as its derivatives.
+// Cells of the optimised implementation by what defines them: the energy of a cell as a sum over its corners,
+// forces and stiffness as its derivatives.
 #include <boost/test/unit_test.hpp>
 #include <functional>
 #include <random>

@@ -1,5 +1,5 @@
-// The fast road of media against exact solutions: simple waves oblique to the mesh, whose error has order 2,
-// and motions of which the discrete equations have a closed solution.
+// The optimised implementation of media against exact solutions: simple waves oblique to the mesh, whose
+// error has order 2, and motions of which the discrete equations have a closed solution.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_media/fast_medium_2d.hpp"

@@ -1,5 +1,6 @@
-// Cells that turn inside out on the fast road, in the plane and in space: nodes without forces worth the name
-// fly on straight lines, so that it is known beforehand which cell does it, at which step, and how far.
+// Cells that turn inside out in the optimised implementation, in the plane and in space: nodes without forces
+// worth the name fly on straight lines, so that it is known beforehand which cell does it, at which step, and
+// how far.
 #include <boost/test/unit_test.hpp>
 #include <random>
 

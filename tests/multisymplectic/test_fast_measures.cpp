@@ -1,5 +1,5 @@
-// What a medium of the fast road says of itself: momenta and energies as sums over its nodes and its cells,
-// memory, steps in a pass; and what it refuses in words and numbers.
+// What a medium of the optimised implementation says of itself: momenta and energies as sums over its nodes
+// and its cells, memory, steps in a pass; and what it refuses in words and numbers.
 #include <boost/test/unit_test.hpp>
 #include <random>
 

@@ -1,5 +1,5 @@
-// What the fast road of media says of cells that turn inside out, of steps that are too long, and of boxes
-// that are none.
+// What the optimised implementation of media says of cells that turn inside out, of steps that are too long,
+// and of boxes that are none.
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 

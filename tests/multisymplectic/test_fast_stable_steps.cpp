@@ -1,5 +1,5 @@
-// The longest stable step of the fast road: of a window around the cell that resists most it is the bound at
-// the start, and in space it is that of a dispersion relation.
+// The longest stable step of the optimised implementation: of a window around the cell that resists most it
+// is the bound at the start, and in space it is that of a dispersion relation.
 #include <boost/test/unit_test.hpp>
 #include <random>
 

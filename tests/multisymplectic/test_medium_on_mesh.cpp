@@ -1,4 +1,5 @@
-// The plain road of media on meshes: held to the fast road, and what it says of itself.
+// The generic implementation of media on meshes: held to the optimised implementation, and what it says of
+// itself.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_media/fast_medium_2d.hpp"
@@ -22,9 +23,9 @@ BodyStart<2> thrown() {
   return start;
 }
 
-/// Seven by five cells, thirty steps by both roads.
+/// Seven by five cells, thirty steps by both ways.
 template <class Medium>
-void roads_agree(Medium const& medium, std::array<Side, 2> across, std::array<Side, 2> up) {
+void ways_agree(Medium const& medium, std::array<Side, 2> across, std::array<Side, 2> up) {
   int const n = 7, m = 5, steps = 30;
   double const h1 = 0.1, h2 = 0.13, dt = 0.01;
   FastMedium2d<Medium> fast(medium, {{n, m}, {h1, h2}, across, up}, dt, 1.7, bent, turning);
@@ -45,7 +46,7 @@ void roads_agree(Medium const& medium, std::array<Side, 2> across, std::array<Si
   // off goes on as a velocity.
   double const a_step = eps * (2 + 100 * dt * dt * 2 / (h1 * h1));
   BOOST_TEST(worst <= a_step * steps * (steps + 1) / 2);
-  BOOST_TEST_MESSAGE("the plain road and the fast road differ by " << worst);
+  BOOST_TEST_MESSAGE("the generic implementation and the optimised implementation differ by " << worst);
   // Where nothing is held both have the angular momentum of the start.
   if (sides.empty())
     BOOST_TEST(body.angular_momentum()[2] == fast.angular_momentum(), boost::test_tools::tolerance(1e-12));
@@ -86,14 +87,14 @@ std::vector<double> flat(std::vector<Spot<d>> const& places) {
 
 BOOST_AUTO_TEST_SUITE(medium_on_mesh)
 
-BOOST_AUTO_TEST_CASE(on_boxes_of_the_plane_both_roads_are_the_same_to_rounding) {
+BOOST_AUTO_TEST_CASE(on_boxes_of_the_plane_both_ways_are_the_same_to_rounding) {
   using enum Side;
   for (auto const& [across, up] : {std::pair{std::array{free, free}, std::array{free, free}},
                                    {{fixed, free}, {sliding, free}},
                                    {{sliding, sliding}, {free, fixed}}}) {
-    roads_agree(FastFluid{PolytropicByRoots<1, 2>{0.2}}, across, up);
-    roads_agree(FastStVenantKirchhoff{0.9, 0.6}, across, up);
-    roads_agree(neo_hookean(0.9, 0.6), across, up);
+    ways_agree(FastFluid{PolytropicByRoots<1, 2>{0.2}}, across, up);
+    ways_agree(FastStVenantKirchhoff{0.9, 0.6}, across, up);
+    ways_agree(neo_hookean(0.9, 0.6), across, up);
   }
 }
 
@@ -112,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_step_that_is_set_before_the_first_one_is_that_of_the_begi
 }
 
 // As people know them: by their places in a box, otherwise by numbers.
-BOOST_AUTO_TEST_CASE(cells_have_the_names_of_the_fast_road) {
+BOOST_AUTO_TEST_CASE(cells_have_the_names_of_the_fast_way) {
   auto const box = box_mesh({0, 0, 0}, {1, 1, 1}, {4, 3, 2});
   BOOST_TEST(box.cell_name(0) == "cell (0, 0, 0)");
   BOOST_TEST(box.cell_name(3 + 4 * (2 + 3 * 1)) == "cell (3, 2, 1)");

@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(oblique_simple_waves_of_a_solid_converge_with_order_two) {
 }
 
 BOOST_AUTO_TEST_CASE(a_simple_wave_solves_the_field_equations_of_its_medium) {
-  // The exact solution by another road: differences of it in the momentum balance, of order two.
+  // The exact solution by another way: differences of it in the momentum balance, of order two.
   SimpleWave<GasWave> const wave{{}, 0.05, {0.8, 0.6}};
   Matrix<double, 3, 1> const x(0.2, 0.3, 0.1);
   auto const acceleration_defect = [&](double h) {

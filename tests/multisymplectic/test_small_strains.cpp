@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(energies_and_stresses_are_those_of_50_digits_on_a_line) { e
 BOOST_AUTO_TEST_CASE(energies_and_stresses_are_those_of_50_digits_in_the_plane) { every_medium<2>(); }
 BOOST_AUTO_TEST_CASE(energies_and_stresses_are_those_of_50_digits_in_space) { every_medium<3>(); }
 
-BOOST_AUTO_TEST_CASE(a_body_in_the_plane_knows_its_energy_on_both_roads) {
+BOOST_AUTO_TEST_CASE(a_body_in_the_plane_knows_its_energy_on_both_ways) {
   Strained<2> const strained{{8, 8}};
   FastStVenantKirchhoff const medium{0.9, 0.6};
   FastBox2d const box{.cells = strained.cells, .spacing = {0.125, 0.125}};

@@ -84,7 +84,8 @@ BOOST_AUTO_TEST_CASE(steps_of_the_linear_wave_are_those_of_the_five_point_stenci
   }
 }
 
-BOOST_AUTO_TEST_CASE(steps_of_the_general_road_satisfy_the_field_equations_exactly_over_the_rationals) {
+BOOST_AUTO_TEST_CASE(
+    steps_of_the_generic_implementation_satisfy_the_field_equations_exactly_over_the_rationals) {
   WithArithmetic const exactly(Arithmetic::rationals());
   FineDraw draw(9);
   SpaceTimeMesh<Q, 2> const mesh({Q(0), ratio<Q>(1, 20), ratio<Q>(1, 8), ratio<Q>(1, 6)}, {2, 2},

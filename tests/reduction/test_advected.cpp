@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exac
     }
 }
 
-BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations) {
+BOOST_AUTO_TEST_CASE(both_ways_lead_to_the_same_configurations) {
   Draw draw(13);
   double const h = 0.05;
   int const steps = 20;
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations_from_the_right) {
+BOOST_AUTO_TEST_CASE(both_ways_lead_to_the_same_configurations_from_the_right) {
   Draw draw(14);
   double const h = 0.05;
   int const steps = 10;

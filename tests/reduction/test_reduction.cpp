@@ -1,4 +1,4 @@
-// Discrete mechanics as a reader uses it: the two roads with their solvers on many groups, and refusals in
+// Discrete mechanics as a reader uses it: the two ways with their solvers on many groups, and refusals in
 // place of wrong numbers.
 #include <boost/test/unit_test.hpp>
 
@@ -45,7 +45,7 @@ auto const spinning_body = [](auto const& omega) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_on_seven_groups) {
+BOOST_AUTO_TEST_CASE(both_ways_lead_to_the_same_places_on_seven_groups) {
   std::vector<SpannedGroup> const groups = {
       from_basis("SO(3)", SO<3>{}),          from_basis("SO(4)", SO<4>{}), from_basis("SE(2)", SE<2>{}),
       from_basis("SE(3)", SE<3>{}),          from_basis("Aff(1)", Aff1{}), from_basis("GL(2)", GL<2>{}),

@@ -1,4 +1,4 @@
-// The equations of Euler and Poisson, written out: the witness that judges the heavy tops.
+// The equations of Euler and Poisson, written out: the reference solution that judges the heavy tops.
 #pragma once
 
 #include "actio/rigid_body/heavy_top.hpp"

@@ -1,5 +1,5 @@
-// The heavy top: the scheme against the general road and against the equations of Euler and Poisson, what it
-// conserves, and refusals.
+// The heavy top: the scheme against the generic implementation and against the equations of Euler and
+// Poisson, what it conserves, and refusals.
 #include <boost/test/unit_test.hpp>
 
 #include <complex>
@@ -52,7 +52,7 @@ Vector6d flow(HeavyTop<double> const& top, HeavyTopState<double> const& start, d
                             duration);
 }
 
-/// Either discrete Lagrangian, as one type: the general road is compiled once.
+/// Either discrete Lagrangian, as one type: the generic implementation is compiled once.
 struct Action {
   HeavyTop<double> top;
   double h;
@@ -63,13 +63,14 @@ struct Action {
     return arcs ? natural_chart_lagrangian(top, h)(f, gamma) : trace_lagrangian(top, h)(f, gamma);
   }
 };
-/// The relative motion of the step that starts with the momentum of a state, by the general road.
+/// The relative motion of the step that starts with the momentum of a state, by the generic implementation.
 Element<SO<3>, double> relative_motion(Action const& l, HeavyTopState<double> const& s) {
   return advected_relative_motion_left(l, s.momentum, s.vector,
                                        exp(-l.h * body_velocity(l.top.inertia, s.momentum)))
       .value;
 }
-/// A step of the general road: relative motion from momentum, momentum at the end, vertical transported.
+/// A step of the generic implementation: relative motion from momentum, momentum at the end, vertical
+/// transported.
 HeavyTopState<double> step_by_duals(Action const& l, HeavyTopState<double> const& s) {
   auto const f = relative_motion(l, s);
   return {advected_momentum_after_left(l, f, s.vector), advect_left(f, s.vector)};
@@ -105,7 +106,7 @@ auto const by_scheme = [](HeavyTop<double> const& top, int order) {
 
 BOOST_AUTO_TEST_SUITE(heavy_tops)
 
-BOOST_AUTO_TEST_CASE(the_scheme_is_the_general_road_with_the_trace_lagrangian) {
+BOOST_AUTO_TEST_CASE(the_scheme_is_the_generic_implementation_with_the_trace_lagrangian) {
   for (double const h : {0.1, 0.01, -0.05}) {
     HeavyTopScheme<> const scheme(crooked, h);
     Action const l{crooked, h};

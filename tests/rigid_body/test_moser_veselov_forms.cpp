@@ -1,4 +1,4 @@
-// DEP, DLP and DEL are three forms of one motion, and that of the general road.
+// DEP, DLP and DEL are three forms of one motion, and that of the generic implementation.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/reduction/discrete_euler_poincare.hpp"
@@ -31,7 +31,8 @@ void three_forms_agree(double angle) {
     BOOST_TEST(magnitude((relative_motion_left(g1, g2).value - next.value).eval()) <= room);
     BOOST_TEST(magnitude((lie_poisson_update_left(f, pi) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude(scheme.residual(f, next).components) <= room * scale);
-    // The general road: the equation of chapter 3 for the trace Lagrangian, derivatives by dual numbers.
+    // The generic implementation: the equation of chapter 3 for the trace Lagrangian, derivatives by dual
+    // numbers.
     BOOST_TEST(magnitude(euler_poincare_left(scheme.lagrangian(), f, next).components) <=
                room * scale / scheme.step());
     g0 = g1, g1 = g2, f = next, pi = next_pi;
@@ -75,7 +76,7 @@ BOOST_AUTO_TEST_CASE(the_three_forms_are_one_motion) {
   three_forms_agree<5>(0.3);
 }
 
-BOOST_AUTO_TEST_CASE(its_momentum_is_that_of_the_general_road) {
+BOOST_AUTO_TEST_CASE(its_momentum_is_that_of_the_general_way) {
   std::mt19937 random(testing::seed);
   auto const [inertia, spin] = testing::random_body<4>(random);
   MoserVeselov<4> const scheme(inertia, 0.2);

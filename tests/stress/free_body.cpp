@@ -124,7 +124,7 @@ void against_series(book::Program& program) {
     if (probe.expansions() > 120) continue;
     ++count;
     auto const truth = testing::witness_of<dec50>(p, 53);
-    sharp = std::max(sharp, testing::apart(truth, testing::exact_path<dec50>(p), p.amount()).larger() /
+    sharp = std::max(sharp, testing::apart(truth, testing::exact_path<dec50>(p), p.magnitude()).larger() /
                                 (last * (1 + testing::condition(p, rough) / eps)));
   }
   program.figure("sharp_units", sharp,
@@ -145,7 +145,7 @@ void against_fifty_digits(book::Program& program) {
     double const open = testing::condition(p, truth, truth_of);
     // Where the question leaves everything open there is nothing to judge.
     if (open > 1e-2) continue;
-    once.push_back(testing::apart(truth, testing::path_of(p.body().at(p.time)), p.amount()).larger() /
+    once.push_back(testing::apart(truth, testing::path_of(p.body().at(p.time)), p.magnitude()).larger() /
                    (eps + open));
     if (!steps) continue;
     long const number = 1 << 12;
@@ -155,7 +155,7 @@ void against_fifty_digits(book::Program& program) {
     // A single step over several periods would round where it lands, and next to the separatrix that would
     // grow until it has passed: these are evaluated from the start.
     (std::abs(h) * p.body().pace() <= 4 || !p.body().near_separatrix() ? many : leaps)
-        .push_back(testing::apart(truth, testing::path_of(motion.state()), p.amount()).larger() /
+        .push_back(testing::apart(truth, testing::path_of(motion.state()), p.magnitude()).larger() /
                    (eps + open));
   }
   auto const add = [&](char const* name, std::vector<double>& x) {
@@ -201,7 +201,7 @@ void hard_bodies(book::Program& program) {
                         {"M = (1e-8, 1, 1e-8)", A, {1e-8, 1, 1e-8}, 100, 1000, false},
                         {"k'^2 about 1e-16", {0.5, 2.0 / 3, 1}, {1, 1, 1}, 100, 1000, false}}) {
     FreeProblem const p{c.moments, c.momentum, c.time};
-    double const L = p.amount(), h = c.time / static_cast<double>(c.steps);
+    double const L = p.magnitude(), h = c.time / static_cast<double>(c.steps);
     auto const truth = testing::witness_of<dec50>(p, c.judged ? 26 : 46);
     auto const body = p.body();
     auto const after = [&](auto& motion) {

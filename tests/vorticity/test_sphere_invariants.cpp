@@ -1,4 +1,4 @@
-// Energy, angular momentum, Casimir functions: each by a second road.
+// Energy, angular momentum, Casimir functions: each by a second way.
 #include <Eigen/Core>
 
 #include <boost/test/unit_test.hpp>

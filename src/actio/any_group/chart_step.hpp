@@ -7,7 +7,7 @@
 // where p is the mean of dl/dv at both ends, a_1 = exp(-h v) a_0, and the action of the step is
 // h (l(v, a_0) + l(v, a_1))/2. Without carried vectors this is (3.26), and chi(-A) = chi(A) + A makes
 // P_1 = P_0 + h ad*_v p. No exponential of a matrix and no logarithm is taken, and brackets are sums over the
-// structure constants that are not zero. tests/any_group hold it to the general road.
+// structure constants that are not zero. tests/any_group hold it to the generic implementation.
 //
 // In the chart by Cayley's transform the group moves by (1 - hv/2)^-1 (1 + hv/2), and chi is a polynomial:
 // <chi(A)^T p, eta> = <p, eta - [hv, eta]/2 - (hv) eta (hv)/4>, with products of matrices in the last term.

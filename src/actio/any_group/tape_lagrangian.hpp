@@ -1,4 +1,4 @@
-// A Lagrangian given as a formula, as a callable on velocities: what the general road takes.
+// A Lagrangian given as a formula, as a callable on velocities: what the generic implementation takes.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
-// A rectangle of cells, its sides, and the order in which the fast road holds the nodes of a row.
+// A rectangle of cells, its sides, and the order in which the optimised implementation holds the nodes of a
+// row.
 //
 // A row of nodes is cut into four strips of equal length, and the four lanes of a register walk along one
 // strip each. So the right neighbours of four nodes are the next register, without a shift of lanes; at the

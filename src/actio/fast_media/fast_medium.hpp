@@ -1,5 +1,5 @@
-// A medium on a box of cells, stepped by the fast road: what it is in the plane and in space alike.
-// fast_medium_2d.hpp and fast_medium_3d.hpp name it for these.
+// A medium on a box of cells, stepped by the optimised implementation: what it is in the plane and in space
+// alike. fast_medium_2d.hpp and fast_medium_3d.hpp name it for these.
 #pragma once
 
 #include <optional>

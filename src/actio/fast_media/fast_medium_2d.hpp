@@ -1,4 +1,4 @@
-// A medium in the plane, stepped by the fast road: the explicit multisymplectic scheme, fused.
+// A medium in the plane, stepped by the optimised implementation: the explicit multisymplectic scheme, fused.
 //
 //     FastBox2d const box{{200, 100}, {0.01, 0.01}};                       // free sides
 //     FastMedium2d medium(neo_hookean(1, 1), box, 0.002, 1000, placement, velocity);

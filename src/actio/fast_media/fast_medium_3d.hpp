@@ -1,4 +1,5 @@
-// A medium in space, stepped by the fast road: the explicit multisymplectic scheme with eight corners a cell.
+// A medium in space, stepped by the optimised implementation: the explicit multisymplectic scheme with eight
+// corners a cell.
 //
 //     FastBox3d const box{{64, 64, 64}, {0.01, 0.01, 0.01}};               // free sides
 //     FastMedium3d medium(neo_hookean(1, 1), box, 0.002, 1000, placement, velocity);

@@ -1,12 +1,12 @@
-// How a medium of the fast road is computed.
+// How a medium of the optimised implementation is computed.
 #pragma once
 
 #include "actio/stored_energy/fast_lanes.hpp"
 
 namespace actio::media {
 
-/// How a medium of the fast road is computed. Nothing of this changes any bit of the result but the
-/// registers.
+/// How a medium of the optimised implementation is computed. Nothing of this changes any bit of the result
+/// but the registers.
 struct FastOptions {
   int threads = 1;                         ///< how many work; rows or planes are shared among them
   int levels = 0;                          ///< in the plane: steps in one pass; 0: as the cache allows

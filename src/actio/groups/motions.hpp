@@ -8,8 +8,8 @@
 
 namespace actio {
 
-/// SE(n), n = 2 or 3: turns and shifts of the plane or of space, as matrices with n + 1 rows. Coordinates of a
-/// velocity are those of the turn, one number or three, and then the n of the shift.
+/// SE(n), n = 2 or 3: turns and shifts of the plane or of space, as matrices with n + 1 rows. Coordinates of
+/// a velocity are those of the turn, one number or three, and then the n of the shift.
 ///
 /// \snippet numbers.cpp motions
 template <int n>

@@ -1,4 +1,4 @@
-// A medium on any mesh of a body, in one, two or three dimensions: the plain road.
+// A medium on any mesh of a body, in one, two or three dimensions: the generic implementation.
 //
 //     auto const mesh = box_mesh({0, 0, 0}, {4, 1, 1}, {16, 4, 4});
 //     BodyStart<3> start;                                       // at rest, density 1
@@ -7,7 +7,7 @@
 //                          {{"left", {Side::fixed}}});
 //     beam.step(1000);
 //
-// The discrete Lagrangian of a slab of cells between two times is, as on the fast road,
+// The discrete Lagrangian of a slab of cells between two times is, as in the optimised implementation,
 //
 //     L_d = sum over nodes of (m/2)|x1-x0|^2/dt - (dt/2)(E(x0)+E(x1)), E = sum over points of weight W(F),
 //

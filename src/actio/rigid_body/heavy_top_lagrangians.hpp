@@ -1,5 +1,5 @@
 // Discrete Lagrangians l(f, Gamma) of the heavy top, Gamma before the step: chords and arcs, for the general
-// road.
+// way.
 #pragma once
 
 #include "actio/rigid_body/heavy_top_body.hpp"

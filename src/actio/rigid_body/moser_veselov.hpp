@@ -44,7 +44,7 @@ class MoserVeselov {
   S step() const { return step_; }
 
   /// The reduced discrete Lagrangian \f$\ell(f) = \tfrac1h\mathrm{Tr}((1-f)\Lambda)\f$, energy x time: for
-  /// the general road.
+  /// the generic implementation.
   auto lagrangian() const {
     return [lambda = inertia_.lambda, h = step_](auto const& f) {
       using T = typename std::decay_t<decltype(f)>::Scalar;

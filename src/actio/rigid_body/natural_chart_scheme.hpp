@@ -2,7 +2,8 @@
 //
 // The kinetic energy, through the natural chart with its base point at either end, gives the reduced discrete
 // Lagrangian l(f) = h <J zeta, zeta>/2 with zeta = -log(f)/h. Everything else is chapter 3: the three forms
-// below call it and add the body's momenta. This is the general road: any scalar with roots, fixed n.
+// below call it and add the body's momenta. This is the generic implementation: any scalar with roots, fixed
+// n.
 #pragma once
 
 #include "actio/reduction/discrete_euler_lagrange.hpp"

@@ -1,7 +1,7 @@
 // What media have stored, as functions of the deformation gradient F over any scalar, and of Green's tensor
 // \f$C = F^TF\f$ in numbers: W, its first derivative, and \f$2\,\partial W/\partial C\f$.
 //
-// Formulas are those of fast_cell_2d.hpp without its edges: a medium is one struct on both roads.
+// Formulas are those of fast_cell_2d.hpp without its edges: a medium is one struct on both ways.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// What a cell of the fast road has stored: from its edges over any scalar, and from those of the
-// displacement, which lose nothing of small strains. In the plane and in space.
+// What a cell of the optimised implementation has stored: from its edges over any scalar, and from those of
+// the displacement, which lose nothing of small strains. In the plane and in space.
 #pragma once
 
 #include "actio/stored_energy/fast_cell_3d.hpp"

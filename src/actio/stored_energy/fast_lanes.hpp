@@ -1,4 +1,5 @@
-// Four doubles in the lanes of one SIMD register, and what the fast road of media needs of them.
+// Four doubles in the lanes of one SIMD register, and what the optimised implementation of media needs of
+// them.
 //
 // The vectors are those of the compiler (GNU extension): a Quad is one register of AVX2, or two of SSE2. A
 // kernel is a function object whose call is always inlined, and so is all that it calls; `run_with` compiles
@@ -15,7 +16,7 @@
 
 namespace actio::media {
 
-/// For which registers a kernel of the fast road is compiled.
+/// For which registers a kernel of the optimised implementation is compiled.
 enum class Registers {
   plain,  ///< those of the machine that the compiler was told, on x86-64 two lanes
   avx2,   ///< sixteen of four lanes, and fused multiplication

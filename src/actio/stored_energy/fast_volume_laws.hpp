@@ -1,13 +1,15 @@
-// Stored energies that know the Jacobian J alone, for the fast road: U(J) per unit mass and its slope U'(J).
+// Stored energies that know the Jacobian J alone, for the optimised implementation: U(J) per unit mass and
+// its slope U'(J).
 //
 // A medium's pressure is -rho U'. A law is a small struct with
 //
 //     template <class T> T energy(T const& J) const;   // U
 //     template <class T> T slope(T const& J) const;    // U'
 //
-// over numbers and dual numbers, and that is all that a law of one's own needs: the fast road then evaluates
-// its slope number by number. The laws of this file say `in_lanes`, and give the slopes at the four corners
-// of a cell at once, for SIMD lanes as well. They also take the scale of a cell into their moduli: `scaled`.
+// over numbers and dual numbers, and that is all that a law of one's own needs: the optimised implementation
+// then evaluates its slope number by number. The laws of this file say `in_lanes`, and give the slopes at the
+// four corners of a cell at once, for SIMD lanes as well. They also take the scale of a cell into their
+// moduli: `scaled`.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Stored energies of media as a body of any mesh needs them: W(F) in one, two or three dimensions, its first
-// derivative and the change of that, for the media of the fast road and for a reader's own.
+// derivative and the change of that, for the media of the optimised implementation and for a reader's own.
 //
 //     auto const rubber = stored_energy<3>(per_volume(neo_hookean(2, 1)));
 //     auto const air    = stored_energy<2>(isentropic_gas(1, 1.4));
@@ -58,8 +58,9 @@ struct StoredEnergyOf final : StoredEnergy<d> {
 };
 }  // namespace detail
 
-/// The stored energy of a medium: one of the fast road, of this file, or a callable W(F) per mass on
-/// `Matrix<T, d, d>` over any scalar T. With `conserve = energy` W must be the same for F and QF, Q a turn.
+/// The stored energy of a medium: one of the optimised implementation, of this file, or a callable W(F) per
+/// mass on `Matrix<T, d, d>` over any scalar T. With `conserve = energy` W must be the same for F and QF, Q a
+/// turn.
 ///
 /// \snippet media.cpp own_energy
 template <int d, class Medium>

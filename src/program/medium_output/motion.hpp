@@ -1,4 +1,4 @@
-// A medium of a scene in motion, whichever road steps it, and its cells.
+// A medium of a scene in motion, whichever implementation steps it, and its cells.
 #pragma once
 
 #include <memory>

@@ -280,14 +280,16 @@ std::string medium_film(PlayedMedium const& medium, double width, std::string co
     bar += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", from + 130.0 * static_cast<double>(k),
                        below + 22, book::svg::escape(texts[k]));
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" viewBox=\"0 0 {0} {1:.0f}\" "
-      "font-family=\"sans-serif\" font-size=\"12\" text-anchor=\"middle\">\n<title>{2}</title>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
+      "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\" "
+      "text-anchor=\"middle\">\n<title>{2}</title>\n"
       "<style>text{{fill:#5c6670}}.trace{{fill:none;stroke:#8a939c;stroke-width:.8;opacity:.55}}"
       ".outline{{fill:none;stroke:#22272d;stroke-width:1}}"
       "@media(prefers-color-scheme:dark){{text{{fill:#98a1aa}}.outline{{stroke:#d8dbde}}}}"
       ".frame{{visibility:hidden;animation:film {3}s step-end infinite}}"
       "@keyframes film{{0%{{visibility:visible}}{4:.3f}%{{visibility:hidden}}}}"
-      "@media(prefers-reduced-motion:reduce){{.frame{{animation:none}}.first{{visibility:visible}}}}</style>\n"
+      "@media(prefers-reduced-motion:reduce){{.frame{{animation:none}}.first{{visibility:visible}}}}"
+      "</style>\n"
       "{5}{6}{7}</svg>\n",
       width, height, book::svg::escape(title), seconds, 100.0 / static_cast<double>(frames), trace, moving,
       bar);

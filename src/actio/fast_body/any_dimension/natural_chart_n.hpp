@@ -1,10 +1,10 @@
 // The natural-chart scheme on SO(n), n at run time (thesis, section 5.1).
 //
 // The same scheme as in rigid_body/natural_chart_scheme.hpp, whose reduced discrete Lagrangian is l(f) = <J
-// log f, log f>/2h: there by the general road, for a fixed n and any scalar, here by products of matrices
-// (natural_chart_equation.hpp). A step finds the turn Z = h zeta with the momentum M0 at its beginning; with
-// f = exp(-Z) the momentum after it is f M0 f^T, and the attitude g0 f^T. f is orthogonal to the rounding of
-// f - 1, whatever is left in Z: so the spectrum of the momentum is conserved to rounding.
+// log f, log f>/2h: there by the generic implementation, for a fixed n and any scalar, here by products of
+// matrices (natural_chart_equation.hpp). A step finds the turn Z = h zeta with the momentum M0 at its
+// beginning; with f = exp(-Z) the momentum after it is f M0 f^T, and the attitude g0 f^T. f is orthogonal to
+// the rounding of f - 1, whatever is left in Z: so the spectrum of the momentum is conserved to rounding.
 //
 //   FastNaturalChart scheme(inertia, h);
 //   auto body = scheme.release(attitude, momentum);

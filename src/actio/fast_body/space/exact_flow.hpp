@@ -165,7 +165,7 @@ StepParameters<S> flow_by_elliptic_functions(InverseMoments<S> const& body, Thre
 ///
 /// @param body  inverse moments of inertia, the middle one in the middle
 /// @param u     direction of the body momentum
-/// @param t     half the step times the amount of the momentum
+/// @param t     half the step times the magnitude of the momentum
 /// Accuracy: a few roundings of the phase, that is about epsilon times the angle turned.
 template <Real S>
 StepParameters<S> exact_flow(InverseMoments<S> const& body, Three<S> const& u, S const& t) {

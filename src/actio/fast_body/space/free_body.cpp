@@ -7,15 +7,15 @@ FreeBody::FreeBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> cons
     : inertia_(inertia), frame_(inertia) {
   if (!is_finite(momentum.components)) throw NotFinite("free body: body momentum");
   if (!is_finite(attitude.value)) throw NotFinite("free body: attitude");
-  amount_ = momentum.components.stableNorm();
+  magnitude_ = momentum.components.stableNorm();
   Eigen::Vector3d const direction =
-      amount_ > 0 ? frame_.axes().enter(Eigen::Vector3d(momentum.components / amount_)).normalized()
-                  : Eigen::Vector3d::UnitX();
+      magnitude_ > 0 ? frame_.axes().enter(Eigen::Vector3d(momentum.components / magnitude_)).normalized()
+                     : Eigen::Vector3d::UnitX();
   Element<SU2, double> const unit = restore(attitude);
   start_ = {frame_.counted(direction), frame_.enter(unit.value)};
   symmetry_ = axis_of_symmetry(frame_.moments());
   moments_ = InverseMoments<double>(frame_.moments());
-  rate_ = amount_ / frame_.unit();
+  rate_ = magnitude_ / frame_.unit();
   if (!is_finite(rate_)) throw NotFinite("free body: momentum over inertia");
 }
 

@@ -6,7 +6,7 @@
 // Inertia, momentum and attitude are those of any frame of the body: one rotation leads to its principal
 // axes, counted so that the middle moment of inertia belongs to the second. There momentum and attitude are
 // kept by direction and unit quaternion. No body needs a tolerance: spheres, symmetric bodies, rods, plates
-// and turns about any axis are on the same road, and next to their limits nothing is lost.
+// and turns about any axis are no cases of their own, and next to their limits nothing is lost.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,7 +59,7 @@ class FreeBody {
     return is_symmetric() && axis_of_symmetry({I[2], I[1], I[0]}) == symmetry_;
   }
   /// \f$|M|\f$, energy x time.
-  double amount() const { return amount_; }
+  double magnitude() const { return magnitude_; }
 
   /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal
   /// moments sines and cosines. The quaternion is the one that the given one becomes as time goes on, its
@@ -105,7 +105,7 @@ class FreeBody {
   }
   /// The body momentum with such a direction.
   Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const {
-    return {SO<3>{}, amount_ * frame_.leave(direction)};
+    return {SO<3>{}, magnitude_ * frame_.leave(direction)};
   }
 
  private:
@@ -122,7 +122,7 @@ class FreeBody {
   PrincipalInertia inertia_;
   MiddleAxisFrame frame_;
   int symmetry_;
-  double amount_, rate_;
+  double magnitude_, rate_;
   FrameState<double> start_;
   InverseMoments<double> moments_;
 };

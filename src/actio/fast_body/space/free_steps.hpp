@@ -15,10 +15,10 @@ namespace actio::bodies {
 /// a step are rounded once and for all, so that each step misses the orbit by a part of a rounding, always to
 /// the same side; and next to the separatrix a miss grows as fast as the motion leaves the middle axis. So
 /// every 64 steps, or more often where they are long, the state is projected back onto its orbit, of which
-/// amount and energy are known, and the attitude is turned so that the momentum in space is what it was. That
-/// takes the error next to the separatrix down to what one rounding of the start makes. Steps of more than
-/// four radians there, of which one may pass by the middle axis more than once, are evaluated from the start,
-/// each as `at` of the body does it.
+/// magnitude and energy are known, and the attitude is turned so that the momentum in space is what it was.
+/// That takes the error next to the separatrix down to what one rounding of the start makes. Steps of more
+/// than four radians there, of which one may pass by the middle axis more than once, are evaluated from the
+/// start, each as `at` of the body does it.
 ///
 /// \snippet bodies.cpp free_steps
 class FreeSteps {
@@ -105,7 +105,7 @@ class FreeSteps {
     return {above_[0] * u[0], above_[1] * u[1], above_[2] * u[2]};
   }
 
-  /// Back on the orbit, along the gradients of amount and energy.
+  /// Back on the orbit, along the gradients of magnitude and energy.
   void restore_momentum();
 
   Four<Wide> attitude(CompensatedState<double> const& p) const {
@@ -113,7 +113,7 @@ class FreeSteps {
     for (int i = 0; i < 4; ++i) q[i] = Wide(p.state.attitude[i]) + p.compensation.attitude[i];
     return q;
   }
-  /// The momentum in space, over its amount.
+  /// The momentum in space, over its magnitude.
   Three<Wide> in_space(CompensatedState<double> const& p) const;
   /// A quaternion of unit length, turned so that the momentum in space is where it was.
   void restore_attitude();

@@ -1,8 +1,8 @@
 // One step of a free body in three dimensions, as a half turn, which is a rotation by pi, and a rotation
 // about the momentum (a twist).
 //
-// Let u be the direction of the body momentum and L its amount. A step of the scheme of Moser and Veselov, of
-// the same scheme with other moments of inertia, and of the exact motion too, takes u to its mirror image
+// Let u be the direction of the body momentum and L its magnitude. A step of the scheme of Moser and Veselov,
+// of the same scheme with other moments of inertia, and of the exact motion too, takes u to its mirror image
 // under a half turn, about the null vector v of diag(delta) + [u]x:
 //
 //     v_i = (1 + delta_j delta_k) u_i + (delta_k - delta_j) u_j u_k, u' = 2 (u.v)/(v.v) v - u, (i, j, k)

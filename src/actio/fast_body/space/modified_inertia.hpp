@@ -63,7 +63,7 @@ struct ModifiedInertiaSeries {
 };
 
 /// What to replace the moments by for a scheme of order 2, 4, 6, ...
-/// @param t  half the step times the amount of the momentum
+/// @param t  half the step times the magnitude of the momentum
 template <Real S>
 ModifiedInertia<S> modified_inertia(InverseMoments<S> const& body, Three<S> const& u, S const& t, int order) {
   ModifiedInertiaSeries<S> const series(body, Orbit<S>(body, u), order / 2);
@@ -81,7 +81,7 @@ Three<S> inertia_of(StepParameters<S> const& parameters) {
 }
 
 /// The numbers that the scheme with replaced moments works with.
-/// @param t  half the step times the amount of the momentum
+/// @param t  half the step times the magnitude of the momentum
 template <Real S>
 HalfStep<S> half_step(InverseMoments<S> const& body, ModifiedInertia<S> const& modified, S const& t) {
   S const st = modified.s * t;

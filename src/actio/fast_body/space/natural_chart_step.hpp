@@ -7,7 +7,7 @@
 //     p = a y + v x y/2 + c (v.y) v,          c = (1 - a)/|v|^2,          a = (|v|/2) cot(|v|/2),
 //
 // p' = p turned back by v. It remains to find v for a given p: Newton's method, with the derivative from the
-// same closed forms. The general road is natural_chart_scheme.hpp.
+// same closed forms. The generic implementation is natural_chart_scheme.hpp.
 #pragma once
 
 #include <algorithm>

@@ -20,7 +20,7 @@ namespace actio::bodies {
 
 /// A free body in steps of one length, by the natural-chart scheme.
 ///
-/// The momentum in the body is turned back by what the attitude is turned by, so that its amount and the
+/// The momentum in the body is turned back by what the attitude is turned by, so that its magnitude and the
 /// momentum in space are conserved to rounding, whatever the residual of Newton's method. Both are summed
 /// with what the sums before have lost. Each search begins where the three before it point to.
 class NaturalChartSteps {

@@ -213,7 +213,7 @@ struct ShortFlow {
   T square;  ///< \f$m^2\f$
   T twist;   ///< T
 
-  /// @param t  half the step, times the amount of the momentum; \f$s_1t^2\f$ small against 1: see
+  /// @param t  half the step, times the magnitude of the momentum; \f$s_1t^2\f$ small against 1: see
   ///           \ref ShortSeries for what `terms` leave out
   template <int terms>
   [[gnu::always_inline]] static ShortFlow at(InverseMoments<T> const& body, Orbit<T> const& orbit,

@@ -2,8 +2,8 @@
 //
 // The half turn of half_turn.hpp with the series of short_flow.hpp, both in the momentum p itself instead of
 // its direction. Time runs from 0 to 2 and p is a pure number: p = hM/(2 I) with some unit I of inertia, and
-// moments in that unit. The amount |p| is needed nowhere, so there is no root. With V = v|p| the axis of the
-// half turn,
+// moments in that unit. The magnitude |p| is needed nowhere, so there is no root. With V = v|p| the axis of
+// the half turn,
 //
 //     tan^2(u, V) = |p x V|^2/(p.V)^2 = sum (D_i V_i)^2/(p.V)^2 =: e2,        |p||V| = (p.V) sqrt(1 + e2),
 //

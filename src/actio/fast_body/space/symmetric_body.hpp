@@ -25,7 +25,7 @@ inline int axis_of_symmetry(Three<double> const& moments) {
 
 /// The direction of the momentum of a symmetric body after a time.
 /// @param axis  of symmetry, 0 or 2
-/// @param t     time, times the amount of the momentum
+/// @param t     time, times the magnitude of the momentum
 template <class T>
 Three<T> symmetric_motion(InverseMoments<T> const& body, int axis, Three<T> const& u, T const& t) {
   using std::cos, std::sin;

@@ -53,8 +53,8 @@ class UniformGravity {
 /// The torque of a uniform field.
 ///
 /// \snippet bodies.cpp torqued_body
-/// @param lever    mass times the amount of gravity times the way from the fixed point to the centre of mass,
-///                 in the axes of the body; energy
+/// @param lever    mass times the magnitude of gravity times the way from the fixed point to the centre of
+///                 mass, in the axes of the body; energy
 /// @param gravity  of any length but zero, in space
 /// @throws NotFinite, OutsideDomain  where a number is none, or the direction is zero
 inline UniformGravity uniform_gravity(Eigen::Vector3d const& lever, Eigen::Vector3d const& gravity) {

@@ -1,5 +1,5 @@
-// Galerkin's method for a Lagrangian of one's own: the general road on a group that is known when the program
-// runs.
+// Galerkin's method for a Lagrangian of one's own: the generic implementation on a group that is known when
+// the program runs.
 #pragma once
 
 #include <Eigen/Core>

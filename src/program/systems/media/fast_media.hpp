@@ -1,4 +1,5 @@
-// The media of scenes that the fast road steps: of each material the optimised form that it has.
+// The media of scenes that the optimised implementation steps: of each material the optimised form that it
+// has.
 #pragma once
 
 #include <cmath>
@@ -9,16 +10,16 @@ namespace actio::scene {
 
 /// A box of cells of one density, as materials are asked for their optimised forms on it.
 template <class Box>
-struct FastRoads {
-  using Road = std::unique_ptr<FastRoad<Box::dimension>>;  ///< of a medium on the box
-  Box const& box;                                          ///< the cells
-  double density;                                          ///< mass per reference volume
+struct OptimisedForms {
+  using Form = std::unique_ptr<OptimisedMedium<Box::dimension>>;  ///< of a medium on the box
+  Box const& box;                                                 ///< the cells
+  double density;                                                 ///< mass per reference volume
 
   /// Of this medium.
   template <class Medium>
-  Road operator()(Medium const& medium) const { return fast_road_of(medium, box, density); }
+  Form operator()(Medium const& medium) const { return optimised_medium_of(medium, box, density); }
   /// Of a material that has no such form with its numbers.
-  Road none() const { return nullptr; }
+  Form none() const { return nullptr; }
   /// Whether a power gamma of the volume of a cell is far from the ends of double precision, whatever the
   /// cell is compressed or stretched to by a factor of sixteen.
   bool has_power(double gamma) const { return gamma * (std::abs(std::log2(box.measure())) + 4) < 900; }
@@ -26,12 +27,13 @@ struct FastRoads {
 
 /// Of a material; null where it has no optimised form.
 template <class Box>
-typename FastRoads<Box>::Road fast_road_on(Material const& material, Box const& box, double density) {
-  FastRoads<Box> const roads{box, density};
+typename OptimisedForms<Box>::Form optimised_medium_on(Material const& material, Box const& box,
+                                                       double density) {
+  OptimisedForms<Box> const forms{box, density};
   return std::visit(
-      [&](auto const& own) -> typename FastRoads<Box>::Road {
-        if constexpr (requires { own.fast(roads); })
-          return own.fast(roads);
+      [&](auto const& own) -> typename OptimisedForms<Box>::Form {
+        if constexpr (requires { own.fast(forms); })
+          return own.fast(forms);
         else
           return nullptr;
       },

@@ -1,12 +1,12 @@
-// The motion of a medium on the fast road, for one kind of medium.
+// The motion of a medium in the optimised implementation, for one kind of medium.
 #pragma once
 
 #include <span>
 #include <thread>
 
 #include "actio/fast_media/fast_medium.hpp"
-#include "program/systems/media/fast_road.hpp"
 #include "program/systems/media/laws.hpp"
+#include "program/systems/media/optimised_medium.hpp"
 #include "program/systems/media/watch.hpp"
 
 namespace actio::scene {
@@ -152,14 +152,14 @@ class FastMotion final : public MediumMotion<Box::dimension> {
   media::FastMedium<Medium, Box> medium_;
 };
 
-/// A medium of the fast road with its box.
+/// A medium of the optimised implementation with its box.
 template <class Medium, class Box>
-class FastRoadOf final : public FastRoad<Box::dimension> {
+class OptimisedMediumOf final : public OptimisedMedium<Box::dimension> {
  public:
   static constexpr int d = Box::dimension;  ///< of the body, and of space
 
   /// Of this density.
-  FastRoadOf(Medium const& medium, Box const& box, double density)
+  OptimisedMediumOf(Medium const& medium, Box const& box, double density)
       : medium_(medium), box_(box), density_(density) {}
   double longest_step(std::vector<std::array<double, d>> const& x) const override {
     return longest_step_of(medium_, box_, x);
@@ -176,8 +176,9 @@ class FastRoadOf final : public FastRoad<Box::dimension> {
 };
 /// Deduces the medium.
 template <class Medium, class Box>
-std::unique_ptr<FastRoad<Box::dimension>> fast_road_of(Medium const& medium, Box const& box, double density) {
-  return std::make_unique<FastRoadOf<Medium, Box>>(medium, box, density);
+std::unique_ptr<OptimisedMedium<Box::dimension>> optimised_medium_of(Medium const& medium, Box const& box,
+                                                                     double density) {
+  return std::make_unique<OptimisedMediumOf<Medium, Box>>(medium, box, density);
 }
 
 }  // namespace actio::scene

@@ -24,8 +24,8 @@ struct PolytropicGas {
             {&PolytropicGas::gamma, {"gamma", "exponent, above 1", 1, "2", "1"}}};
   }
   auto stored() const { return media::isentropic_gas(K, gamma); }
-  template <class Roads>
-  auto fast(Roads const& on) const {
+  template <class Forms>
+  auto fast(Forms const& on) const {
     if (gamma == 2) return on(media::FastFluid{media::PolytropicByRoots<1, 2>{K * on.density}});
     if (!on.has_power(gamma)) return on.none();
     return on(media::FastFluid{GasLaw{K * std::pow(on.density, gamma - 1), gamma, 0}});
@@ -45,8 +45,8 @@ struct ShallowWater {
     return {{&ShallowWater::g, {"g", "acceleration of gravity", 0, "9.81", "length/time^2"}}};
   }
   auto stored() const { return media::isentropic_gas(g / 2, 2); }
-  template <class Roads>
-  auto fast(Roads const& on) const {
+  template <class Forms>
+  auto fast(Forms const& on) const {
     return on(media::FastFluid{media::PolytropicByRoots<1, 2>{g / 2 * on.density}});
   }
 };
@@ -66,8 +66,8 @@ struct Tait {
             {&Tait::gamma, {"gamma", "exponent, above 1; about 7 for water", 1, "7", "1"}}};
   }
   auto stored() const { return media::per_volume(media::FastFluid{GasLaw{B, gamma, B}}); }
-  template <class Roads>
-  auto fast(Roads const& on) const {
+  template <class Forms>
+  auto fast(Forms const& on) const {
     if (!on.has_power(gamma)) return on.none();
     return on(media::FastFluid{GasLaw{B / on.density, gamma, B / on.density}});
   }

@@ -1,4 +1,4 @@
-// Laws of the volume that materials of scenes are made of, for lanes of the fast road as well.
+// Laws of the volume that materials of scenes are made of, for lanes of the optimised implementation as well.
 #pragma once
 
 #include <cmath>

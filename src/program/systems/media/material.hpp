@@ -7,7 +7,7 @@
 //     auto stored() const;                             W(F) in one to three dimensions (stored_energies.hpp)
 //     static constexpr bool pressure_of_density;       of a fluid: its pressure is a function of the density
 //     void require_stable(SceneTable const&, int d) const;             of a solid: refuses one that is not
-//     auto fast(auto const& roads) const;              its optimised form, where it has one (fast_media.hpp)
+//     auto fast(auto const& forms) const;              its optimised form, where it has one (fast_media.hpp)
 //     static M read(SceneTable const&, int d);         instead of constants(), where it is more than numbers,
 //     static std::vector<MaterialConstant> said();     and what lists say of its keys
 //     std::vector<std::string> remarks(int d) const;   what a run tells of it, where it has something to tell

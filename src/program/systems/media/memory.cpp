@@ -75,7 +75,7 @@ double bytes_of_constants(Counted const& body, SnapshotRequest const& snapshots)
 }
 
 /// Fused steps: places and velocities in registers of four, their copy.
-double bytes_on_fast_road(Counted const& body, MediumMesh const& mesh, double snapshot, double constants) {
+double bytes_on_fast_way(Counted const& body, MediumMesh const& mesh, double snapshot, double constants) {
   double const row = mesh.cells[0] + !mesh.periodic[0], packs = (mesh.cells[0] + 4) / 4,
                padded = (8 * packs + (std::fmod(packs, 8) == 0 ? 4 : 0)) / (2 * row);
   // Velocities half a step later take the forces and the places besides. Lists that are not kept apart leave
@@ -89,8 +89,8 @@ double bytes_on_fast_road(Counted const& body, MediumMesh const& mesh, double sn
 }
 
 /// Plain steps: the mesh, the points of its cells with their inverse edges, states, forces, copies.
-double bytes_on_plain_road(Counted const& body, MediumMesh const& mesh, Request const& request,
-                           double snapshot, double constants) {
+double bytes_on_plain_way(Counted const& body, MediumMesh const& mesh, Request const& request,
+                          double snapshot, double constants) {
   SceneTable const method = request.file.section("method");
   bool const implicit =
                  method.has("conserve") && method.is_text("conserve") && method.text("conserve") == "energy",
@@ -131,8 +131,8 @@ double bytes_for_medium(MediumMesh const& mesh, bool fast, Request const& reques
   bool const frames = request.snapshots && request.snapshots->in("hdf5");
   constexpr double program = 10.6e6, library = 11.0e6;
   return program + (frames ? library : 0) +
-         (fast ? bytes_on_fast_road(body, mesh, snapshot, constants)
-               : bytes_on_plain_road(body, mesh, request, snapshot, constants));
+         (fast ? bytes_on_fast_way(body, mesh, snapshot, constants)
+               : bytes_on_plain_way(body, mesh, request, snapshot, constants));
 }
 
 }  // namespace actio::scene

@@ -16,7 +16,7 @@ struct MediumMethod {
   int order = 2;                                     ///< of the steps: 2 or 4
   media::Conserve conserve = media::Conserve::form;  ///< what they keep
   media::ArtificialViscosity viscosity = {};         ///< what spreads shocks
-  /// Whether steps are those of the fast road.
+  /// Whether steps are those of the optimised implementation.
   bool plain() const { return order == 2 && conserve == media::Conserve::form && !viscosity.any(); }
 };
 /// Reads it, and writes defaults back.

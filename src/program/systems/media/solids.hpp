@@ -29,8 +29,8 @@ struct SaintVenantKirchhoff {
     require_volume_modulus(table, "lambda", lambda, mu, d);
   }
   auto stored() const { return media::per_volume(media::FastStVenantKirchhoff{lambda, mu}); }
-  template <class Roads>
-  auto fast(Roads const& on) const {
+  template <class Forms>
+  auto fast(Forms const& on) const {
     return on(media::FastStVenantKirchhoff{lambda / on.density, mu / on.density});
   }
 };
@@ -55,8 +55,8 @@ struct NeoHookean {
     require_volume_modulus(table, "kappa", kappa, mu, d);
   }
   auto stored() const { return media::per_volume(media::FastNeoHookean{mu, media::QuadraticLaw{mu, kappa}}); }
-  template <class Roads>
-  auto fast(Roads const& on) const {
+  template <class Forms>
+  auto fast(Forms const& on) const {
     double const m = mu / on.density, k = kappa / on.density;
     return on(media::FastNeoHookean{m, media::ReciprocalLaw{m, k, k}});
   }

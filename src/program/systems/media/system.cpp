@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "program/base/memory.hpp"
+#include "program/medium_output/snapshots.hpp"
 #include "program/systems/media/conservation.hpp"
 #include "program/systems/media/crossing.hpp"
 #include "program/systems/media/examination.hpp"
-#include "program/systems/media/fast_road.hpp"
+#include "program/systems/media/generic_medium.hpp"
 #include "program/systems/media/memory.hpp"
-#include "program/systems/media/mesh_road.hpp"
 #include "program/systems/media/method.hpp"
+#include "program/systems/media/optimised_medium.hpp"
 #include "program/systems/media/quantities.hpp"
-#include "program/medium_output/snapshots.hpp"
 
 namespace actio::scene {
 namespace {
@@ -111,8 +111,8 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   if (!box) return false;
   double rho = 0;
   start->density(std::array<double, d>{}, &rho);
-  auto const road = fast_road(material, *box, rho);
-  if (!road) return false;
+  auto const optimised = optimised_medium(material, *box, rho);
+  if (!optimised) return false;
   simulation.bytes = checked_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
   BoxCells<Box> const cells(*box);
@@ -122,7 +122,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   auto features = features_of<d>(request.file, mesh, loads, material, start->uniform);
   tell_driven_sides<d>(simulation, features, mesh, cells, begin);
   begin.velocities = {};
-  double const longest = road->longest_step(begin.places);
+  double const longest = optimised->longest_step(begin.places);
   begin.places = {};
   require_reachable_end(request.file, longest, request.schedule.until());
   simulation.step = medium_step(request, longest, 0, simulation.remarks);
@@ -130,7 +130,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   simulation.shortcuts.emplace_back(
       fmt::format("a box of equal cells of one density in {} without loads: fused steps",
                   d == 2 ? "the plane" : "space"));
-  finish<d>(simulation, request, road->motion(simulation.step, longest, start),
+  finish<d>(simulation, request, optimised->motion(simulation.step, longest, start),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh,
             (d == 2 ? 1 : 5) * mesh.cell_count(), {loads, std::move(features)});
   return true;
@@ -152,9 +152,9 @@ void tell_gravity(Simulation& simulation, MediumLoads<d> const& loads,
 
 /// What is wrong with a side or with the mass of a cell is told at its key.
 template <int d>
-std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, MeshRoad<d>& road) {
+std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, GenericMedium<d>& generic) {
   try {
-    return road.motion();
+    return generic.motion();
   } catch (media::BentSide const& error) {
     file.section("system.boundary").fail(error.side, std::string("boundary: ") + error.what());
   } catch (media::NotADensity const& error) {
@@ -166,22 +166,23 @@ template <int d>
 void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh const& mesh,
                      Material const& material, MediumMethod const& method,
                      std::shared_ptr<MediumStart> const& start) {
-  MeshRoad<d> road{mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
-                   method.order, method.conserve, method.viscosity};
-  auto features = features_of<d>(request.file, mesh, road.loads, material, start->uniform);
+  GenericMedium<d> generic{
+      mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
+      method.order, method.conserve, method.viscosity};
+  auto features = features_of<d>(request.file, mesh, generic.loads, material, start->uniform);
   {
-    MeshCells<d> const cells(road.mesh);
+    MeshCells<d> const cells(generic.mesh);
     auto const begin = examined_start<d>(request.file, *start, cells, mesh);
     tell_driven_sides<d>(simulation, features, mesh, cells, begin);
     for (auto& told :
-         examined_loads<d>(request.file, mesh, road.mesh, road.loads, begin, request.schedule.until()))
+         examined_loads<d>(request.file, mesh, generic.mesh, generic.loads, begin, request.schedule.until()))
       simulation.remarks.push_back(std::move(told));
-    tell_gravity<d>(simulation, road.loads, begin.places);
+    tell_gravity<d>(simulation, generic.loads, begin.places);
   }
   // Before the motion, which takes the mesh.
   double const frequency =
-      frequency_of(road.loads.in_time, road.mesh.nodes, request.schedule.until(), simulation.remarks);
-  auto motion = motion_of(request.file, road);
+      frequency_of(generic.loads.in_time, generic.mesh.nodes, request.schedule.until(), simulation.remarks);
+  auto motion = motion_of(request.file, generic);
   double const longest = motion->longest_step();
   require_reachable_end(request.file, longest, request.schedule.until());
   simulation.step = medium_step(request, longest, frequency, simulation.remarks,
@@ -190,7 +191,7 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
   if (!has_loads(request.file)) tell_crossing<d>(simulation, request, mesh, material, *start);
   finish<d>(simulation, request, std::move(motion),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh, 20 * mesh.cell_count(),
-            {road.loads, std::move(features)});
+            {generic.loads, std::move(features)});
 }
 
 /// Media move in Euclidean space.

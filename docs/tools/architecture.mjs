@@ -34,7 +34,7 @@ export function readHouse(root, errors, which = 'library') {
 }
 
 /** The rooms floor by floor, the ground floor at the bottom; an arrow from each room to those that it uses. */
-export function housePlan(house) {
+export function architecturePlan(house) {
   const floors = [];
   for (const room of house.values()) (floors[room.floor] ??= []).push(room);
   const high = 34, step = 72, wide = 136, place = new Map();
@@ -46,7 +46,7 @@ export function housePlan(house) {
   const arrows = [...house.values()].flatMap(room => room.uses.map(used => {
     const from = place.get(room.name), to = place.get(used), a = from.y + high / 2, b = to.y - high / 2 - 5;
     const middle = (a + b) / 2, curve = `M${from.x} ${a} C${from.x} ${middle} ${to.x} ${middle} ${to.x} ${b}`;
-    return `<path d="${curve}" marker-end="url(#house-tip)"/>`;
+    return `<path d="${curve}" marker-end="url(#architecture-tip)"/>`;
   }));
   const boxes = [...house.values()].map(({ name }) => {
     const { x, y } = place.get(name);
@@ -54,8 +54,8 @@ export function housePlan(house) {
     return `${box}<text x="${x}" y="${y + 5}">${path.basename(name)}</text>`;
   });
   const view = `viewBox="0 0 ${width} ${step * floors.length}" role="img" aria-label="The folders and what they use"`;
-  return `<figure class="house-plan"><svg ${view}>
-<defs><marker id="house-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" orient="auto">
+  return `<figure class="architecture-plan"><svg ${view}>
+<defs><marker id="architecture-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" orient="auto">
 <path d="M0 0L8 4L0 8z" class="tip"/></marker></defs>
 <g class="arrows">${arrows.join('')}</g><g class="rooms">${boxes.join('')}</g></svg>
 <figcaption>An arrow leads from a folder to one that it uses.
@@ -63,7 +63,7 @@ What that one uses may be used as well. Arrows lead down.</figcaption></figure>`
 }
 
 /** What each holds, what it uses, and how large it is. */
-export function houseTable(house) {
+export function architectureTable(house) {
   const row = (cell, cells) => `<tr>${cells.map(c => `<${cell}>${c}</${cell}>`).join('')}</tr>`;
   const head = row('th', ['folder', 'what it holds', 'uses', 'files', 'lines']);
   const rows = [...house.values()].map(r =>

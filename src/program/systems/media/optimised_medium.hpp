@@ -1,14 +1,14 @@
-// Media on boxes of cells of one size and density, by the fused steps of the fast road.
+// Media on boxes of cells of one size and density, by the fused steps of the optimised implementation.
 #pragma once
 
 #include "actio/fast_media/fast_box_3d.hpp"
+#include "program/medium_output/motion.hpp"
 #include "program/systems/media/input.hpp"
 #include "program/systems/media/material.hpp"
-#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 
-/// The cells of a box of the fast road.
+/// The cells of a box of the optimised implementation.
 /// @tparam Box  `FastBox2d` or `FastBox3d`
 template <class Box>
 class BoxCells final : public MediumCells<Box::dimension> {
@@ -77,7 +77,7 @@ class BoxCells final : public MediumCells<Box::dimension> {
   Box box_;
 };
 
-/// The box of a mesh of the scene, where the fast road takes it.
+/// The box of a mesh of the scene, where the optimised implementation takes it.
 /// @return none where it is no box of that dimension
 template <class Box>
 std::optional<Box> fast_box(MediumMesh const& mesh) {
@@ -95,11 +95,11 @@ std::optional<Box> fast_box(MediumMesh const& mesh) {
   return box;
 }
 
-/// A medium that the fast road steps.
+/// A medium that the optimised implementation steps.
 template <int d>
-class FastRoad {
+class OptimisedMedium {
  public:
-  virtual ~FastRoad() = default;
+  virtual ~OptimisedMedium() = default;
   /// The longest step for which small motions about these places are stable, from above within a per cent.
   virtual double longest_step(std::vector<std::array<double, d>> const& x) const = 0;
   /// The motion from the start.
@@ -107,9 +107,11 @@ class FastRoad {
   virtual std::unique_ptr<MediumMotion<d>> motion(double step, double longest,
                                                   std::shared_ptr<MediumStart> start) const = 0;
 };
-/// Of a material in the plane. Null where the fast road does not know it.
-std::unique_ptr<FastRoad<2>> fast_road(Material const& material, media::FastBox2d const& box, double density);
+/// Of a material in the plane. Null where the optimised implementation does not know it.
+std::unique_ptr<OptimisedMedium<2>> optimised_medium(Material const& material, media::FastBox2d const& box,
+                                                     double density);
 /// In space; likewise.
-std::unique_ptr<FastRoad<3>> fast_road(Material const& material, media::FastBox3d const& box, double density);
+std::unique_ptr<OptimisedMedium<3>> optimised_medium(Material const& material, media::FastBox3d const& box,
+                                                     double density);
 
 }  // namespace actio::scene

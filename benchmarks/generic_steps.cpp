@@ -22,7 +22,7 @@
 using namespace actio;
 
 /// What is timed, and what it says of itself.
-struct Road {
+struct Stepped {
   std::string name;
   std::function<void()> step;             ///< takes one
   std::function<void()> from_scratch;     ///< the same by Newton's iteration alone
@@ -48,7 +48,7 @@ Velocity<G, double> spin() {
 constexpr double h = 0.1;
 
 template <class G, class L>
-Road euler_poincare(std::string const& name, L const& l, Element<G, double> const& first) {
+Stepped euler_poincare(std::string const& name, L const& l, Element<G, double> const& first) {
   auto const motion =
       std::make_shared<EulerPoincareStepsLeft<std::decay_t<decltype(l)>, G, double>>(l, first);
   auto const plain = std::make_shared<Element<G, double>>(first);
@@ -58,18 +58,18 @@ Road euler_poincare(std::string const& name, L const& l, Element<G, double> cons
           [motion, plain] { return motion->relative_motion().value.sum() + plain->value.sum(); }};
 }
 template <class G>
-Road euler_poincare(std::string const& name) {
+Stepped euler_poincare(std::string const& name) {
   return euler_poincare(name, natural_chart_lagrangian_left(energy, h),
                         Element<G, double>(exp(-h * spin<G>())));
 }
-Road brick() {
+Stepped brick() {
   Body const body = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
   NaturalChartScheme<3> const scheme(body.principal.inertia, h / body.principal_spin().coordinates.norm());
   return euler_poincare(
       "SO(3)", scheme.lagrangian(),
       scheme.relative_motion(body_momentum(body.principal.inertia, body.principal_spin())).value);
 }
-Road heavy_top() {
+Stepped heavy_top() {
   auto const known = kovalevskaya_top<double>();
   double const h_top = h / known.spin.coordinates.norm();
   auto const l = natural_chart_lagrangian(known.top, h_top);
@@ -90,7 +90,7 @@ Road heavy_top() {
           [motion]() -> Report const& { return motion->report(); },
           [motion, plain] { return motion->relative_motion().value.sum() + plain->f.value.sum(); }};
 }
-Road galerkin(int s) {
+Stepped galerkin(int s) {
   using G = SO<3>;
   struct Run {
     decltype(galerkin_step_left<double>(energy, 1)) step;
@@ -113,35 +113,35 @@ Road galerkin(int s) {
 int main(int argc, char** argv) {
   benchmark::Benchmark program(argc, argv,
                                "steps of the generic implementation, in Runge-Kutta steps of a free body");
-  std::vector<Road> const roads{brick(),
-                                euler_poincare<SE<2>>("SE(2)"),
-                                euler_poincare<SE<3>>("SE(3)"),
-                                euler_poincare<SO<4>>("SO(4)"),
-                                euler_poincare<SL2>("SL(2)"),
-                                heavy_top(),
-                                galerkin(2),
-                                galerkin(3)};
+  std::vector<Stepped> const all{brick(),
+                                 euler_poincare<SE<2>>("SE(2)"),
+                                 euler_poincare<SE<3>>("SE(3)"),
+                                 euler_poincare<SO<4>>("SO(4)"),
+                                 euler_poincare<SL2>("SL(2)"),
+                                 heavy_top(),
+                                 galerkin(2),
+                                 galerkin(3)};
   auto const classical = peers::runge_kutta().make({{0.6, 0.8, 1}, {1.8, 0.4, -0.9}}, h);
   constexpr long rk_steps = 20000, steps = 200, plain_steps = 20;
   std::vector<benchmark::Contestant> contestants{
       {"Runge-Kutta", [&] { classical->advance(rk_steps); }, rk_steps}};
-  std::vector<long> evaluations(roads.size(), 0), taken(roads.size(), 0);
+  std::vector<long> evaluations(all.size(), 0), taken(all.size(), 0);
   double residual = 0;
-  for (std::size_t i = 0; i < roads.size(); ++i) {
-    contestants.push_back({roads[i].name,
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    contestants.push_back({all[i].name,
                            [&, i] {
                              for (long k = 0; k < steps; ++k) {
-                               roads[i].step();
-                               Report const& report = roads[i].report();
+                               all[i].step();
+                               Report const& report = all[i].report();
                                evaluations[i] += report.evaluations, ++taken[i];
                                if (report.tolerance > 0)
                                  residual = std::max(residual, report.residuals.back() / report.tolerance);
                              }
                            },
                            steps});
-    contestants.push_back({roads[i].name,
+    contestants.push_back({all[i].name,
                            [&, i] {
-                             for (long k = 0; k < plain_steps; ++k) roads[i].from_scratch();
+                             for (long k = 0; k < plain_steps; ++k) all[i].from_scratch();
                            },
                            plain_steps});
   }
@@ -149,15 +149,15 @@ int main(int argc, char** argv) {
 
   std::vector<book::Program::Row> rows;
   double sum = classical->state()[0] + classical->state()[3], so3 = 0;
-  for (std::size_t i = 0; i < roads.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     auto const &step = times[2 * i + 1], &plain = times[2 * i + 2];
     double const in_rk = benchmark::ratio_of_best(step, times[0]);
     if (i == 0) so3 = in_rk;
-    rows.push_back({roads[i].name, book::number(1e6 * benchmark::best_tenth(step)), book::number(in_rk),
+    rows.push_back({all[i].name, book::number(1e6 * benchmark::best_tenth(step)), book::number(in_rk),
                     book::number(static_cast<double>(evaluations[i]) / static_cast<double>(taken[i])),
                     book::number(1e6 * benchmark::best_tenth(plain)),
                     book::number(benchmark::ratio_of_best(plain, step))});
-    sum += roads[i].sum();
+    sum += all[i].sum();
   }
   program.table(
       "time",
@@ -174,14 +174,14 @@ int main(int argc, char** argv) {
   program.figure("sum", sum, "sum of the last states, so that nothing is left out");
   program.claim_of_time(
       so3 <= 50, "a DEP step on SO(3) costs at most 50 Runge-Kutta steps; measured " + book::number(so3));
-  for (std::size_t i = 0; i < roads.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     double const faster = benchmark::ratio_of_best(times[2 * i + 2], times[2 * i + 1]);
-    program.claim_of_time(faster >= 1.5, roads[i].name +
+    program.claim_of_time(faster >= 1.5, all[i].name +
                                              ": a step takes at most two thirds of the time "
                                              "of one from scratch; measured " +
                                              book::number(1 / faster));
     double const most = static_cast<double>(evaluations[i]) / static_cast<double>(taken[i]);
-    program.claim(most <= 6, roads[i].name +
+    program.claim(most <= 6, all[i].name +
                                  ": at most six evaluations of the residual a step on average; measured " +
                                  book::number(most));
   }

@@ -1,4 +1,4 @@
-#include "program/systems/media/mesh_road.hpp"
+#include "program/systems/media/generic_medium.hpp"
 
 #include "program/systems/media/walls.hpp"
 #include "program/systems/media/watch.hpp"
@@ -32,14 +32,14 @@ class MeshMotion final : public MotionOnMesh<d> {
  public:
   using typename MediumMotion<d>::Place;
 
-  explicit MeshMotion(MeshRoad<d>& road)
-      : medium_(std::move(road.mesh), stored_energy_of<d>(road.material), start_of<d>(road.start),
-                {1, road.order, road.conserve, road.viscosity}, road.loads.sides, road.loads.loads),
+  explicit MeshMotion(GenericMedium<d>& medium)
+      : medium_(std::move(medium.mesh), stored_energy_of<d>(medium.material), start_of<d>(medium.start),
+                {1, medium.order, medium.conserve, medium.viscosity}, medium.loads.sides, medium.loads.loads),
         cells_(medium_.mesh()),
-        fluid_(is_fluid(road.material) && d > 1),
-        conserves_form_(road.conserve == media::Conserve::form),
+        fluid_(is_fluid(medium.material) && d > 1),
+        conserves_form_(medium.conserve == media::Conserve::form),
         watch_(1, 32, fluid_, conserves_form_),
-        walls_(road.loads, medium_.mesh(), medium_.places()) {}
+        walls_(medium.loads, medium_.mesh(), medium_.places()) {}
 
   void begin(double step, double longest) override {
     medium_.set_time_step(step);
@@ -114,13 +114,13 @@ class MeshMotion final : public MotionOnMesh<d> {
 }  // namespace
 
 template <int d>
-std::unique_ptr<MotionOnMesh<d>> MeshRoad<d>::motion() { return std::make_unique<MeshMotion<d>>(*this); }
+std::unique_ptr<MotionOnMesh<d>> GenericMedium<d>::motion() { return std::make_unique<MeshMotion<d>>(*this); }
 
 /// Along a line.
-template struct MeshRoad<1>;
+template struct GenericMedium<1>;
 /// In the plane.
-template struct MeshRoad<2>;
+template struct GenericMedium<2>;
 /// In space.
-template struct MeshRoad<3>;
+template struct GenericMedium<3>;
 
 }  // namespace actio::scene

@@ -1,5 +1,5 @@
-// The free body by power series in the time, component by component: the witness that judges it. Nothing of
-// the library's bodies is in it.
+// The free body by power series in the time, component by component: the reference solution that judges it.
+// Nothing of the library's bodies is in it.
 #pragma once
 
 #include <array>

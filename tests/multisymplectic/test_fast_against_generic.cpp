@@ -1,5 +1,5 @@
-// The fast road of media held to the general road: the discrete Euler-Lagrange field equations of the
-// density, by duals.
+// The optimised implementation of media held to the generic implementation: the discrete Euler-Lagrange field
+// equations of the density, by duals.
 #include <Eigen/Core>
 
 #include <boost/test/unit_test.hpp>
@@ -14,9 +14,9 @@ using namespace actio::media;
 namespace {
 using Place = std::array<double, 2>;
 
-/// A medium on seven by five cells: two levels by the fast road, ten more by both.
+/// A medium on seven by five cells: two levels by the optimised implementation, ten more by both.
 template <class Medium, class Energy>
-void roads_agree(Medium const& medium, Energy const& energy, Side across, Side up) {
+void ways_agree(Medium const& medium, Energy const& energy, Side across, Side up) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   int const n = 7, m = 5, steps = 10;
   double const h1 = 0.1, h2 = 0.13, dt = 0.01, density = 1.7;
@@ -55,28 +55,28 @@ void roads_agree(Medium const& medium, Energy const& energy, Side across, Side u
   double worst = 0;
   for (std::size_t k = 0; k < x.size(); ++k)
     worst = std::max(worst, (section.levels.back()[k] - Eigen::Vector2d(x[k][0], x[k][1])).norm());
-  // The general road solves each level to 48 roundings of places below 1, and both lose some 100 roundings of
-  // a kick, dt^2 times a modulus below 4 over h; what a step is off goes on as a velocity.
+  // The generic implementation solves each level to 48 roundings of places below 1, and both lose some 100
+  // roundings of a kick, dt^2 times a modulus below 4 over h; what a step is off goes on as a velocity.
   double const a_step = eps * (48 + 100 * dt * dt * 4 / h1 * (1 + 1 / h1));
   BOOST_TEST(worst <= a_step * steps * (steps + 1) / 2);
-  BOOST_TEST_MESSAGE("the fast road and the general road differ by " << worst);
+  BOOST_TEST_MESSAGE("the optimised implementation and the generic implementation differ by " << worst);
 }
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(fast_general_road)
+BOOST_AUTO_TEST_SUITE(fast_against_generic)
 
-BOOST_AUTO_TEST_CASE(both_roads_are_the_same_to_rounding) {
+BOOST_AUTO_TEST_CASE(both_ways_are_the_same_to_rounding) {
   using enum Side;
   for (auto const& [across, up] :
        {std::pair{free, free}, {fixed, free}, {periodic, fixed}, {periodic, periodic}}) {
-    roads_agree(FastFluid{PolytropicByRoots<1, 2>{0.7}}, Barotropic{WholePolytropic<double, 1>{0.7}}, across,
-                up);
-    roads_agree(FastFluid{PolytropicGas{0.7, 1.3}}, Barotropic{Polytropic<double>{0.7, 1.3}}, across, up);
-    roads_agree(FastStVenantKirchhoff{0.9, 0.6}, OfGreenTensor{StVenantKirchhoff<double>{0.9, 0.6}}, across,
-                up);
-    roads_agree(neo_hookean(0.9, 0.6), OfGreenTensor{NeoHookean{0.6, LogarithmicVolume<double>{0.9}}}, across,
-                up);
-    roads_agree(blatz_ko<1>(0.6), OfGreenTensor{NeoHookean{0.6, PowerVolume<1>{}}}, across, up);
+    ways_agree(FastFluid{PolytropicByRoots<1, 2>{0.7}}, Barotropic{WholePolytropic<double, 1>{0.7}}, across,
+               up);
+    ways_agree(FastFluid{PolytropicGas{0.7, 1.3}}, Barotropic{Polytropic<double>{0.7, 1.3}}, across, up);
+    ways_agree(FastStVenantKirchhoff{0.9, 0.6}, OfGreenTensor{StVenantKirchhoff<double>{0.9, 0.6}}, across,
+               up);
+    ways_agree(neo_hookean(0.9, 0.6), OfGreenTensor{NeoHookean{0.6, LogarithmicVolume<double>{0.9}}}, across,
+               up);
+    ways_agree(blatz_ko<1>(0.6), OfGreenTensor{NeoHookean{0.6, PowerVolume<1>{}}}, across, up);
   }
 }
 

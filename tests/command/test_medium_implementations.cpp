@@ -1,4 +1,4 @@
-// The roads of media through the command: fused steps beside plain ones, memory, loops, what is said of
+// The ways of media through the command: fused steps beside plain ones, memory, loops, what is said of
 // characteristics and of long shear.
 #include <sys/wait.h>
 #include <unistd.h>
@@ -79,10 +79,10 @@ std::string plan_of(Medium const& scene) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(medium_roads)
+BOOST_AUTO_TEST_SUITE(medium_implementations)
 
-// An obstacle that is none sends the same scene the plain road. Twenty steps, each with a few roundings of
-// places and kicks below 2, which go on as velocities.
+// An obstacle that is none sends the same scene the generic implementation. Twenty steps, each with a few
+// roundings of places and kicks below 2, which go on as velocities.
 BOOST_AUTO_TEST_CASE(fused_steps_are_plain_ones_to_rounding_in_the_plane_and_in_space) {
   for (bool const in_space : {false, true})
     for (auto const& sample : samples) {
@@ -115,12 +115,12 @@ BOOST_AUTO_TEST_CASE(the_longest_stable_step_is_the_time_in_which_sound_passes_a
   flat.method = "step = 1", flat.until = "1", flat.every = "1";
   for (std::string const box : {"lower = [0, 0], upper = [70, 4], cells = [7, 4]",
                                 "lower = [0, 0, 0], upper = [70, 70, 4], cells = [7, 7, 4]"})
-    for (std::string const road : {"", "obstacle = { potential = \"0\" }\n"}) {
-      flat.mesh = "shape = \"box\", " + box, flat.system = road;
+    for (std::string const way : {"", "obstacle = { potential = \"0\" }\n"}) {
+      flat.mesh = "shape = \"box\", " + box, flat.system = way;
       Folder const folder;
       auto const told = actio({"run", folder.write("medium.toml", flat.text()), "--dry-run"});
       double const safe = number_after(told.err, "not stable; a step of ");
-      BOOST_TEST(std::abs(safe * std::sqrt(3.0) / (0.94 * 0.9) - 1) <= 0.01, box << road << ": " << safe);
+      BOOST_TEST(std::abs(safe * std::sqrt(3.0) / (0.94 * 0.9) - 1) <= 0.01, box << way << ": " << safe);
     }
 }
 
@@ -129,23 +129,23 @@ BOOST_AUTO_TEST_CASE(a_box_in_space_begins_soon_and_takes_the_memory_that_was_to
   box.initial = "velocity = [\"1 - 0.5*Y\", \"1 + 0.5*X\", \"0\"]";
   box.method = "", box.until = box.every = "0.02", box.quantities = "\"energy\", \"momentum\"";
   struct Sized {
-    char const *cells, *road, *output;
+    char const *cells, *way, *output;
   };
-  // A motion without snapshots, and on both roads cells with snapshots in both forms.
+  // A motion without snapshots, and on both ways cells with snapshots in both forms.
   char const* const frames =
       "formats = [\"vtu\", \"hdf5\"]\nsnapshots = [\"jacobian\", \"stress\"]\nsnapshot_every = 0.02\n";
-  for (auto const& [cells, road, output] :
+  for (auto const& [cells, way, output] :
        {Sized{"[64, 40, 40]", "", ""}, Sized{"[40, 40, 40]", "", frames},
         Sized{"[16, 20, 20]", "obstacle = { potential = \"0*x\" }\n", frames}}) {
     Folder const folder;
     box.mesh = std::string("shape = \"box\", lower = [-1, 0, 0], upper = [1, 1, 1], cells = ") + cells;
-    box.system = road, box.output = output;
+    box.system = way, box.output = output;
     std::string const scene = folder.write("box.toml", box.text());
     auto const told = actio({"run", scene, "--dry-run"});
     double const memory = 1e6 * number_after(told.out, "memory      at most about "),
                  taken = bytes_of_run(folder, scene, folder / "out");
     BOOST_TEST_MESSAGE("a box of " << cells << " cells" << (*output ? " with snapshots" : "")
-                                   << (*road ? ", plain steps" : "") << ": memory told " << memory
+                                   << (*way ? ", plain steps" : "") << ": memory told " << memory
                                    << ", taken " << taken);
     BOOST_TEST(std::abs(memory / taken - 1) <= 0.05);
   }
@@ -236,8 +236,8 @@ BOOST_AUTO_TEST_CASE(a_fluid_that_is_sheared_for_long_ends_with_the_cell_its_jac
   sheared.mesh = "shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [12, 12], periodic = [true, true]";
   sheared.initial = "velocity = [\"sin(2*pi*Y)\", \"0.1*sin(2*pi*X)\"]";
   sheared.until = "40", sheared.every = "1";
-  for (std::string const road : {"", "obstacle = { potential = \"0\" }\n"}) {
-    sheared.system = road;
+  for (std::string const way : {"", "obstacle = { potential = \"0\" }\n"}) {
+    sheared.system = way;
     // Its cells are flattened until the step is too long for them, or one turns inside out.
     check_ends(sheared, 3, "cell ", false);
     check_ends(sheared, 3, "Jacobian ", false);
@@ -258,10 +258,10 @@ BOOST_AUTO_TEST_CASE(a_step_that_a_refusal_names_goes_to_the_end) {
   wave.mesh = "shape = \"box\", lower = [0, 0], upper = [4, 4], cells = [16, 16], periodic = [true, true]";
   wave.initial = "velocity = [\"0.05*sin(pi*X/2)\", \"0\"]", wave.until = "8", wave.every = "8";
   wave.material = "name = \"polytropic_gas\", K = 1, gamma = 2";
-  for (char const* const road : {"", "obstacle = { potential = \"0*x\" }\n"})
+  for (char const* const way : {"", "obstacle = { potential = \"0*x\" }\n"})
     // Beyond what is stable, and beyond what is safe of it.
     for (char const* const step : {"1", "0.1667"}) {
-      wave.system = road, wave.method = std::string("step = ") + step + "\n";
+      wave.system = way, wave.method = std::string("step = ") + step + "\n";
       Folder const folder;
       auto const told = actio({"run", folder.write("medium.toml", wave.text()), "--dry-run"});
       BOOST_TEST(told.status == 3, told.err);

@@ -1,8 +1,8 @@
-// Two roads on SE(3): a submarine in still water, stepped with its configuration and without it.
+// Two implementations on SE(3): a submarine in still water, stepped with its configuration and without it.
 //
 // What is shown. The water takes part in the motion of a body: pushed aside it weighs more than pushed ahead,
 // and so the submarine tumbles without any force. Its energy does not care where it is (Kirchhoff's
-// equations). One road solves the discrete Euler-Lagrange equations (3.2) for configurations; the other
+// equations). One way solves the discrete Euler-Lagrange equations (3.2) for configurations; the other
 // solves (3.11) for relative motions and puts the configurations together afterwards (3.15). They lead to the
 // same configurations, and the second is shorter.
 // Read first. Section 3.2 of chapter 3, up to "Reconstruction".
@@ -48,15 +48,15 @@ Configuration first_relative_motion(Reduced const& l, double h) {
   return relative_motion_from_momentum_left(l, cast_off, exp(velocity(space, Vector6d(-h * xi)))).value;
 }
 
-// What the two roads lead to: the configurations, the times they took, and how far they are apart, relative.
-struct Roads {
+// What the two ways lead to: the configurations, the times they took, and how far they are apart, relative.
+struct Ways {
   std::vector<Configuration> reduced, unreduced;
   double reduced_time, unreduced_time, apart;
 };
 
-// 3. The two roads.
+// 3. The two ways.
 template <class Reduced, class Unreduced>
-Roads take_both_roads(Reduced const& l, Unreduced const& L) {
+Ways take_both_ways(Reduced const& l, Unreduced const& L) {
   auto const f0 = first_relative_motion(l, h);
   std::vector<Configuration> reduced{g0, reconstruct_left(g0, f0)}, unreduced = reduced;
   double const reduced_time = book::seconds_of([&] {
@@ -89,7 +89,7 @@ std::vector<Vector3d> section_across(int i, Matrix<double, 4, 4> const& g) {
 }
 
 // 4. Look at it from one side: the path, and the submarine by three of its sections every few seconds.
-void draw_the_path(book::Program& program, Roads const& roads) {
+void draw_the_path(book::Program& program, Ways const& ways) {
   auto plot = book::Plot("metres to the right", "metres upwards").equal().size(660, 220);
   Vector3d const right(0.96, 0.28, 0), up(-0.5 * 0.28, 0.5 * 0.96, std::sqrt(0.75));
   auto const draw = [&](std::vector<Vector3d> const& points, std::string const& label, book::Look look) {
@@ -99,9 +99,9 @@ void draw_the_path(book::Program& program, Roads const& roads) {
   };
   std::vector<Vector3d> path, dots;
   for (int k = 0; k <= steps; ++k) {
-    Matrix<double, 4, 4> const& g = roads.reduced[k].value;
+    Matrix<double, 4, 4> const& g = ways.reduced[k].value;
     path.push_back(g.topRightCorner<3, 1>());
-    if (k % 4 == 0) dots.push_back(roads.unreduced[k].value.topRightCorner<3, 1>());
+    if (k % 4 == 0) dots.push_back(ways.unreduced[k].value.topRightCorner<3, 1>());
     for (int i = 0; k % 24 == 0 && i < 3; ++i) draw(section_across(i, g), "", {.colour = 6, .width = 1});
   }
   draw(path, "reduced steps, put together", {.colour = 1}),
@@ -137,20 +137,19 @@ double measure_the_order(book::Program& program) {
 
 // 6. What must be so. Rounding of the momentum, 16 times a step, moves the configuration by its square in the
 //    number of steps.
-void claim_what_must_be_so(book::Program& program, Roads const& roads, double order) {
+void claim_what_must_be_so(book::Program& program, Ways const& ways, double order) {
   double const epsilon = 0x1p-52;
   program.claim(book::measured(std::abs(lamb(energy.half_axes).sum() - 2)) < 1e3 * epsilon,
                 "Lamb's integrals add up to 2");
-  program.claim(book::measured(roads.apart) < 16.0 * steps * steps * epsilon,
-                "both roads lead to the same configurations");
+  program.claim(book::measured(ways.apart) < 16.0 * steps * steps * epsilon,
+                "both ways lead to the same configurations");
   program.claim(book::measured(std::abs(order - 2)) < 0.05, "the order is 2");
-  program.figure("apart", roads.apart, "distance of the two roads, relative");
-  program.figure("cost", roads.unreduced_time / roads.reduced_time,
-                 book::number(roads.unreduced_time / roads.reduced_time, 2),
-                 "time of the unreduced road over that of the reduced one");
+  program.figure("apart", ways.apart, "distance of the two ways, relative");
+  program.figure("cost", ways.unreduced_time / ways.reduced_time,
+                 book::number(ways.unreduced_time / ways.reduced_time, 2),
+                 "time of the unreduced way over that of the reduced one");
   program.figure("order", order, book::number(order, 3), "order of the reduced steps, fitted");
-  program.headline("both roads end in the same configuration, to " + book::number(roads.apart, 2),
-                   roads.apart);
+  program.headline("both ways end in the same configuration, to " + book::number(ways.apart, 2), ways.apart);
 }
 
 int main(int argc, char** argv) {
@@ -158,9 +157,9 @@ int main(int argc, char** argv) {
       argc, argv,
       "a submarine tumbles through still water: reduced and unreduced steps lead to the same configurations");
   auto const [l, L] = weigh_and_discretise(program);
-  Roads const roads = take_both_roads(l, L);
-  draw_the_path(program, roads);
+  Ways const ways = take_both_ways(l, L);
+  draw_the_path(program, ways);
   double const order = measure_the_order(program);
-  claim_what_must_be_so(program, roads, order);
+  claim_what_must_be_so(program, ways, order);
   return program.finish();
 }

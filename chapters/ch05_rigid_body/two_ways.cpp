@@ -1,5 +1,5 @@
-// Two roads to the same motion: the brick of NASA's check case on pairs of attitudes, and on relative motions
-// with the attitude put back afterwards.
+// Two implementations to the same motion: the brick of NASA's check case on pairs of attitudes, and on
+// relative motions with the attitude put back afterwards.
 //
 // What is shown. The discrete Euler-Lagrange equations on SO(3) x SO(3) know nothing of a symmetry. The
 // reduced equations solve for the relative motion alone, and reconstruction puts the attitude back: the same
@@ -20,8 +20,8 @@ using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
 using Rotation = Element<SO<3>, double>;
 
-// 1. The two roads are taken over `count` steps; the result is the largest distance between their attitudes.
-//    The unreduced road solves (3.2) for `lifted`, a function of two configurations.
+// 1. The two ways are taken over `count` steps; the result is the largest distance between their attitudes.
+//    The unreduced way solves (3.2) for `lifted`, a function of two configurations.
 template <class Scheme>
 double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int count,
              std::vector<double>& history) {
@@ -47,7 +47,7 @@ double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int coun
 struct Apart {
   double chart, mv;
 };
-Apart two_roads(book::Program& program, Body const& brick) {
+Apart two_ways(book::Program& program, Body const& brick) {
   double const h = 0.1;
   int const count = 300;
   std::vector<double> history_chart, history_mv, time;
@@ -57,12 +57,12 @@ Apart two_roads(book::Program& program, Body const& brick) {
   double const mv =
       apart(MoserVeselov<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_mv);
   program.figure("apart_chart", chart,
-                 "natural charts: the two roads apart after 30 s, largest entry of the attitude");
+                 "natural charts: the two ways apart after 30 s, largest entry of the attitude");
   program.figure("apart_mv", mv, "Moser-Veselov: the same");
-  auto roads =
-      book::Plot("time, s", "distance of the two roads so far").log_y().size(660, 320).y_range(1e-17, 1e-10);
-  roads.curve(time, history_chart, "natural charts").curve(time, history_mv, "Moser-Veselov");
-  program.picture("roads", roads.svg(),
+  auto ways =
+      book::Plot("time, s", "distance of the two ways so far").log_y().size(660, 320).y_range(1e-17, 1e-10);
+  ways.curve(time, history_chart, "natural charts").curve(time, history_mv, "Moser-Veselov");
+  program.picture("ways", ways.svg(),
                   "The attitude from pairs of configurations and from relative motions with "
                   "reconstruction: what lies between them is rounding.");
   return {chart, mv};
@@ -128,9 +128,9 @@ Errors check_case(book::Program& program, Body const& brick, Vector3d const& tru
 int main(int argc, char** argv) {
   book::Program program(
       argc, argv,
-      "a tumbling brick on two roads, pairs of attitudes and relative motions: the same motion to rounding");
+      "a tumbling brick on two ways, pairs of attitudes and relative motions: the same motion to rounding");
   Body const brick = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
-  auto const [chart, mv] = two_roads(program, brick);
+  auto const [chart, mv] = two_ways(program, brick);
   Vector3d const truth = converged_rates(brick);
   Errors const errors = check_case(program, brick, truth);
   double const order_chart = book::exponent(errors.steps, errors.chart),
@@ -143,12 +143,12 @@ int main(int argc, char** argv) {
   // 6. What must be so. The errors of the relative motions, a few epsilon each, add up over 300 steps, and
   //    the attitude adds those up again.
   program.claim(book::measured(chart) < 1e-10 && book::measured(mv) < 1e-10,
-                "the two roads agree to rounding");
+                "the two ways agree to rounding");
   program.claim(
       book::measured(std::abs(order_chart - 2)) < 0.05 && book::measured(std::abs(order_mv - 2)) < 0.05,
       "both schemes are of order two");
   program.claim(book::measured(known) < 1e-8, "the converged rates are those known");
-  program.headline("two roads apart by " + book::number(std::max(chart, mv), 2) + " after 300 steps",
+  program.headline("two ways apart by " + book::number(std::max(chart, mv), 2) + " after 300 steps",
                    std::max(chart, mv));
   return program.finish();
 }

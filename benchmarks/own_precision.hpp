@@ -25,7 +25,7 @@ struct System {
   std::vector<peers::Numbers<double, m>> exact = {};
 
   /// Finds the true states, and by how much they differ from those found in half as many steps.
-  double find_witness() {
+  double find_reference() {
     double apart = 0;
     std::vector<peers::Numbers<double, m>> coarse;
     for (long steps : {2000, 4000}) {
@@ -85,7 +85,7 @@ struct System {
 /// A way of the generic implementation: `make(h)` gives a callable that takes a step of that length and
 /// returns what is compared.
 template <class S, class Make>
-Way road_way(S const& system, std::string name, Make make, double first, double ratio) {
+Way own_way(S const& system, std::string name, Make make, double first, double ratio) {
   return {std::move(name),
           [&system, make](double setting) {
             long const steps = std::lround(setting);
@@ -104,7 +104,7 @@ Way road_way(S const& system, std::string name, Make make, double first, double 
 template <class S>
 int compare(Benchmark& program, S& system, std::vector<Way> ways) {
   gsl_set_error_handler_off();
-  double const apart = system.find_witness();
+  double const apart = system.find_reference();
   std::size_t const own = ways.size();
   for (Way& other : system.others()) ways.push_back(std::move(other));
   constexpr double targets[] = {1e-3, 1e-6, 1e-9, 1e-11};

@@ -1,9 +1,9 @@
-// Media on any mesh, with loads: the plain road.
+// Media on any mesh, with loads: the generic implementation.
 #pragma once
 
+#include "program/medium_output/motion.hpp"
 #include "program/systems/media/loads.hpp"
 #include "program/systems/media/material.hpp"
-#include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 
@@ -20,9 +20,9 @@ class MotionOnMesh : public MediumMotion<d> {
   virtual void begin(double step, double longest) = 0;
 };
 
-/// What the plain road steps.
+/// What the generic implementation steps.
 template <int d>
-struct MeshRoad {
+struct GenericMedium {
   media::BodyMesh mesh;                              ///< of the body; the motion takes it
   Material material;                                 ///< of the body
   std::shared_ptr<MediumStart> start;                ///< how it begins

@@ -109,11 +109,11 @@ struct Distances {
   double momentum = 0, motion = 0, size = 0;
 };
 
-/// Steps by both roads from one state, and how far they get from one another.
+/// Steps by both ways from one state, and how far they get from one another.
 ///
 /// The equations begin with the first motion of the step, whose momentum must be that of the state; from
 /// there on they find their motions by themselves. With `direction` -1 they are those of time reversed.
-Distances both_roads(int n, double h, int steps, Chart chart = Chart::up_to_phase, double direction = 1) {
+Distances both_ways(int n, double h, int steps, Chart chart = Chart::up_to_phase, double direction = 1) {
   QuantizedSphere const sphere(n);
   SphereLaplacian const laplacian(n);
   SU<> const group(n);
@@ -145,13 +145,13 @@ Distances both_roads(int n, double h, int steps, Chart chart = Chart::up_to_phas
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(general_road)
+BOOST_AUTO_TEST_SUITE(generic_implementation)
 
 // Newton's iteration leaves 16 epsilon of the derivative's rows; each step adds that, in N^2 components.
 BOOST_AUTO_TEST_CASE(the_step_is_the_discrete_euler_poincare_algorithm) {
   for (int n : {2, 3, 4, 5}) {
-    Distances const far = both_roads(n, 0.3, n < 5 ? 5 : 3);
-    BOOST_TEST_MESSAGE("N = " << n << ": momenta of both roads differ by " << far.momentum / far.size
+    Distances const far = both_ways(n, 0.3, n < 5 ? 5 : 3);
+    BOOST_TEST_MESSAGE("N = " << n << ": momenta of both ways differ by " << far.momentum / far.size
                               << ", motions by " << far.motion);
     BOOST_TEST(far.momentum <= 1e-13 * n * n * far.size);
     BOOST_TEST(far.motion <= 1e-13);
@@ -160,9 +160,9 @@ BOOST_AUTO_TEST_CASE(the_step_is_the_discrete_euler_poincare_algorithm) {
 
 BOOST_AUTO_TEST_CASE(other_schemes_are_told_apart) {
   // With the trace left out of the velocity another scheme results, which agrees for N = 2 alone.
-  BOOST_TEST(both_roads(2, 1, 2, Chart::trace_dropped).momentum <= 1e-12);
-  Distances const dropped = both_roads(3, 1, 2, Chart::trace_dropped),
-                  reversed = both_roads(3, 1, 2, Chart::up_to_phase, -1);
+  BOOST_TEST(both_ways(2, 1, 2, Chart::trace_dropped).momentum <= 1e-12);
+  Distances const dropped = both_ways(3, 1, 2, Chart::trace_dropped),
+                  reversed = both_ways(3, 1, 2, Chart::up_to_phase, -1);
   BOOST_TEST_MESSAGE("N = 3: with the trace left out " << dropped.momentum / dropped.size
                                                        << ", with time reversed "
                                                        << reversed.momentum / reversed.size);
