@@ -3,6 +3,7 @@
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
+#include "actio/reduction/momentum_level.hpp"
 #include "own_precision.hpp"
 
 using namespace actio;
@@ -53,7 +54,8 @@ int main(int argc, char** argv) {
   auto const chart = natural_chart_step_left(energy);
   return benchmark::compare(
       program, system,
-      {way("natural chart, order 2", chart, 16),
+      {way("momentum level, order 8", momentum_level_step_left<double>(energy), 4),
+       way("natural chart, order 2", chart, 16),
        way("natural chart composed, order 6", ComposedLeft(chart, kahan_li<double>()), 2),
        way("Galerkin, order 4", galerkin_step_left<double>(energy, 2), 8),
        way("Galerkin, order 8", galerkin_step_left<double>(energy, 4), 4),
