@@ -12,7 +12,7 @@ packages=(
   libcli11-dev libfmt-dev libhdf5-dev hdf5-tools libnetcdf-dev # the command and its scenes
   libopenmpi-dev openmpi-bin pybind11-dev python3-dev python3-numpy      # scenes across machines, and from Python
   libopenblas-dev valgrind                                               # what the benchmarks are measured beside, and count with
-  nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex libjs-lunr texlive-binaries # the book
+  nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex texlive-binaries # the book
 )
 
 [[ ${1:-} != proofs ]] || packages=(coq libcoq-mathcomp-algebra ninja-build nodejs)

@@ -10,7 +10,7 @@ import { boxed, escapeHtml, walk } from './lib.mjs';
 
 /** The modules of the library, or with `program` the rooms of the program, in the order of their declaration:
  *  { name, uses, about, files, lines, floor }. A floor is one above the highest that is used. */
-export function readHouse(root, errors, which = 'library') {
+export function readArchitecture(root, errors, which = 'library') {
   const read = file => fs.readFileSync(path.join(root, file), 'utf8');
   const { folder, declared, line } = which === 'program' ?
     { folder: 'src/program', declared: 'src/program/CMakeLists.txt', line: /^actio_room\(([\w/]+)(.*)\)$/gm } :
@@ -18,37 +18,37 @@ export function readHouse(root, errors, which = 'library') {
   const rooms = read('docs/rooms.dox').matchAll(new RegExp(`\\\\dir ${folder}/([\\w/]+)\\s+\\\\brief ([^]*?)\\s*\\*/`, 'g'));
   const about = new Map([...rooms].map(m => [m[1], m[2]]));
   const dox = path.join(root, 'docs/rooms.dox');
-  const house = new Map();
+  const architecture = new Map();
   for (const [, name, rest] of read(declared).matchAll(line)) {
     const uses = (/USES ([\w/ ]+?)(?: LINKS|$)/.exec(rest.trim())?.[1] ?? '').split(' ').filter(Boolean);
     const here = path.join(root, folder, name);
     const files = walk(here).filter(f => /\.[hc]pp$/.test(f) && (which === 'library' || path.dirname(f) === here));
     const lines = files.reduce((sum, f) => sum + fs.readFileSync(f, 'utf8').split('\n').length - 1, 0);
-    const floor = uses.reduce((highest, u) => Math.max(highest, house.get(u).floor + 1), 0);
+    const floor = uses.reduce((highest, u) => Math.max(highest, architecture.get(u).floor + 1), 0);
     if (!about.has(name)) errors.add(dox, 1, `nothing is said of ${folder}/${name}`);
-    house.set(name, { name, uses, about: about.get(name) ?? '', files: files.length, lines, floor });
+    architecture.set(name, { name, uses, about: about.get(name) ?? '', files: files.length, lines, floor });
   }
   for (const name of about.keys())
-    if (!house.has(name)) errors.add(dox, 1, `${declared} does not declare ${name}`);
-  return house;
+    if (!architecture.has(name)) errors.add(dox, 1, `${declared} does not declare ${name}`);
+  return architecture;
 }
 
 /** The rooms floor by floor, the ground floor at the bottom; an arrow from each room to those that it uses. */
-export function architecturePlan(house) {
+export function architecturePlan(architecture) {
   const floors = [];
-  for (const room of house.values()) (floors[room.floor] ??= []).push(room);
+  for (const room of architecture.values()) (floors[room.floor] ??= []).push(room);
   const high = 34, step = 72, wide = 136, place = new Map();
   const width = (wide + 12) * Math.max(5, ...floors.map(rooms => rooms.length));
   floors.forEach((rooms, floor) => rooms.forEach((room, i) => {
     const x = width * (i + 0.5) / rooms.length, y = step * (floors.length - 1 - floor) + high;
     place.set(room.name, { x, y });
   }));
-  const arrows = [...house.values()].flatMap(room => room.uses.map(used => {
+  const arrows = [...architecture.values()].flatMap(room => room.uses.map(used => {
     const from = place.get(room.name), to = place.get(used), a = from.y + high / 2, b = to.y - high / 2 - 5;
     const middle = (a + b) / 2, curve = `M${from.x} ${a} C${from.x} ${middle} ${to.x} ${middle} ${to.x} ${b}`;
     return `<path d="${curve}" marker-end="url(#architecture-tip)"/>`;
   }));
-  const boxes = [...house.values()].map(({ name }) => {
+  const boxes = [...architecture.values()].map(({ name }) => {
     const { x, y } = place.get(name);
     const box = `<rect x="${x - wide / 2}" y="${y - high / 2}" width="${wide}" height="${high}" rx="5"/>`;
     return `${box}<text x="${x}" y="${y + 5}">${path.basename(name)}</text>`;
@@ -63,10 +63,10 @@ What that one uses may be used as well. Arrows lead down.</figcaption></figure>`
 }
 
 /** What each holds, what it uses, and how large it is. */
-export function architectureTable(house) {
+export function architectureTable(architecture) {
   const row = (cell, cells) => `<tr>${cells.map(c => `<${cell}>${c}</${cell}>`).join('')}</tr>`;
   const head = row('th', ['folder', 'what it holds', 'uses', 'files', 'lines']);
-  const rows = [...house.values()].map(r =>
+  const rows = [...architecture.values()].map(r =>
     row('td', [`<code>${r.name}</code>`, escapeHtml(r.about), r.uses.join(', ') || '–', r.files, r.lines]));
-  return boxed(`<table class="programs house"><thead>${head}</thead><tbody>${rows.join('')}</tbody></table>`);
+  return boxed(`<table class="programs architecture"><thead>${head}</thead><tbody>${rows.join('')}</tbody></table>`);
 }

@@ -31,7 +31,6 @@ command -v node >/dev/null || missing+=(nodejs)
 command -v bibtex >/dev/null || missing+=(texlive-binaries)
 [[ -e /usr/share/doxygen-awesome-css/doxygen-awesome.css ]] || missing+=(doxygen-awesome-css)
 [[ -e /usr/share/javascript/katex/katex.js ]] || missing+=(libjs-katex fonts-katex)
-[[ -e /usr/share/javascript/lunr/lunr.min.js ]] || missing+=(libjs-lunr)
 if (( ${#missing[@]} )); then
   echo "book: missing Debian packages; type: apt-get install ${missing[*]}" >&2
   exit 1

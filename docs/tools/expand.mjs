@@ -12,7 +12,7 @@ import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable,
 import { knowStatements } from './small_print.mjs';
 import { localHeaders, textbookBlocks } from './textbook.mjs';
 import { coverage } from './coverage.mjs';
-import { architecturePlan, architectureTable, readHouse } from './architecture.mjs';
+import { architecturePlan, architectureTable, readArchitecture } from './architecture.mjs';
 import { keysPage, readKeys } from './keys.mjs';
 import * as pythonReference from './python_reference.mjs';
 import { beyondTable, codeAt, codeBlock, kernelCounts, kernelPage, kernelTable, proofFiles, readKernel, seal } from './kernel.mjs';
@@ -325,8 +325,8 @@ for (const p of pages) {
       if (!fs.existsSync(file)) return errors.add(p.file, line, `there is no data/scenes/${name}.py`);
       block(pythonCard(`data/scenes/${name}.py`, fs.readFileSync(file, 'utf8'), fs.existsSync(said) ? fs.readFileSync(said, 'utf8') : null));
     },
-    houseplan(which) { block(architecturePlan(readHouse(opt.root, errors, which || 'library'))); },
-    house(which) { block(architectureTable(readHouse(opt.root, errors, which || 'library'))); },
+    architectureplan(which) { block(architecturePlan(readArchitecture(opt.root, errors, which || 'library'))); },
+    architecture(which) { block(architectureTable(readArchitecture(opt.root, errors, which || 'library'))); },
     scenes() {
       block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`);
       if (book.scenes) emit(`Each has a page with its motion and its text: ${[...book.scenes.keys()].map(name => `\\subpage scenefile_${name} "${name}"`).join(', ')}.\n`);
@@ -435,7 +435,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref (ch(\d\d)([a-z]?))\b(?: "([^"]*)")?/g, (all, id, n, own, words) => book.chapters.some(c => c.id === id) ? all : words ?? `chapter ${Number(n)}${own.toUpperCase()}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|definition|enddefinition|result|endresult|proof|endproof|equation|endequation|printed|endprinted|exercise|endexercise|hint|solution|tryit|step|prints|claims|idea|animation|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|kernelcode|kerneltable|kernelbeyond|kernelcounts|kernelfiles|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python|pythonreference)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|definition|enddefinition|result|endresult|proof|endproof|equation|endequation|printed|endprinted|exercise|endexercise|hint|solution|tryit|step|prints|claims|idea|animation|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|kernelcode|kerneltable|kernelbeyond|kernelcounts|kernelfiles|errata|benchmarks|architectureplan|architecture|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python|pythonreference)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');
