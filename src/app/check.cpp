@@ -138,7 +138,7 @@ int run_checks(fs::path const& program, std::vector<std::string> const& ids, Res
       std::any_of(here.begin(), here.end(), [](auto const& entry) { return !entry.second.failures.empty(); });
   for (auto const& id : ids)
     if (!here.count(id))
-      here[id].failures.push_back(fmt::format("{} ended with status {} and told nothing of it",
+      here[id].failures.push_back(fmt::format("{} ended with status {} and reported nothing of it",
                                               program.filename().string(), outcome.status));
   if (outcome.status != 0 && !explained)
     fmt::print(stderr, "{} ended with status {}:\n{}", program.filename().string(), outcome.status,

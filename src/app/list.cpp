@@ -106,7 +106,7 @@ void say_how_scenes_take(std::string const& what) {
   if (what == "groups")
     say(stderr,
         "A scene takes one with its numbers, or a product: kind = \"euler_poincare\", group = \"SO(3) x "
-        "R^1\"; actio show \"SE(2)\" tells its velocity.\n");
+        "R^1\"; actio show \"SE(2)\" shows its velocity.\n");
 }
 
 /// `bodies` for `body`: the one that begins alike, where none is nearest.
@@ -122,7 +122,7 @@ std::string meant(std::string const& what) {
 
 int list(std::string const& what, bool json) {
   if (json && what != "systems" && what != "keys")
-    throw SceneError({"actio list"}, "--json tells of systems and of keys alone: actio list systems --json");
+    throw SceneError({"actio list"}, "--json describes systems and keys alone: actio list systems --json");
   if (json) {
     fmt::print("{}", what == "keys" ? keys_json() : registry_json());
     return 0;

@@ -235,7 +235,7 @@ int main(int argc, char** argv) {
   command.formatter(std::make_shared<app::Help>());
   command.set_help_flag("-h,--help", "this text");
   command.set_version_flag("--version", "actio " ACTIO_VERSION, "which version this is");
-  command.footer(std::string("actio COMMAND --help tells more of each.\n\n"
+  command.footer(std::string("actio COMMAND --help says more of each.\n\n"
                              "Example: actio run apophis            a scene that comes "
                              "with actio (actio list scenes)\n"
                              "         actio new rigid_body --out mine.toml            a scene "

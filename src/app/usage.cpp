@@ -92,8 +92,8 @@ std::string example_of(std::string const& positional) {
   if (positional == "WHAT")
     return "which list? There are systems, groups, methods, quantities, bodies, materials, keys, scenes";
   if (positional == "KIND")
-    return "which scene? For example: actio new rigid_body; actio list systems tells the kinds";
-  if (positional == "NAME") return "which name? For example: actio show energy; actio list tells the names";
+    return "which scene? For example: actio new rigid_body; actio list systems names the kinds";
+  if (positional == "NAME") return "which name? For example: actio show energy; actio list has the names";
   return "'" + positional + "' is missing";
 }
 

@@ -149,7 +149,7 @@ class FastMedium {
     auto const needed = static_cast<std::size_t>(box_.count());
     for (std::size_t const found : {state.places.size(), state.velocities.size()})
       if (found != needed)
-        throw OutsideDomain("medium: state", "it has a place and a velocity for each node of the box",
+        throw OutsideDomain("medium: state", "it has a position and a velocity for each node of the box",
                             static_cast<double>(found), static_cast<double>(needed));
     if (state.steps < 0)
       throw OutsideDomain("medium: state", "the number of steps must not be negative",

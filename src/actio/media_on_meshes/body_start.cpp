@@ -25,7 +25,7 @@ BodyStepUnsolved::BodyStepUnsolved(std::size_t rounds, double off, double allowe
             " that conserves energy was not found: after " + std::to_string(rounds) +
             " rounds of its iteration " +
             (off - off == 0
-                 ? "places are still off by " + show(off) + ", where " + show(allowed) + " is asked for"
+                 ? "positions are still off by " + show(off) + ", where " + show(allowed) + " is asked for"
                  : std::string("forces are no numbers")) +
             "; the least Jacobian before it is " + show(tried.before) + ", that of " + name + " (" +
             (tried.shorter > 0 ? "a step of " + show(tried.shorter) + " is found"

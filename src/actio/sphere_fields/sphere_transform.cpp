@@ -57,7 +57,7 @@ SphereHarmonics harmonics_from(SphereGrid const& grid, GridField const& field, i
     throw OutsideDomain("harmonics of a field", "at least 2 x degrees - 1 meridians are needed", columns,
                         2 * degrees - 1);
   if (field.rows() != rows || field.cols() != columns)
-    throw OutsideDomain("harmonics of a field", "a value for each place of the grid is needed",
+    throw OutsideDomain("harmonics of a field", "a value for each point of the grid is needed",
                         static_cast<double>(field.size()), static_cast<double>(rows) * columns);
   Eigen::MatrixXcd spectra(columns / 2 + 1, rows);
   Eigen::FFT<double> fourier;

@@ -1,7 +1,7 @@
 #include "program/medium_output/frames.hpp"
 
-#include "program/output/series_reader.hpp"
 #include "program/medium_output/grid.hpp"
+#include "program/output/series_reader.hpp"
 
 namespace actio::scene {
 namespace {
@@ -72,7 +72,10 @@ std::vector<typename MediumFrames<d>::Constant> MediumFrames<d>::constants(Mediu
   auto const add = [&out](SnapshotArray array, std::function<std::vector<double>()> numbers) {
     out.push_back({std::move(array), std::move(numbers)});
   };
-  add({"reference", "the places X of the nodes in the reference space", {"node", "axis"}, {cells.nodes(), d}},
+  add({"reference",
+       "the positions X of the nodes in the reference space",
+       {"node", "axis"},
+       {cells.nodes(), d}},
       [&cells] {
         std::vector<double> reference;
         reference.reserve(d * cells.nodes());
@@ -94,7 +97,7 @@ std::vector<typename MediumFrames<d>::Constant> MediumFrames<d>::constants(Mediu
   if (periods == std::vector<double>(d, 0.0)) return out;
   add({"periods", "of the box, zero where it has none", {"axis"}, {d}}, [periods] { return periods; });
   add({"beyond",
-       "by how many periods a corner lies beyond the place of its node",
+       "by how many periods a corner lies beyond the position of its node",
        {"cell", "corner", "axis"},
        {cells.cells(), corners, d}},
       [&cells, corners] {

@@ -4,14 +4,14 @@
 //     reference (nodes, d)    cells (cells, corners)
 //
 // and of a periodic box `periods` (d) and `beyond` (cells, corners, d), the number of periods by which a
-// corner lies beyond the place of its node. The numbers are those of the tables, and corners are counted as
+// corner lies beyond the position of its node. The numbers are those of the tables, and corners are counted as
 // VTK counts them. Each frame has chunks of its own, compressed without loss, with a checksum.
 #pragma once
 
+#include "program/medium_output/fields.hpp"
 #include "program/output/array_file.hpp"
 #include "program/registry/snapshots.hpp"
 #include "program/registry/units.hpp"
-#include "program/medium_output/fields.hpp"
 
 namespace actio::scene {
 

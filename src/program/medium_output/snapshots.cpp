@@ -8,12 +8,12 @@
 
 #include "program/base/number_table.hpp"
 #include "program/base/whole_file.hpp"
-#include "program/registry/units.hpp"
-#include "program/run/checkpoint.hpp"
 #include "program/medium_output/frames.hpp"
 #include "program/medium_output/grid.hpp"
 #include "program/medium_output/playing.hpp"
 #include "program/medium_output/vtu_file.hpp"
+#include "program/registry/units.hpp"
+#include "program/run/checkpoint.hpp"
 
 namespace actio::scene {
 namespace {
@@ -247,7 +247,7 @@ template std::vector<std::string> medium_columns(MediumFields<2> const&);
 template std::vector<std::string> medium_columns(MediumFields<3> const&);
 
 SnapshotKind medium_snapshots(bool fluid) {
-  SnapshotKind out{"the reference coordinates X Y Z of the nodes, their places x y z and velocities u v w",
+  SnapshotKind out{"the reference coordinates X Y Z of the nodes, their positions x y z and velocities u v w",
                    {},
                    {{"vtu",
                      "grids for ParaView in snapshots/000000.vtu, ... with the fields in each cell, and "

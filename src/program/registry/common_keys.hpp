@@ -115,7 +115,7 @@ struct SnapshotKeys : KeyTable {
   Key<Words> snapshots =
       key("snapshots", columns_of(kind), LeftOut{"no snapshots"},
           "What the files snapshots/000000.csv, 000001.csv, ... hold besides " + kind.always +
-              ", which is what [] asks for; snapshots/times.csv tells their times. " +
+              ", which is what [] asks for; snapshots/times.csv has their times. " +
               meaning_of_columns(kind) + ".",
           as_written(Words{kind.columns.front().name}));
 

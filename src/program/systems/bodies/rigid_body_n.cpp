@@ -30,7 +30,7 @@ void require_finite_start(SceneTable const& initial, StartOfBodyN const& start, 
   if (largest > most)
     initial.fail("angular_velocity",
                  fmt::format("angular_velocity: the largest modulus in the spectrum of M is {}; with more "
-                             "than {} casimir_{} is beyond 1e300 (spectrum tells as much)",
+                             "than {} casimir_{} is beyond 1e300 (spectrum says as much)",
                              largest, most, n / 2 * 2));
 }
 

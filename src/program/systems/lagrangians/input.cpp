@@ -21,7 +21,7 @@ struct ReducedKeys : KeyTable {
   Key<std::string> group = key(
       "group", text, LeftOut{"or system.algebra"},
       "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x "
-      "R^2\", \"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
+      "R^2\", \"SL(2) |x R^2\". `actio show \"SE(2)\"` shows the order of the components.",
       "\"SE(2)\"");
   AnyKey algebra =
       key("algebra", "a list of square matrices, each a list of rows", LeftOut{"or system.group"},

@@ -144,7 +144,7 @@ class MotionExamination {
     PointOfBody<d> const X = reference(node), there = place(node, one, 0),
                          v = one.does->motion.velocity(X, 0);
     if (!std::isfinite(size_of(there)) || !std::isfinite(size_of(v)))
-      motion_.fail(one.side, fmt::format("motion: a finite place and velocity are needed, "
+      motion_.fail(one.side, fmt::format("motion: a finite position and velocity are needed, "
                                          "and X = {} has {} and {} at t = 0",
                                          in_words(X), in_words(there), in_words(v)));
     if (distance(there, start_.places[n]) > near_)

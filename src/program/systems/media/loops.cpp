@@ -139,7 +139,7 @@ MaterialLoop<d> loop_of_box(SceneTable const& loops, std::string const& key, Med
       at[a] = rows.nearest(a, X[a]);
       if (at[a] < 0 || at[a] > mesh.cells[a])
         throw SceneError(table.place(corner, a),
-                         fmt::format("loops: a place within [{}, {}] is expected, found {}", mesh.lower[a],
+                         fmt::format("loops: a point within [{}, {}] is expected, found {}", mesh.lower[a],
                                      mesh.upper[a], X[a]));
     }
     return at;

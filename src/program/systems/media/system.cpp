@@ -57,7 +57,7 @@ void finish(Simulation& simulation, Request const& request, std::unique_ptr<Medi
   simulation.steps_at_once = std::max(1L, static_cast<long>(5e-3 / (cells * 1e-8)));
   simulation.companion = {nullptr, 0, 0, false,
                           "not estimated: a run with half the step and twice the "
-                          "cells along each direction tells it"};
+                          "cells along each direction shows it"};
   simulation.motion = std::move(motion);
 }
 

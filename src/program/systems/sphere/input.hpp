@@ -27,7 +27,7 @@ struct SphereKeys : KeyTable {
                    "64");
   Key<double> rotation =
       key("rotation", number.in("1/time"), 0,
-          "The angular velocity of the sphere about the pole. The flow is told relative to the sphere, d "
+          "The angular velocity of the sphere about the pole. The flow is given relative to the sphere, d "
           "zeta/dt + u . grad(zeta + 2 rotation cos(theta)) = 0.",
           "1.0");
 };
