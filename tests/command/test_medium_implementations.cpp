@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(circulation_is_that_of_the_loops_that_are_named) {
     return out;
   };
   check_ends(with("a = \"left\""), 2, "the body has no side 'left'");
-  check_ends(with("a = { lower = [0, 0], upper = [2, 1] }"), 2, "a place within [0, 1] is expected, found 2");
+  check_ends(with("a = { lower = [0, 0], upper = [2, 1] }"), 2, "a point within [0, 1] is expected, found 2");
   check_ends(with("a = { lower = [0, 0.5], upper = [1, 0.5] }"), 2, "no cell lies between lower and upper");
   check_ends(with("a = { along = \"Z\", through = [0, 0] }"), 2, "'Z'");
   check_ends(with("\"a b\" = { along = \"X\", through = [0, 0] }"), 2, "letters, digits and _");

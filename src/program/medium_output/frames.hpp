@@ -4,8 +4,8 @@
 //     reference (nodes, d)    cells (cells, corners)
 //
 // and of a periodic box `periods` (d) and `beyond` (cells, corners, d), the number of periods by which a
-// corner lies beyond the position of its node. The numbers are those of the tables, and corners are counted as
-// VTK counts them. Each frame has chunks of its own, compressed without loss, with a checksum.
+// corner lies beyond the position of its node. The numbers are those of the tables, and corners are counted
+// as VTK counts them. Each frame has chunks of its own, compressed without loss, with a checksum.
 #pragma once
 
 #include "program/medium_output/fields.hpp"
