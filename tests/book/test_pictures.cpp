@@ -5,6 +5,7 @@
 
 #include "book/plot.hpp"
 #include "book/sphere.hpp"
+#include "book/sphere_map.hpp"
 
 namespace {
 
@@ -147,4 +148,28 @@ BOOST_AUTO_TEST_CASE(names_beside_their_curves_do_not_overlap_and_are_not_in_the
   std::ranges::sort(heights);
   for (std::size_t k = 1; k < heights.size(); ++k) BOOST_TEST(heights[k] - heights[k - 1] > 12);
   BOOST_TEST(heights.back() < 400);
+}
+
+BOOST_AUTO_TEST_CASE(a_field_on_the_sphere_is_smooth_between_the_points_of_its_grid) {
+  // z + x y and its neighbours: near the poles, across them and at the seam of the longitudes.
+  auto const field = [](double theta, double phi) {
+    return std::cos(theta) + 0.5 * std::sin(theta) * std::sin(theta) * std::sin(2 * phi);
+  };
+  constexpr int rows = 60, columns = 120;
+  std::vector<double> values;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j)
+      values.push_back(field((i + 0.5) * M_PI / rows, 2 * M_PI * j / columns));
+  book::SphereField const smooth(rows, columns, values);
+  double worst = 0;
+  for (int i = 0; i <= 200; ++i)
+    for (int j = 0; j < 200; ++j) {
+      double const theta = M_PI * i / 200, phi = 0.0314 * j - 1;
+      worst = std::max(worst, std::abs(smooth(theta, phi) - field(theta, phi)));
+    }
+  // The error of the cubic is about a tenth of the third power of the distance of two points, 0.052.
+  BOOST_TEST(worst < 2e-4);
+  BOOST_TEST(book::signed_colours().size() == 255u);
+  std::string const globe = book::globe({50, 50}, 40, smooth, 1, {20, 30});
+  BOOST_TEST(globe.find("data:image/png;base64,iVBORw0KGgo") != std::string::npos);
 }
