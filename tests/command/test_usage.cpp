@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_wh
            {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "many"},
             "actio sweep: --jobs: a whole number from 1 on is expected, found 'many' (actio sweep --help)\n"},
            {{"show"},
-            "actio show: which name? For example: actio show energy; actio list tells "
+            "actio show: which name? For example: actio show energy; actio list has "
             "the names (actio show --help)\n"},
            {{"check", "--lst"},
             "actio check: unknown option '--lst'; did you mean '--list'? (actio check --help)\n"},

@@ -123,11 +123,13 @@ class LegendreChord {
   void by_line(Momentum<G, S> const& mu, Velocity<G, S>& xi) const {
     correct(mu, momentum_, velocity_, xi.coordinates);
   }
-  /// Solves, beginning at `xi`.
+  /// Solves, beginning at `xi`. Where velocities were taken for linear, that is checked: it is so if nothing
+  /// is to be corrected.
   /// @throws NotConverged, Singular  where the solution is not near
   template <class F>
   void solve(F const& l, Momentum<G, S> const& mu, Velocity<G, S>& xi) {
     Base<S> const tiny = epsilon<S>() * Base<S>(2);
+    bool const checked = std::exchange(linear_, false);
     Base<S> corrections[fresh_derivatives * tries];
     int count = 0;
     for (int fresh = 0; fresh < fresh_derivatives; ++fresh, differentiate(l, xi)) {
@@ -142,10 +144,11 @@ class LegendreChord {
         if (!is_finite(now)) break;
         if (before > Base<S>(0)) contraction_ = now / before;
         if (now <= bound || (before > Base<S>(0) && now * contraction_ <= bound)) {
-          linear_ = k == (linear_ ? 0 : 1) && now <= bound;
+          // Two solutions next to each other say nothing of a line.
+          bool const far = before * Base<S>(1000) > magnitude(xi.coordinates);
+          linear_ = now <= bound && (checked ? k == 0 : k == 1 && far);
           return;
         }
-        linear_ = false;
         if (before >= Base<S>(0) && now > before / Base<S>(4)) break;
         before = now;
       }
@@ -278,14 +281,10 @@ struct MomentumLevelStep {
 /// @throws OutsideDomain  when called, for a step that is zero or not finite
 /// @throws NotConverged, Singular  when called, where the velocity of a momentum is not found
 template <Real S, class F>
-auto momentum_level_step_left(F l) {
-  return detail::MomentumLevelStep<-1, F, S>{std::move(l)};
-}
+auto momentum_level_step_left(F l) { return detail::MomentumLevelStep<-1, F, S>{std::move(l)}; }
 /// The same of a right-invariant system, on spatial momenta: \f$\mu_1 = \mathrm{Ad}^*_f\,\mu_0\f$.
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 template <Real S, class F>
-auto momentum_level_step_right(F l) {
-  return detail::MomentumLevelStep<1, F, S>{std::move(l)};
-}
+auto momentum_level_step_right(F l) { return detail::MomentumLevelStep<1, F, S>{std::move(l)}; }
 
 }  // namespace actio
