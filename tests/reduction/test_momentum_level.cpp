@@ -30,7 +30,7 @@ void has_order_eight(SpannedGroup const& group) {
   Number const time = ratio<Number>(1, 8);
   auto const truth = FlowByHand<Number, side>{l}.after(xi.coordinates, time);
   auto const measured =
-      measured_order<side>(level_step<side, Number>(l), l, xi, time, {2, 3, 4, 6, 8}, truth);
+      measured_order<side>(level_step<side, Number>(l), l, xi, time, {4, 6, 8, 12, 16}, truth);
   BOOST_TEST_CONTEXT(group.name() << (side > 0 ? " right" : " left") << ": spread " << measured.spread)
   BOOST_TEST(std::abs(measured.slope - 8) < 0.1);
 }
@@ -134,11 +134,11 @@ BOOST_AUTO_TEST_CASE(the_bracket_is_not_preserved) {
   BOOST_TEST(bracket_defect(whole, start.momentum) > 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(a_quadratic_lagrangian_costs_two_gradients_a_step_and_another_at_most_three_a_stage) {
+BOOST_AUTO_TEST_CASE(a_quadratic_lagrangian_costs_two_gradients_a_step_and_another_at_most_five_a_stage) {
   auto const quadratic = gradients(body, 40);
   BOOST_TEST(quadratic.back() == 2);
   auto const bent = gradients(bent_body, 40);
-  BOOST_TEST(*std::ranges::max_element(bent) <= 3 * detail::CooperVerner<double>::stages + 2);
+  BOOST_TEST(*std::ranges::max_element(bent) <= 5 * detail::CooperVerner<double>::stages);
   BOOST_TEST(bent.back() > 2);
 }
 
@@ -156,13 +156,13 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
     return (v[0] * v[0] + v[1] * v[1]) / 2;
   });
   CHECK_REFUSED(blind(start, 0.1), Singular);
-  // Velocities below a bound: no velocity has this momentum.
+  // No velocity has this momentum: its Legendre map has momenta below 1 alone.
   auto const bounded = momentum_level_step_left<double>([](auto const& xi) {
     using std::sqrt;
     auto const& v = xi.coordinates;
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + 1.0);
   });
-  CHECK_REFUSED(bounded(start, 0.1), NotConverged);
+  CHECK_REFUSED(bounded(start, 0.1), Singular);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

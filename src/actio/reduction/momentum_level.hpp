@@ -136,7 +136,7 @@ class LegendreChord {
       Base<S> before(-1);
       for (int k = 0; k < tries; ++k) {
         ++gradients_;
-        velocity_ = xi.coordinates, momentum_ = gradient(l, xi).components;
+        look(l, xi, k > 0);
         correct(mu, momentum_, velocity_, xi.coordinates);
         Base<S> const now = magnitude(Coordinates<G, S>(xi.coordinates - velocity_)),
                       bound = tiny * magnitude(xi.coordinates);
@@ -160,6 +160,31 @@ class LegendreChord {
   int take_gradients() { return std::exchange(gradients_, 0); }
 
  private:
+  /// Takes the gradient at a velocity; Broyden's formula has the inverse map what the momentum has changed by
+  /// since the last look to what the velocity has.
+  template <class F>
+  void look(F const& l, Velocity<G, S> const& xi, bool again) {
+    Coordinates<G, S> const moved = again ? Coordinates<G, S>(xi.coordinates - velocity_) : xi.coordinates,
+                            past = momentum_;
+    velocity_ = xi.coordinates, momentum_ = gradient(l, xi).components;
+    if (!again) return;
+    Coordinates<G, S> mapped = moved, row = moved;
+    S along(0);
+    for (Index i = 0; i < moved.size(); ++i) {
+      mapped[i] = row[i] = S(0);
+      for (Index j = 0; j < moved.size(); ++j) {
+        mapped[i] += inverse_(i, j) * (momentum_[j] - past[j]);
+        row[i] += moved[j] * inverse_(j, i);
+      }
+      along += moved[i] * mapped[i];
+    }
+    // Rounding is nothing to learn from.
+    Base<S> const missed = magnitude(Coordinates<G, S>(moved - mapped));
+    if (!(missed > epsilon<S>() * Base<S>(64) * magnitude(velocity_)) || !(magnitude(along) > Base<S>(0)))
+      return;
+    for (Index i = 0; i < moved.size(); ++i)
+      for (Index j = 0; j < moved.size(); ++j) inverse_(i, j) += (moved[i] - mapped[i]) * row[j] / along;
+  }
   void correct(Momentum<G, S> const& mu, Coordinates<G, S> const& there, Coordinates<G, S> const& from,
                Coordinates<G, S>& out) const {
     for (Index i = 0; i < from.size(); ++i) {
@@ -281,10 +306,14 @@ struct MomentumLevelStep {
 /// @throws OutsideDomain  when called, for a step that is zero or not finite
 /// @throws NotConverged, Singular  when called, where the velocity of a momentum is not found
 template <Real S, class F>
-auto momentum_level_step_left(F l) { return detail::MomentumLevelStep<-1, F, S>{std::move(l)}; }
+auto momentum_level_step_left(F l) {
+  return detail::MomentumLevelStep<-1, F, S>{std::move(l)};
+}
 /// The same of a right-invariant system, on spatial momenta: \f$\mu_1 = \mathrm{Ad}^*_f\,\mu_0\f$.
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 template <Real S, class F>
-auto momentum_level_step_right(F l) { return detail::MomentumLevelStep<1, F, S>{std::move(l)}; }
+auto momentum_level_step_right(F l) {
+  return detail::MomentumLevelStep<1, F, S>{std::move(l)};
+}
 
 }  // namespace actio

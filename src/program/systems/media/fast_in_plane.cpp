@@ -1,4 +1,5 @@
 // Media of the library in the plane in the optimised implementation.
+// In a unit of its own
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "program/systems/media/fast_media.hpp"
 
