@@ -27,10 +27,10 @@ void has_order_eight(SpannedGroup const& group) {
   Draw draw(11);
   UnevenLagrangian<Number> const l(draw, group);
   auto const xi = draw.velocity<Number>(group);
-  Number const time = ratio<Number>(1, 8);
+  Number const time = ratio<Number>(1, 32);
   auto const truth = FlowByHand<Number, side>{l}.after(xi.coordinates, time);
   auto const measured =
-      measured_order<side>(level_step<side, Number>(l), l, xi, time, {4, 6, 8, 12, 16}, truth);
+      measured_order<side>(level_step<side, Number>(l), l, xi, time, {2, 3, 4, 6, 8}, truth);
   BOOST_TEST_CONTEXT(group.name() << (side > 0 ? " right" : " left") << ": spread " << measured.spread)
   BOOST_TEST(std::abs(measured.slope - 8) < 0.1);
 }
@@ -134,11 +134,11 @@ BOOST_AUTO_TEST_CASE(the_bracket_is_not_preserved) {
   BOOST_TEST(bracket_defect(whole, start.momentum) > 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(a_quadratic_lagrangian_costs_two_gradients_a_step_and_another_at_most_five_a_stage) {
+BOOST_AUTO_TEST_CASE(a_quadratic_lagrangian_costs_two_gradients_a_step_and_another_at_most_ten_a_stage) {
   auto const quadratic = gradients(body, 40);
   BOOST_TEST(quadratic.back() == 2);
   auto const bent = gradients(bent_body, 40);
-  BOOST_TEST(*std::ranges::max_element(bent) <= 5 * detail::CooperVerner<double>::stages);
+  BOOST_TEST(*std::ranges::max_element(bent) <= 10 * detail::CooperVerner<double>::stages);
   BOOST_TEST(bent.back() > 2);
 }
 
