@@ -68,6 +68,9 @@ for (const page of names) {
   if (!html.includes('<div id="doc-content"')) continue;
   const titles = (html.match(/<h1\b/g) ?? []).length;
   if (titles > 1) errors.add(page, 1, `${titles} headings of the first rank; the title is the only one`);
+  // A browser shows nothing of the page behind a block that ends outside of its title.
+  const [title] = /<h1 class="title">[\s\S]*?<\/h1>/.exec(html) ?? [''];
+  if ((title.match(/<div\b/g) ?? []).length !== (title.match(/<\/div>/g) ?? []).length) errors.add(page, 1, 'a block begins in the title and does not end there');
   for (const picture of html.matchAll(/<(svg|canvas)\b[^>]*role="img"[^>]*>[\s\S]*?<\/\1>/g))
     if (!/<title>[^<]|^<\w+\b[^>]*aria-label="[^"]/.test(picture[0])) errors.add(page, 1, `a picture without a name: ${picture[0].slice(0, 80)}`);
   if (

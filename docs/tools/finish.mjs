@@ -153,7 +153,7 @@ for (const [name, original] of text) {
 
 // A page has one heading of the first rank, its title; the sections of Doxygen are a rank below.
 for (const [name, html] of text)
-  text.set(name, html.replace(/<div class="title">([\s\S]*?)<\/div>/, '<h1 class="title">$1</h1>')
+  text.set(name, html.replace(/<div class="title">([\s\S]*?)((?:<div class="ingroups">[\s\S]*?<\/div>)?)\s*<\/div>/, '<h1 class="title">$1</h1>$2')
     .replace(/<div class="toc"><h3>Table of Contents<\/h3>/, '<div class="toc" role="navigation" aria-label="On this page"><div class="toc-head" aria-hidden="true">On this page</div>')
     .replace(/<h([1-5])>(<a class="anchor" id="[^"]*"><\/a>[\s\S]*?)<\/h\1>/g, (_, rank, body) => `<h${Number(rank) + 1}>${body}</h${Number(rank) + 1}>`));
 
