@@ -133,7 +133,7 @@
   function measured(within) {
     return [].filter.call((within || document.querySelector('.contents') || document.body).querySelectorAll(kinds + ', .katex'), function (e) { return e.matches(kinds) || !e.closest(kinds); });
   }
-  /** All at once, for whoever looks at the whole page. */
+  /** All at once, for a reader who looks at the whole page. */
   window.bookFit = function () { fit(measured()); };
   function boxes(within) {
     var all = measured(within);

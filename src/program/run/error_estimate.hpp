@@ -14,7 +14,7 @@
 // * where run and companion are further apart than a tenth of a radian or of the value: their difference is
 //   then no multiple of the error any more;
 // * where the two estimates differ by more than a factor of three: the steps are too long for the order to be
-//   seen. What is left of the expansion of the error by the powers of h weighs r^2 times as much, at least,
+//   seen. The rest of the expansion of the error by the powers of h weighs r^2 times as much, at least,
 //   in the estimate of the control, so that the one of the companion is closer than that.
 //
 // Instead it is told until when there was one. Where the true motion is known in closed form, that of a free
