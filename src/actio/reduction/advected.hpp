@@ -52,10 +52,11 @@ struct AdvectedState {
 };
 
 namespace detail {
-/// l with its vector held fixed: a function of the relative motion alone.
+/// l with its vector held fixed: a function of the relative motion, or of the velocity, alone.
 template <class F, class S, int m>
 auto holding(F const& l, Matrix<S, m, 1> const& a) {
-  return [&l, a]<class G, class T>(Element<G, T> const& f) {
+  return [&l, a](auto const& f) {
+    using T = typename std::decay_t<decltype(f)>::Scalar;
     return l(f, Matrix<T, m, 1>(a.template cast<T>()));
   };
 }

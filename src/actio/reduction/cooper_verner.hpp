@@ -13,6 +13,7 @@ namespace actio::detail {
 template <Real S>
 struct CooperVerner {
   static constexpr int stages = 11;
+  static constexpr int first_with_weight = 7;  ///< of the stages after the first, at the end of the step
   /// What a stage takes of the rates of those before it; zeros are left out.
   struct Row {
     int count = 0;

@@ -1,6 +1,7 @@
 // The velocity of a momentum, one equation after another, by few gradients of the Lagrangian.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,22 @@ class LegendreChord {
     throw NotConverged("momentum level: the velocity of a momentum", std::move(history), to_double(tiny));
   }
   int take_gradients() { return std::exchange(gradients_, 0); }
+  /// Saves, or restores, all that the next equation depends on.
+  /// @param stream     called with spans of numbers and with numbers
+  /// @param dimension  of the group
+  template <class Stream>
+  void remember(Stream& stream, Index dimension) {
+    if (inverse_.size() == 0) {
+      inverse_ = decltype(inverse_)::Zero(dimension, dimension);
+      velocity_ = momentum_ = Coordinates<G, S>::Zero(dimension);
+    }
+    auto const numbers = [&stream](auto& matrix) {
+      std::span<S> all(matrix.data(), static_cast<std::size_t>(matrix.size()));
+      stream(all);
+    };
+    numbers(inverse_), numbers(velocity_), numbers(momentum_);
+    stream(contraction_, linear_);
+  }
 
  private:
   /// Takes the gradient at a velocity; Broyden's formula has the inverse map what the momentum has changed by

@@ -2,9 +2,8 @@
 
 #include "program/systems/lagrangians/instruments.hpp"
 
+#include "actio/any_group/level_integrator.hpp"
 #include "actio/any_group/semidirect_algebra.hpp"
-#include "actio/any_group/span_of_matrices.hpp"
-#include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/instruments/symplectic_defect.hpp"
@@ -30,7 +29,8 @@ class StepMap {
 
   template <class S>
   StepDone<S> operator()(double h, systems::ReducedPointOver<S> const& from) const {
-    return scheme_.stages > 0 ? by_galerkin(h, from) : by_chart(h, from);
+    if (scheme_.stages > 0) return by_galerkin(h, from);
+    return scheme_.fractions.empty() ? by_level(h, from) : by_chart(h, from);
   }
   systems::ReducedSystem const& system() const { return *scheme_.system; }
   G const& group() const { return group_; }
@@ -51,17 +51,33 @@ class StepMap {
   template <class S>
   StepDone<S> by_galerkin(double h, systems::ReducedPointOver<S> const& from) const {
     systems::TapeLagrangian const l(scheme_.system);
-    auto const coordinates = [](auto const& list) {
-      Coordinates<G, S> x(static_cast<Index>(list.size()));
-      for (std::size_t i = 0; i < list.size(); ++i) x[static_cast<Index>(i)] = S(list[i]);
-      return x;
-    };
-    MomentumState<G, S> const state{{group_, coordinates(from.momentum)}, {group_, coordinates(velocity_)}};
+    MomentumState<G, S> const state{{group_, column<S>(from.momentum)}, {group_, column<S>(velocity_)}};
     auto const done = scheme_.system->side == systems::Side::left
                           ? galerkin_step_left<double>(l, scheme_.stages)(state, h)
                           : galerkin_step_right<double>(l, scheme_.stages)(state, h);
     auto const& p = done.state.momentum.components;
     return {{{p.data(), p.data() + p.size()}, {}}, inverse(done.relative_motion)};
+  }
+  template <class S>
+  StepDone<S> by_level(double h, systems::ReducedPointOver<S> const& from) const {
+    AdvectedMomentumState<G, S, Dynamic> const state{
+        {group_, column<S>(from.momentum)}, column<S>(from.vectors), {group_, column<S>(velocity_)}};
+    auto const step = [&](auto const& level) -> StepDone<S> {
+      auto const done = level(state, h);
+      auto const &p = done.state.momentum.components, &a = done.state.vector;
+      return {{{p.data(), p.data() + p.size()}, {a.data(), a.data() + a.size()}},
+              inverse(done.relative_motion)};
+    };
+    systems::TapeLagrangian const l(scheme_.system);
+    if (scheme_.system->side == systems::Side::left)
+      return step(advected_momentum_level_step_left<double>(l, systems::EachVector{}));
+    return step(advected_momentum_level_step_right<double>(l, systems::EachVector{}));
+  }
+  template <class S, class List>
+  static Matrix<S, Dynamic, 1> column(List const& list) {
+    Matrix<S, Dynamic, 1> x(static_cast<Index>(list.size()));
+    for (std::size_t i = 0; i < list.size(); ++i) x[static_cast<Index>(i)] = S(list[i]);
+    return x;
   }
 
   ReducedScheme scheme_;

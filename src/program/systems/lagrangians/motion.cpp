@@ -2,20 +2,19 @@
 
 #include "program/systems/lagrangians/motion.hpp"
 
+#include "actio/any_group/level_integrator.hpp"
 #include "program/systems/lagrangians/galerkin_motion.hpp"
 
 namespace actio::scene {
 namespace {
 
-/// In steps of the natural chart, or of a symmetric composition of it.
-class ChartMotion : public ReducedMotion {
+/// In steps of an integrator: of the natural chart and its compositions, or on a level of the momentum.
+template <class Integrator>
+class SteppedMotion : public ReducedMotion {
  public:
-  ChartMotion(ReducedScheme scheme, double step, systems::ReducedPoint const& start,
-              std::vector<double> const& velocity, Eigen::MatrixXd const& configuration)
-      : scheme_(std::move(scheme)),
-        step_(step),
-        steps_(scheme_.system, step, scheme_.fractions, start, velocity) {
-    if (scheme_.with_configuration) steps_.follow_configuration(configuration);
+  SteppedMotion(ReducedScheme scheme, double step, systems::ReducedPoint const& start,
+                std::vector<double> const& velocity, Eigen::MatrixXd const& configuration)
+      : scheme_(std::move(scheme)), step_(step), steps_(steps_from(step, start, velocity, configuration)) {
     // Only the first step shows whether it is too long.
     auto trial = steps_;
     trial.step();
@@ -34,15 +33,12 @@ class ChartMotion : public ReducedMotion {
   void look_ahead(double time) override {
     ahead_.reset();
     if (time == 0) return;
-    ahead_.emplace(scheme_.system, time, scheme_.fractions, steps_.point(), steps_.velocity());
-    if (scheme_.with_configuration) ahead_->follow_configuration(steps_.configuration());
+    ahead_.emplace(steps_from(time, steps_.point(), steps_.velocity(), steps_.configuration()));
     ahead_->step();
   }
   void change_step(double first, double step, long) override {
     look_ahead(first);
-    systems::ChartIntegrator steps(scheme_.system, step, scheme_.fractions, point(), velocity());
-    if (scheme_.with_configuration) steps.follow_configuration(configuration());
-    steps_ = std::move(steps), step_ = step;
+    steps_ = steps_from(step, point(), velocity(), configuration()), step_ = step;
     ahead_.reset();
   }
   void remember(CheckpointStream& stream) override { steps_.remember(stream); }
@@ -51,12 +47,23 @@ class ChartMotion : public ReducedMotion {
   std::vector<double> const& velocity() const override { return now().velocity(); }
 
  private:
-  systems::ChartIntegrator const& now() const { return ahead_ ? *ahead_ : steps_; }
+  Integrator const& now() const { return ahead_ ? *ahead_ : steps_; }
+  Integrator steps_from(double step, systems::ReducedPoint const& start, std::vector<double> const& velocity,
+                        Eigen::MatrixXd const& configuration) const {
+    auto made = [&] {
+      if constexpr (std::is_same_v<Integrator, systems::ChartIntegrator>)
+        return Integrator(scheme_.system, step, scheme_.fractions, start, velocity);
+      else
+        return Integrator(scheme_.system, step, start, velocity);
+    }();
+    if (scheme_.with_configuration) made.follow_configuration(configuration);
+    return made;
+  }
 
   ReducedScheme scheme_;
   double step_;
-  systems::ChartIntegrator steps_;
-  std::optional<systems::ChartIntegrator> ahead_;
+  Integrator steps_;
+  std::optional<Integrator> ahead_;
 };
 
 /// The start, for ever.
@@ -124,7 +131,9 @@ std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, systems::Reduc
                                                      Eigen::MatrixXd const& configuration) const {
   auto const made = [&](Eigen::MatrixXd const& g) -> std::unique_ptr<ReducedMotion> {
     if (stages > 0) return galerkin_motion(*this, step, start, velocity, g);
-    return std::make_unique<ChartMotion>(*this, step, start, velocity, g);
+    if (fractions.empty())
+      return std::make_unique<SteppedMotion<systems::LevelIntegrator>>(*this, step, start, velocity, g);
+    return std::make_unique<SteppedMotion<systems::ChartIntegrator>>(*this, step, start, velocity, g);
   };
   auto const trial = made(configuration);
   trial->advance_plainly(1);

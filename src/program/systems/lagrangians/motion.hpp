@@ -31,7 +31,8 @@ class ReducedMotion : public Motion {
 struct ReducedScheme {
   std::shared_ptr<systems::ReducedSystem const> system;  ///< that is stepped
   int stages = 0;                                        ///< of Galerkin's method; 0: the natural chart
-  std::vector<double> fractions;                         ///< of the substeps of the natural chart
+  /// of the substeps of the natural chart; none: steps on a level of the momentum
+  std::vector<double> fractions;
   bool with_configuration = true;                        ///< whether configurations are reconstructed
   std::string name = "natural chart";                    ///< of the method, for messages
 

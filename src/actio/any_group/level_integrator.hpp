@@ -1,0 +1,83 @@
+// Runs on a level of the momentum, for a system given at run time: momenta, carried vectors, and
+// configurations where they are asked for.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+#include <variant>
+
+#include "actio/any_group/chart_solver.hpp"
+#include "actio/any_group/tape_lagrangian.hpp"
+#include "actio/reduction/advected_momentum_level.hpp"
+
+namespace actio::systems {
+
+/// How a group of matrices acts on several vectors, one below the other.
+struct EachVector {
+  /// The matrix times each of them.
+  template <class E, class S>
+  Matrix<S, Dynamic, 1> operator()(E const& g, Matrix<S, Dynamic, 1> const& all) const {
+    Index const n = g.value.rows();
+    Matrix<S, Dynamic, 1> moved = Matrix<S, Dynamic, 1>::Zero(all.size());
+    for (Index first = 0; first < all.size(); first += n)
+      for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j) moved[first + i] += g.value(i, j) * all[first + j];
+    return moved;
+  }
+};
+
+/// Steps of one length by \ref actio::advected_momentum_level_step_left, or its counterpart on the right:
+/// explicit, of order 8. For one thread at a time.
+class LevelIntegrator {
+ public:
+  /// @param system    of which the run is
+  /// @param h         step, time
+  /// @param start     momentum and vectors
+  /// @param velocity  near which the first step looks for its own
+  LevelIntegrator(std::shared_ptr<ReducedSystem const> const& system, double h, ReducedPoint start,
+                  std::vector<double> const& velocity);
+
+  /// Reconstructs configurations from this one on.
+  void follow_configuration(Eigen::MatrixXd g) { configuration_ = std::move(g); }
+
+  /// A step.
+  /// @throws NotConverged, Singular, NotFinite, OutsideDomain  where it has no solution; all is then as it was
+  void step();
+
+  ReducedPoint const& point() const { return point_; }  ///< momentum and vectors
+  /// empty where it is not followed
+  Eigen::MatrixXd const& configuration() const { return configuration_; }
+  /// near the end of the last step
+  std::vector<double> const& velocity() const { return velocity_; }
+  /// How often a differential of the Lagrangian was evaluated.
+  long evaluations() const { return evaluations_; }
+
+  /// Saves, or restores, all that the next step depends on.
+  template <class Stream>
+  void remember(Stream& stream) {
+    stream(point_.momentum, point_.vectors, velocity_);
+    std::span<double> g(configuration_.data(), static_cast<std::size_t>(configuration_.size()));
+    stream(g);
+    auto const state = this->state();
+    std::visit([&](auto const& level) { level.remember(stream, state); }, level_);
+  }
+
+ private:
+  template <int side>
+  using Level = actio::detail::AdvectedMomentumLevelStep<side, TapeLagrangian, double, EachVector>;
+  using State = AdvectedMomentumState<SpanOfMatrices, double, Dynamic>;
+  State state() const;
+
+  std::shared_ptr<ReducedSystem const> system_;
+  SpanOfMatrices group_;
+  double length_;
+  std::variant<Level<-1>, Level<1>> level_;
+  ReducedPoint point_;
+  std::vector<double> velocity_;
+  Eigen::MatrixXd configuration_;
+  long evaluations_ = 0;
+};
+
+}  // namespace actio::systems

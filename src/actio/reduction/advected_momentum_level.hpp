@@ -1,0 +1,160 @@
+// Steps of order 8 on a level of the momentum, with a vector that the motion advects.
+//
+// Momentum and vector are a covector of the semidirect product of the group with the covectors of the space of
+// vectors, and move on its coadjoint orbit: (Pi, a)' = ad*_(xi, w) (Pi, a), where l'(xi) = Pi and
+// w = -dl/da. Each step moves them by the coadjoint action of one element, so every Casimir is conserved to
+// rounding, whatever the error of the step.
+#pragma once
+
+#include <any>
+#include <utility>
+
+#include "actio/reduction/advected.hpp"
+#include "actio/reduction/momentum_level.hpp"
+
+namespace actio {
+
+/// The state of a run on momenta with an advected vector, between two steps.
+template <Group G, Scalar S, int m>
+struct AdvectedMomentumState {
+  Momentum<G, S> momentum;  ///< energy x time; spatial (right-invariant) or of the body (left-invariant)
+  Matrix<S, m, 1> vector;   ///< \f$g^{-1}c\f$ (left-invariant) or \f$g\,c\f$ (right-invariant)
+  Velocity<G, S> velocity;  ///< 1/time; near which the next step looks for that of the momentum
+};
+
+/// The state with velocity \f$\xi\f$, momentum \f$\partial l/\partial\xi\f$ and vector a.
+/// @param l  (velocity, vector) -> energy
+template <Group G, Scalar S, int m, class F>
+AdvectedMomentumState<G, S, m> advected_momentum_state(F const& l, Velocity<G, S> const& xi,
+                                                       Matrix<S, m, 1> const& a) {
+  return {gradient(detail::holding(l, a), xi), a, xi};
+}
+
+/// What a step with an advected vector has done.
+template <Group G, Scalar S, int m>
+struct AdvectedMomentumStep {
+  Element<G, S> relative_motion;         ///< f, for \ref reconstruct_right or \ref reconstruct_left
+  AdvectedMomentumState<G, S, m> state;  ///< at the end of the step
+  int evaluations = 0;                   ///< of gradients of the Lagrangian
+};
+
+namespace detail {
+
+/// \f$\partial l/\partial a\f$ of a Lagrangian (velocity, vector) -> energy.
+template <class F, Group G, Scalar S, int m>
+Matrix<S, m, 1> slope_in_vector(F const& l, Velocity<G, S> const& xi, Matrix<S, m, 1> const& a) {
+  if (a.size() == 0) return a;
+  return derivative([&](auto const& moved) { return l(like(moved, xi), moved); }, a).gradient();
+}
+
+/// A step on a level of the momentum with an advected vector; side: +1 right, -1 left.
+template <int side, class F, Real B, class Act>
+class AdvectedMomentumLevelStep {
+ public:
+  AdvectedMomentumLevelStep(F l, Act act) : l_(std::move(l)), act_(std::move(act)) {}
+
+  /// A step of length h from a state.
+  template <ExponentialGroup G, Real S, int m>
+  AdvectedMomentumStep<G, S, m> operator()(AdvectedMomentumState<G, S, m> const& from,
+                                           std::type_identity_t<B> const& h) const {
+    AdvectedMomentumStep<G, S, m> done{identity<S>(from.momentum.group), from};
+    auto const moved = advance(done.state, h, done.evaluations);
+    done.relative_motion = exp(-moved);
+    return done;
+  }
+  /// The same without the relative motion.
+  /// @param evaluations  to which the gradients are added
+  /// @return             the displacement of the group in the natural chart
+  template <ExponentialGroup G, Real S, int m>
+  Velocity<G, S> advance(AdvectedMomentumState<G, S, m>& state, B const& h, int& evaluations) const {
+    require_steppable(MomentumState<G, S>{state.momentum, state.velocity}, h);
+    require_finite(state.vector, "momentum step: vector");
+    using V = Whole<G, S, m>;
+    auto& kept = memory_of(state);
+    Index const n = state.momentum.components.size(), length = state.vector.size();
+    V eta = V::Zero(n + length), whole = eta;
+    for (Index i = 0; i < n; ++i) whole[i] = state.momentum.components[i];
+    for (Index i = 0; i < length; ++i) whole[n + i] = state.vector[i];
+
+    Matrix<S, m, 1> a = state.vector;
+    Coordinates<G, S> mu = state.momentum.components;
+    auto const velocity_of = [&](int stage, V const& now, V& out) {
+      for (Index i = 0; i < n; ++i) mu[i] = now[i];
+      for (Index i = 0; i < length; ++i) a[i] = now[n + i];
+      if (!kept.velocities.find(holding(l_, a), mu, LevelFlow<side, B, V>::checks(stage))) return false;
+      auto const& xi = kept.velocities.velocity();
+      // [advected_momentum_level]
+      auto const slope = slope_in_vector(l_, xi, a);
+      // [advected_momentum_level]
+      if (length > 0) ++evaluations;
+      for (Index i = 0; i < n; ++i) out[i] = xi.coordinates[i];
+      for (Index i = 0; i < length; ++i) out[n + i] = -slope[i];
+      return true;
+    };
+    for (int tried = 0; tried < 2; ++tried) {
+      kept.velocities.begin(holding(l_, state.vector), state.velocity);
+      if (kept.flow(whole, h, velocity_of, eta)) break;
+    }
+    kept.flow.transport(eta, whole);
+    Velocity<G, S> moved = state.velocity;
+    for (Index i = 0; i < n; ++i) moved.coordinates[i] = eta[i], state.momentum.components[i] = whole[i];
+    for (Index i = 0; i < length; ++i) state.vector[i] = whole[n + i];
+    state.velocity = kept.velocities.velocity();
+    evaluations += kept.velocities.take_gradients();
+    return moved;
+  }
+  /// Saves, or restores, what a step remembers of the one before.
+  template <class Stream, ExponentialGroup G, Real S, int m>
+  void remember(Stream& stream, AdvectedMomentumState<G, S, m> const& state) const {
+    memory_of(state).velocities.remember(stream);
+  }
+
+ private:
+  template <class G, class S, int m>
+  using Whole = Matrix<S, (G::dim == Dynamic || m == Dynamic ? Dynamic : G::dim + m), 1>;
+  template <class G, class S, int m>
+  struct Memory {
+    StageVelocities<G, S> velocities;
+    LevelFlow<side, B, Whole<G, S, m>> flow;
+  };
+  template <class G, class S, int m>
+  Memory<G, S, m>& memory_of(AdvectedMomentumState<G, S, m> const& state) const {
+    if (auto* const kept = std::any_cast<Memory<G, S, m>>(&memory_)) return *kept;
+    auto const& group = state.momentum.group;
+    Index const length = state.vector.size();
+    using V = Whole<G, S, m>;
+    return memory_.template emplace<Memory<G, S, m>>(
+        StageVelocities<G, S>(state.velocity),
+        LevelFlow<side, B, V>(Commutators<B>(group, length, act_), V::Zero(group.dimension() + length)));
+  }
+
+  F l_;
+  [[no_unique_address]] Act act_;
+  mutable std::any memory_;  // of the last call
+};
+
+}  // namespace detail
+
+/// A step of order 8 of a left-invariant system with an advected vector on a level of its momenta: a callable
+/// (state, h) -> \ref AdvectedMomentumStep.
+///
+/// Solves \f$\dot\Pi = \mathrm{ad}^*_\xi\,\Pi - \langle\partial l/\partial a, \cdot\,a\rangle\f$,
+/// \f$\dot a = -\xi a\f$ with \f$\partial l/\partial\xi = \Pi\f$ as an equation on the semidirect product, as
+/// \ref momentum_level_step_left does on the group.
+/// @param l    reduced Lagrangian, function of \f$g^{-1}\dot g\f$ and of \f$a = g^{-1}c\f$, energy; its
+///             Legendre map is regular
+/// @param act  the action of the group on vectors
+/// @throws OutsideDomain  when called, for a step that is zero, not finite, or too long for its series
+/// @throws NotConverged, Singular  when called, where the velocity of a momentum is not found
+template <Real S, class F, class Act = MatrixAction>
+auto advected_momentum_level_step_left(F l, Act act = {}) {
+  return detail::AdvectedMomentumLevelStep<-1, F, S, Act>{std::move(l), std::move(act)};
+}
+/// The same of a right-invariant system, with \f$a = g\,c\f$ and \f$\dot a = \xi a\f$.
+/// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$ and of a, energy
+template <Real S, class F, class Act = MatrixAction>
+auto advected_momentum_level_step_right(F l, Act act = {}) {
+  return detail::AdvectedMomentumLevelStep<1, F, S, Act>{std::move(l), std::move(act)};
+}
+
+}  // namespace actio
