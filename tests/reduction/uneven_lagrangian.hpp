@@ -66,33 +66,46 @@ struct FlowByHand {
   UnevenLagrangian<S> l;
   Matrix<S> inverse_a = inverse_matrix(l.a);
 
+  /// \f$p'_k = \mp\langle p, [\xi, e_k]\rangle\f$.
   template <class T>
-  Vector<T> operator()(Vector<T> const& y) const {
+  Vector<T> momentum_rate(Vector<T> const& xi, Vector<T> const& p) const {
     auto const& group = l.group;
-    int const n = group.matrix_size(), d = group.dimension();
-    Matrix<T> g(n, n);
-    for (int i = 0; i < n * n; ++i) g(i % n, i / n) = y[i];
-    Vector<T> const xi = y.segment(n * n, d), p = l.gradient_by_hand(xi);
-    Matrix<T> const x = group.hat(xi), g_rate = side > 0 ? Matrix<T>(x * g) : Matrix<T>(g * x);
-    // p'_k = -+ <p, [xi, e_k]>, then xi' = (A + 2 kappa <c, xi> c c^T)^{-1} p' by the formula for a change of
-    // rank one.
-    Vector<T> p_rate(d), acceleration = Vector<T>::Zero(d), bent = acceleration;
+    int const d = group.dimension();
+    Matrix<T> const x = group.hat(xi);
+    Vector<T> p_rate(d);
     for (int k = 0; k < d; ++k) {
       Matrix<T> const e = group.hat(Vector<T>(Vector<T>::Unit(d, k)));
       T const turned = p.dot(group.vee(Matrix<T>(x * e - e * x)));
       p_rate[k] = side > 0 ? -turned : turned;
     }
+    return p_rate;
+  }
+  /// \f$\xi' = (A + 2\kappa\langle c, \xi\rangle\,c\,c^T)^{-1}p'\f$ by the formula for a change of rank one.
+  template <class T>
+  Vector<T> acceleration(Vector<T> const& xi, Vector<T> const& p_rate) const {
+    Index const d = xi.size();
+    Vector<T> straight = Vector<T>::Zero(d), bent = straight;
     T along(0), up(0), down(0);
     for (int i = 0; i < d; ++i) {
       for (int j = 0; j < d; ++j)
-        acceleration[i] += p_rate[j] * T(inverse_a(i, j)), bent[i] += T(inverse_a(i, j) * l.c[j]);
+        straight[i] += p_rate[j] * T(inverse_a(i, j)), bent[i] += T(inverse_a(i, j) * l.c[j]);
       along += xi[i] * T(l.c[i]);
     }
-    for (int i = 0; i < d; ++i) up += acceleration[i] * T(l.c[i]), down += bent[i] * T(l.c[i]);
+    for (int i = 0; i < d; ++i) up += straight[i] * T(l.c[i]), down += bent[i] * T(l.c[i]);
     T const bend = along * T(l.kappa) * T(2), share = bend * up / (T(1) + bend * down);
+    for (int i = 0; i < d; ++i) straight[i] -= bent[i] * share;
+    return straight;
+  }
+  template <class T>
+  Vector<T> operator()(Vector<T> const& y) const {
+    int const n = l.group.matrix_size(), d = l.group.dimension();
+    Matrix<T> g(n, n);
+    for (int i = 0; i < n * n; ++i) g(i % n, i / n) = y[i];
+    Vector<T> const xi = y.segment(n * n, d);
+    Matrix<T> const x = l.group.hat(xi), g_rate = side > 0 ? Matrix<T>(x * g) : Matrix<T>(g * x);
     Vector<T> rate(n * n + d);
     for (int i = 0; i < n * n; ++i) rate[i] = g_rate(i % n, i / n);
-    for (int i = 0; i < d; ++i) rate[n * n + i] = acceleration[i] - bent[i] * share;
+    rate.tail(d) = acceleration(xi, momentum_rate(xi, l.gradient_by_hand(xi)));
     return rate;
   }
   /// Configuration and momentum after a time, from the identity with velocity xi.

@@ -3,52 +3,173 @@
 #include "actio/any_group/level_integrator.hpp"
 
 #include "actio/any_group/chart_integrator.hpp"
+#include "actio/reduction/level_flow.hpp"
+#include "actio/reduction/stage_velocities.hpp"
 
 namespace actio::systems {
+namespace detail {
 namespace {
 
-Matrix<double, Dynamic, 1> column(std::vector<double> const& list) {
-  Matrix<double, Dynamic, 1> out(static_cast<Index>(list.size()));
+using Column = Matrix<double, Dynamic, 1>;
+using Constant = actio::detail::Commutators<double>::Constant;
+
+Column column(std::vector<double> const& list) {
+  Column out(static_cast<Index>(list.size()));
   std::copy(list.begin(), list.end(), out.data());
   return out;
 }
-std::vector<double> list_of(Matrix<double, Dynamic, 1> const& column) {
-  return {column.data(), column.data() + column.size()};
+
+/// The structure constants of the group with the covectors of its carried vectors.
+std::vector<Constant> constants_of(ReducedSystem const& system) {
+  std::vector<Constant> out;
+  for (auto const& c : system.algebra.constants)
+    if (c.a < c.b) out.push_back({c.a, c.b, c.c, c.value});
+  for (int k = 0; k < system.vectors; ++k) {
+    int const first = system.dimension() + k * system.length();
+    for (auto const& e : system.algebra.entries)
+      out.push_back({e.direction, first + e.row, first + e.column, -e.value});
+  }
+  return out;
+}
+
+/// Numbers in a row, written down or read back.
+class Numbers {
+ public:
+  explicit Numbers(std::vector<double>& all, bool reading) : all_(all), reading_(reading) {}
+  template <class... T>
+  void operator()(T&... values) {
+    (one(values), ...);
+  }
+
+ private:
+  void one(std::span<double> values) {
+    for (double& x : values) one(x);
+  }
+  template <class T>
+  void one(T& x) {
+    if (reading_)
+      x = static_cast<T>(all_[at_++]);
+    else
+      all_.push_back(static_cast<double>(x));
+  }
+  std::vector<double>& all_;
+  bool reading_;
+  std::size_t at_ = 0;
+};
+
+/// On one side, in columns of N numbers, or of any number; those that a system does not need are zero.
+template <int side, int N>
+class SizedLevelStep : public LevelStep {
+  using V = Matrix<double, N, 1>;
+  using G = SpanOfMatrices;
+
+ public:
+  SizedLevelStep(std::shared_ptr<ReducedSystem const> const& system, ReducedPoint const& start,
+                 std::vector<double> const& velocity)
+      : lagrangian_{system},
+        length_(N == Dynamic ? static_cast<Index>(start.momentum.size() + start.vectors.size()) : N),
+        momentum_(column(start.momentum)),
+        vectors_(column(start.vectors)),
+        from_{G(std::shared_ptr<MatrixAlgebra const>(system, &system->algebra)), column(velocity)},
+        velocities_(from_),
+        flow_(actio::detail::Commutators<double>(length_, constants_of(*system)), V::Zero(length_)) {}
+
+  std::unique_ptr<LevelStep> copy() const override { return std::make_unique<SizedLevelStep>(*this); }
+
+  int advance(double h, ReducedPoint& point, std::vector<double>& velocity,
+              std::vector<double>& turn) override {
+    std::size_t const n = point.momentum.size(), m = point.vectors.size();
+    V whole = V::Zero(length_), eta = whole;
+    std::copy_n(point.momentum.data(), n, whole.data());
+    std::copy_n(point.vectors.data(), m, whole.data() + n);
+    std::copy_n(velocity.data(), n, from_.coordinates.data());
+    int slopes = 0;
+    HeldTape const held{*lagrangian_.system, vectors_};
+    auto const velocity_of = [&](int stage, V const& now, V& out) {
+      std::copy_n(now.data(), n, momentum_.data());
+      std::copy_n(now.data() + n, m, vectors_.data());
+      if (!velocities_.find(held, momentum_, flow_.checks(stage))) return false;
+      auto const& xi = velocities_.velocity().coordinates;
+      std::copy_n(xi.data(), n, out.data());
+      if (m == 0) return true;
+      auto const& slope = held.values(lagrangian_.system->slopes, xi);
+      for (std::size_t i = 0; i < m; ++i) out.data()[n + i] = -slope[1 + n + i];
+      ++slopes;
+      return true;
+    };
+    for (int tried = 0; tried < 2; ++tried) {
+      std::copy_n(point.vectors.data(), m, vectors_.data());
+      velocities_.begin(held, from_);
+      if (flow_(whole, h, velocity_of, eta)) break;
+    }
+    flow_.transport(eta, whole);
+    if (!is_finite(whole)) throw NotFinite("momentum level: momentum after a step");
+    turn.assign(eta.data(), eta.data() + n);
+    std::copy_n(whole.data(), n, point.momentum.data());
+    std::copy_n(whole.data() + n, m, point.vectors.data());
+    std::copy_n(velocities_.velocity().coordinates.data(), n, velocity.data());
+    return velocities_.take_gradients() + slopes;
+  }
+
+  std::vector<double> memory() override {
+    std::vector<double> all;
+    Numbers stream(all, false);
+    velocities_.remember(stream);
+    return all;
+  }
+  void recall(std::vector<double> memory) override {
+    Numbers stream(memory, true);
+    velocities_.remember(stream);
+  }
+
+ private:
+  TapeLagrangian lagrangian_;
+  Index length_;
+  Column momentum_, vectors_;
+  Velocity<G, double> from_;
+  actio::detail::StageVelocities<G, double> velocities_;
+  actio::detail::LevelFlow<side, double, V> flow_;
+};
+
+template <int side>
+std::unique_ptr<LevelStep> level_step(std::shared_ptr<ReducedSystem const> const& system,
+                                      ReducedPoint const& start, std::vector<double> const& velocity) {
+  auto const size = start.momentum.size() + start.vectors.size();
+  if (size <= 3) return std::make_unique<SizedLevelStep<side, 3>>(system, start, velocity);
+  if (size <= 6) return std::make_unique<SizedLevelStep<side, 6>>(system, start, velocity);
+  if (size <= 8) return std::make_unique<SizedLevelStep<side, 8>>(system, start, velocity);
+  return std::make_unique<SizedLevelStep<side, Dynamic>>(system, start, velocity);
 }
 
 }  // namespace
+}  // namespace detail
 
-LevelIntegrator::LevelIntegrator(std::shared_ptr<ReducedSystem const> const& system, double h,
-                                 ReducedPoint start, std::vector<double> const& velocity)
-    : system_(system),
-      group_(std::shared_ptr<MatrixAlgebra const>(system, &system->algebra)),
+LevelIntegrator::LevelIntegrator(std::shared_ptr<ReducedSystem const> system, double h, ReducedPoint start,
+                                 std::vector<double> const& velocity)
+    : system_(std::move(system)),
       length_(h),
-      level_(Level<-1>(TapeLagrangian{system}, {})),
+      level_(system_->side == Side::left ? detail::level_step<-1>(system_, start, velocity)
+                                         : detail::level_step<1>(system_, start, velocity)),
       point_(std::move(start)),
-      velocity_(velocity) {
-  if (system->side == Side::right) level_ = Level<1>(TapeLagrangian{system}, {});
-}
+      velocity_(velocity) {}
 
-LevelIntegrator::State LevelIntegrator::state() const {
-  return {{group_, column(point_.momentum)}, column(point_.vectors), {group_, column(velocity_)}};
-}
+LevelIntegrator::LevelIntegrator(LevelIntegrator const& other)
+    : system_(other.system_),
+      length_(other.length_),
+      level_(other.level_->copy()),
+      point_(other.point_),
+      velocity_(other.velocity_),
+      turn_(other.turn_),
+      configuration_(other.configuration_),
+      evaluations_(other.evaluations_) {}
 
 void LevelIntegrator::step() {
-  State now = state();
-  int evaluations = 0;
-  auto const moved =
-      std::visit([&](auto const& level) { return level.advance(now, length_, evaluations); }, level_);
-  std::vector<double> const turn = list_of(moved.coordinates);
-  if (configuration_.size() && system_->side == Side::left) {
-    Eigen::MatrixXd by = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());
-    apply_exponential(system_->algebra, 1, turn, by);
-    configuration_ = configuration_ * by;
-  } else if (configuration_.size()) {
-    apply_exponential(system_->algebra, 1, turn, configuration_);
-  }
-  point_ = {list_of(now.momentum.components), list_of(now.vector)};
-  velocity_ = list_of(now.velocity.coordinates);
-  evaluations_ += evaluations;
+  evaluations_ += level_->advance(length_, point_, velocity_, turn_);
+  if (configuration_.size() == 0) return;
+  if (system_->side == Side::right) return apply_exponential(system_->algebra, 1, turn_, configuration_);
+  Eigen::MatrixXd by = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());
+  apply_exponential(system_->algebra, 1, turn_, by);
+  configuration_ = configuration_ * by;
 }
 
 }  // namespace actio::systems

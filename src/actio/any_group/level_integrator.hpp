@@ -6,11 +6,9 @@
 
 #include <memory>
 #include <span>
-#include <variant>
 
 #include "actio/any_group/chart_solver.hpp"
 #include "actio/any_group/tape_lagrangian.hpp"
-#include "actio/reduction/advected_momentum_level.hpp"
 
 namespace actio::systems {
 
@@ -28,7 +26,24 @@ struct EachVector {
   }
 };
 
-/// Steps of one length by \ref actio::advected_momentum_level_step_left, or its counterpart on the right:
+namespace detail {
+/// What moves momentum and vectors by a step, compiled for columns of one length.
+class LevelStep {
+ public:
+  virtual ~LevelStep() = default;
+  virtual std::unique_ptr<LevelStep> copy() const = 0;
+  /// @param velocity  near that of the momentum, before and after
+  /// @param turn      the displacement of the group in the natural chart
+  /// @return          how often a differential of the Lagrangian was evaluated
+  virtual int advance(double h, ReducedPoint& point, std::vector<double>& velocity,
+                      std::vector<double>& turn) = 0;
+  /// What a step leaves to the next one.
+  virtual std::vector<double> memory() = 0;
+  virtual void recall(std::vector<double> memory) = 0;
+};
+}  // namespace detail
+
+/// Steps of one length of \ref actio::advected_momentum_level_step_left, or its counterpart on the right:
 /// explicit, of order 8. For one thread at a time.
 class LevelIntegrator {
  public:
@@ -36,8 +51,10 @@ class LevelIntegrator {
   /// @param h         step, time
   /// @param start     momentum and vectors
   /// @param velocity  near which the first step looks for its own
-  LevelIntegrator(std::shared_ptr<ReducedSystem const> const& system, double h, ReducedPoint start,
+  LevelIntegrator(std::shared_ptr<ReducedSystem const> system, double h, ReducedPoint start,
                   std::vector<double> const& velocity);
+  LevelIntegrator(LevelIntegrator const& other);
+  LevelIntegrator& operator=(LevelIntegrator&&) = default;
 
   /// Reconstructs configurations from this one on.
   void follow_configuration(Eigen::MatrixXd g) { configuration_ = std::move(g); }
@@ -57,25 +74,18 @@ class LevelIntegrator {
   /// Saves, or restores, all that the next step depends on.
   template <class Stream>
   void remember(Stream& stream) {
-    stream(point_.momentum, point_.vectors, velocity_);
     std::span<double> g(configuration_.data(), static_cast<std::size_t>(configuration_.size()));
-    stream(g);
-    auto const state = this->state();
-    std::visit([&](auto const& level) { level.remember(stream, state); }, level_);
+    std::vector<double> memory = level_->memory();
+    stream(point_.momentum, point_.vectors, velocity_, g, memory);
+    level_->recall(std::move(memory));
   }
 
  private:
-  template <int side>
-  using Level = actio::detail::AdvectedMomentumLevelStep<side, TapeLagrangian, double, EachVector>;
-  using State = AdvectedMomentumState<SpanOfMatrices, double, Dynamic>;
-  State state() const;
-
   std::shared_ptr<ReducedSystem const> system_;
-  SpanOfMatrices group_;
   double length_;
-  std::variant<Level<-1>, Level<1>> level_;
+  std::unique_ptr<detail::LevelStep> level_;
   ReducedPoint point_;
-  std::vector<double> velocity_;
+  std::vector<double> velocity_, turn_;
   Eigen::MatrixXd configuration_;
   long evaluations_ = 0;
 };

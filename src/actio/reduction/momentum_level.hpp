@@ -11,52 +11,13 @@
 #include <any>
 #include <utility>
 
-#include "actio/reduction/legendre_chord.hpp"
 #include "actio/reduction/level_flow.hpp"
 #include "actio/reduction/momentum_step.hpp"
+#include "actio/reduction/stage_velocities.hpp"
 
 namespace actio {
 
 namespace detail {
-
-/// Velocities of momenta at the stages of a step: by a line where they are found to be on one, which is
-/// checked in the middle and at the end.
-template <Group G, Real S>
-class StageVelocities {
- public:
-  explicit StageVelocities(Velocity<G, S> const& near) : xi_(near), mu_{near.group, near.coordinates} {}
-  /// Before a step from a velocity.
-  template <class F>
-  void begin(F const& l, Velocity<G, S> const& from) {
-    xi_ = from;
-    legendre_.begin(l, from);
-  }
-  /// The velocity of a momentum at a stage.
-  /// @param check  whether a line is checked by a gradient
-  /// @return       false where velocities were taken for a linear function of momenta, and are none
-  template <class F>
-  bool find(F const& l, Coordinates<G, S> const& mu, bool check) {
-    mu_.components = mu;
-    bool const linear = legendre_.linear();
-    if (linear) legendre_.by_line(mu_, xi_);
-    if (linear && !check) return true;
-    legendre_.solve(l, mu_, xi_);
-    return !linear || legendre_.linear();
-  }
-  /// The last one found.
-  Velocity<G, S> const& velocity() const { return xi_; }
-  int take_gradients() { return legendre_.take_gradients(); }
-  /// Saves, or restores, what one step leaves to the next.
-  template <class Stream>
-  void remember(Stream& stream) {
-    legendre_.remember(stream, xi_.coordinates.size());
-  }
-
- private:
-  LegendreChord<G, S> legendre_;
-  Velocity<G, S> xi_;
-  Momentum<G, S> mu_;
-};
 
 /// A step on a level of the momentum; side: +1 right, -1 left.
 template <int side, class F, Real B>

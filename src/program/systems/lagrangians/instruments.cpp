@@ -7,6 +7,7 @@
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/instruments/symplectic_defect.hpp"
+#include "actio/reduction/advected_momentum_level.hpp"
 #include "actio/reduction/galerkin.hpp"
 
 namespace actio::scene {
