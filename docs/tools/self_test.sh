@@ -269,7 +269,7 @@ echo "[{\"name\":\"top\",\"title\":\"Top\",\"meaning\":\"It turns.\",\"statement
 passes 'a book with keys of scenes' --strict
 contains scene_keys.html 'id="key_system_mass"'
 contains scene_keys.html 'The &lt;mass&gt; of_it\.'
-contains scene_keys.html '"none_at_all"'
+contains scene_keys.html '&quot;none_at_all&quot;'
 contains scene_keys.html 'mass = 1'
 contains system_top.html 'scene_keys.html#key_run_at'
 contains search_index.js 'key_system_mass'
