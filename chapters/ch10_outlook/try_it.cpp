@@ -1,5 +1,6 @@
 // Lines to try of chapter 10: a sheet of rubber, a density of one's own, a step for each cell; a step of the
-// fluid on the sphere, and how good its bracket is.
+// fluid on the sphere, and how good its bracket is. Lines between two marks // [NAME] are the reference's
+// examples as well.
 //
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Core>
@@ -27,6 +28,7 @@ TRY_IT(sheet) {
 }
 
 TRY_IT(own_density) {
+  // [step_of_a_section]
   // Born and Infeld's density: every wave f(X - t) is a solution.
   auto const density = []<class T>(Jet<T, 1, 1> const& j) {
     using std::sqrt;
@@ -46,10 +48,13 @@ TRY_IT(own_density) {
   for (Index i = 0; i < mesh.node_count(); ++i)
     worst = std::max(worst, std::abs((y(150, i) - wave(mesh.event(150, i)))[0]));
   print("largest distance from the exact wave", worst);
+  // [step_of_a_section]
+  // [noether_balance]
   // A shift of y is a symmetry: Noether's theorem on a box of 60 slabs and 100 cells.
   auto const shift = motion_of_space<1>([](auto const& z) { return 0.0 * z + Point(1.0); });
   auto const sum = noether_balance(density, shift, mesh, y, CellBox<1>{50, 60, {{120}}, {{100}}});
   print("momentum over its boundary, relative", sum.sum / sum.terms);
+  // [noether_balance]
 }
 
 TRY_IT(asynchronous) {
@@ -86,6 +91,7 @@ TRY_IT(asynchronous) {
 using namespace actio::sphere;
 
 TRY_IT(a_step) {
+  // [vorticity_step]
   // One step of a flow of three harmonics: what has changed of energy, angular momentum and C_2 .. C_5.
   SphereHarmonics f(16);
   f(1, 0) = 1, f(3, 2) = {0.5, 0.2}, f(4, 1) = {-0.3, 0.6};
@@ -96,6 +102,7 @@ TRY_IT(a_step) {
   print("energy", vorticity_energy(laplacian, w) - vorticity_energy(laplacian, before));
   print("angular momentum", (sphere_momentum(w) - sphere_momentum(before)).norm());
   print("Casimirs", (vorticity_casimirs(w, 5) - vorticity_casimirs(before, 5)).norm());
+  // [vorticity_step]
   print("and the vorticity itself", norm(w - before) / norm(before));
 }
 

@@ -1,12 +1,10 @@
-// Examples of the modules stored_energy, fast_media, meshes, multisymplectic and media_on_meshes.
+// Examples of the modules stored_energy, fast_media, meshes and media_on_meshes; those of multisymplectic are
+// lines to try of chapter 10.
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "actio/fast_media/fast_medium_3d.hpp"
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "actio/meshes/gmsh_mesh.hpp"
-#include "actio/multisymplectic/discrete_noether.hpp"
-#include "actio/multisymplectic/step_field_equations.hpp"
-#include "actio/noether/isometries.hpp"
 #include "actio/stored_energy/stored_energies.hpp"
 
 #include "example.hpp"
@@ -103,34 +101,6 @@ BOOST_AUTO_TEST_CASE(a_beam) {
   assert(beam.places()[0] == (std::array{0.0, 0.0, 0.0}));  // a node of the side
   assert(beam.places()[8][1] > 0.05);                       // one of the free end
   // [medium_on_mesh]
-}
-
-// ---- multisymplectic
-
-BOOST_AUTO_TEST_CASE(own_density) {
-  // [step_of_a_section]
-  // Born and Infeld's density: every wave f(X - t) is a solution.
-  auto const density = []<class T>(Jet<T, 1, 1> const& j) {
-    using std::sqrt;
-    return T(-sqrt(T(1.0 - j.v(0, 0) * j.v(0, 0) + j.v(0, 1) * j.v(0, 1))));
-  };
-  using Point = Matrix<double, 1, 1>;
-  auto const wave = [](Event<double, 1> const& x) {  // x = (t, X)
-    return Point(0.5 * std::exp(-(x[1] - x[0]) * (x[1] - x[0])));
-  };
-  // 100 cells and 30 steps; the wave gives the first two levels, and the values at the ends.
-  SpaceTimeMesh<double, 1> const mesh(equal_steps(0.0, 0.08, 30), {100}, all_sides<1>(Side::fixed),
-                                      StraightBox<double, 1>{Point(-5.0), Point(8.0)});
-  auto y = restricted(mesh, wave, 2);
-  while (y.last() + 1 < mesh.levels()) step(density, mesh, y, wave);
-  assert(std::abs((y(30, 56) - wave(mesh.event(30, 56)))[0]) < 0.01);
-  // [step_of_a_section]
-  // [noether_balance]
-  // A shift of y is a symmetry: the momentum over the boundary of a box of space-time.
-  auto const shift = motion_of_space<1>([](auto const& z) { return 0.0 * z + Point(1.0); });
-  auto const balance = noether_balance(density, shift, mesh, y, CellBox<1>{5, 20, {{30}}, {{40}}});
-  assert(std::abs(balance.sum / balance.terms) < 1e-13);
-  // [noether_balance]
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -67,24 +67,15 @@ BOOST_AUTO_TEST_CASE(fields_on_grids) {
 // ---- vorticity
 
 BOOST_AUTO_TEST_CASE(steps_of_the_fluid) {
-  // [vorticity_step]
-  // A flow of three harmonics, one step: energy, angular momentum and Casimirs are conserved.
-  SphereHarmonics f(16);
-  f(1, 0) = 1, f(3, 2) = {0.5, 0.2}, f(4, 1) = {-0.3, 0.6};
-  auto const before = matrix_of(f);
-  auto w = before;
-  SphereLaplacian const laplacian(16);
-  VorticityStep(laplacian, Conserved::all_invariants, 0.2).advance(w);
-  assert(std::abs(vorticity_energy(laplacian, w) - vorticity_energy(laplacian, before)) < 1e-13);
-  assert((sphere_momentum(w) - sphere_momentum(before)).norm() < 1e-13);
-  assert((vorticity_casimirs(w, 5) - vorticity_casimirs(before, 5)).norm() < 1e-13);
-  // [vorticity_step]
   // [fast_vorticity_step]
-  // The same solution, to a tolerance of 1e-9 or so, in mixed precision: for large N.
-  FastVorticityStep fast(laplacian, Conserved::all_invariants, 0.2);
-  auto quick = before;
-  fast.advance(quick);
-  assert(norm(quick - w) < 1e-7 * norm(w));
+  // The solution of VorticityStep, to a tolerance of 1e-9 or so, in mixed precision: for large N.
+  SphereHarmonics f(32);
+  f(2, 1) = {0.4, 0.7}, f(5, 0) = 0.5;
+  auto exact = matrix_of(f), quick = exact;
+  SphereLaplacian const laplacian(32);
+  VorticityStep(laplacian, Conserved::all_invariants, 0.2).advance(exact);
+  FastVorticityStep(laplacian, Conserved::all_invariants, 0.2).advance(quick);
+  assert(norm(quick - exact) < 1e-7 * norm(exact));
   // [fast_vorticity_step]
 }
 

@@ -107,7 +107,7 @@
   }
 
   // ---- What is wider than the screen scrolls in a box of its own, which the keyboard reaches. It is measured when it comes near.
-  var kinds = '.table-box, pre.output, div.fragment, pre.fragment, .formula, .report-table', near = null;
+  var kinds = '.table-box, pre.output, div.fragment, pre.fragment, .formula, .report-table, .markdownTable tbody', near = null;
   function goesOn() { this.classList.toggle('goes-on', this.scrollLeft + this.clientWidth < this.scrollWidth - 2); }
   function fit(all) {
     // All sizes are read before anything is changed, or each change would cost a layout of the page.

@@ -6,7 +6,7 @@
 // them. What each holds is the \brief of its folder in docs/rooms.dox; sizes are counted in the sources.
 import fs from 'node:fs';
 import path from 'node:path';
-import { boxed, escapeHtml, walk } from './lib.mjs';
+import { boxed, escapeHtml, labelled, walk } from './lib.mjs';
 
 /** The modules of the library, or with `program` the rooms of the program, in the order of their declaration:
  *  { name, uses, about, files, lines, floor }. A floor is one above the highest that is used. */
@@ -64,9 +64,11 @@ What that one uses may be used as well. Arrows lead down.</figcaption></figure>`
 
 /** What each holds, what it uses, and how large it is. */
 export function architectureTable(architecture) {
-  const row = (cell, cells) => `<tr>${cells.map(c => `<${cell}>${c}</${cell}>`).join('')}</tr>`;
-  const head = row('th', ['folder', 'what it holds', 'uses', 'files', 'lines']);
-  const rows = [...architecture.values()].map(r =>
-    row('td', [`<code>${r.name}</code>`, escapeHtml(r.about), r.uses.join(', ') || '–', r.files, r.lines]));
-  return boxed(`<table class="programs architecture"><thead>${head}</thead><tbody>${rows.join('')}</tbody></table>`);
+  const names = ['folder', 'what it holds', 'uses', 'files', 'lines'];
+  const rows = [...architecture.values()].map(r => {
+    const cells = [`<code>${r.name}</code>`, escapeHtml(r.about), r.uses.join(', ') || '–', r.files, r.lines];
+    return `<tr>${labelled(cells.map(c => `<td>${c}</td>`), ['', '', ...names.slice(2)])}</tr>`;
+  });
+  const head = `<tr>${names.map(n => `<th>${n}</th>`).join('')}</tr>`;
+  return boxed(`<table class="programs stacked architecture"><thead>${head}</thead><tbody>${rows.join('')}</tbody></table>`);
 }

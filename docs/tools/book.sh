@@ -63,6 +63,10 @@ rm -rf "$work"
 mkdir -p "$work"
 node docs/tools/expand.mjs --root . --build "$build" --registry "$registry" $strict
 
+# BibTeX breaks lines, and one that began with "2007. " would be an item of a list: the year is tied to a space, which
+# finish.mjs takes away.
+sed 's/^\( *year *= {\)/\1~/' docs/references.bib >"$work/references.bib"
+
 status=0
 BOOK_PAGES=$pages BOOK_OUTPUT=$work BOOK_LOG=$work/warnings.txt \
   BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >"$work/doxygen.txt" 2>&1 || status=$?

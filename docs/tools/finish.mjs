@@ -73,13 +73,19 @@ function formula(page, tex, displayMode) {
   }
   return cache.get(key);
 }
+/// A line may break beside a formula: a bracket before it and what closes it go into its parts, or a comma begins the next line.
+function held(open, html, close) {
+  const mark = text => text && `<span class="after">${text}</span>`;
+  return html.replace(/<span class="base"[^>]*>/, all => all + mark(open)).replace(/(?=<\/span><\/span><!--\/f-->$)/, mark(close));
+}
 /// Code keeps its text; elsewhere \[..\], \(..\) and environments become mathematics.
 function setFormulas(page, html) {
   return html.split(/(<div class="fragment">[\s\S]*?<\/div><!-- fragment -->|<(?:pre|code|script|style|textarea)\b[\s\S]*?<\/(?:pre|code|script|style|textarea)>|<svg\b[\s\S]*?<\/svg>)/)
     .map((part, i) => i % 2 ? part : part
       .replace(/<p class="formulaDsp">\s*([\s\S]*?)\s*<\/p>/g, (_, tex) => `<div class="formula">${formula(page, tex.replace(/^\\\[|\\\]$/g, ''), true)}</div>`)
       .replace(/\\\[([\s\S]*?)\\\]/g, (_, tex) => formula(page, tex, true))
-      .replace(/\\\(([\s\S]*?)\\\)/g, (_, tex) => formula(page, tex, false)))
+      // Doxygen puts a space between a bracket and a formula.
+      .replace(/(?:(?<=[\s>])([([])\s*)?\\\(([\s\S]*?)\\\)([.,;:)\]?!]*)/g, (_, open = '', tex, close) => held(open, formula(page, tex, false), close)))
     .join('');
 }
 
@@ -112,6 +118,8 @@ for (const [name, original] of text) {
   // Doxygen announces a list of nested classes even where all of them are private.
   html = html.replace(/<a href="#nested-classes">[^<]*<\/a>(?: &#124;)?/g, a => /id="nested-classes"/.test(html) ? a : '');
   html = setFormulas(name, html);
+  // The space that kept a year from beginning a line has done its work (book.sh).
+  if (name === 'citelist.html') html = html.replace(/\s*&#160;(?=\d{4}\.)/g, ' ');
   // A snippet starts at its own margin.
   html = html.replace(/<div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/g, (all, body) => name.endsWith('_source.html') ? all : `<div class="fragment">${dedent(body)}</div><!-- fragment -->`);
   if (html.includes('BOOKITEM')) errors.add(name, 1, 'a generated part was not put in place (a command inside a title or a code block?)');

@@ -16,12 +16,14 @@ const inTex = part => part.replace(/ x /g, '\\cdot ')
 /// itself.
 export const unit = text => String(text ?? '').split(', and ').map(part => (part === '' ? '' : `\\f$${inTex(part)}\\f$`)).join(', and ');
 
-const entities = { '<': '&lt;', '>': '&gt;', '&': '&amp;' };
+const entities = { '<': '&lt;', '>': '&gt;', '&': '&amp;', '"': '&quot;' };
 /// Plain text in a cell of a table or in a paragraph: signs of Markdown stand for themselves.
-const plain = text => String(text ?? '').replace(/[\\`*<>#|@$&~]/g, sign => entities[sign] ?? `\\${sign}`);
-/// The same, with its mathematics as formulas.
-const withFormulas = text => mathematics(String(text ?? ''))
-  .map((part, i) => (i % 2 ? `\\f$${part.replaceAll('|', '\\vert ')}\\f$` : plain(part))).join('');
+const plain = text => String(text ?? '').replace(/[\\`*<>#|@$&~"]/g, sign => entities[sign] ?? `\\${sign}`);
+/// The same, with its mathematics as formulas; code between back quotes and texts between double ones stay as they are.
+const withFormulas = text => String(text ?? '').split(/(`[^`]+`|"[^"]*")/).map((part, i) => {
+  if (i % 2) return part.startsWith('`') ? part : plain(part);
+  return mathematics(part).map((piece, k) => (k % 2 ? `\\f$${piece.replaceAll('|', '\\vert ')}\\f$` : plain(piece))).join('');
+}).join('');
 const code = text => `\`${text}\``;
 const anchor = key => `key_${key.replaceAll('.', '_')}`;
 

@@ -9,8 +9,8 @@
 //    make another letter of it, except a tilde, a hat or a bar. Other ways to introduce a letter are not seen.
 // 3. Where the table in force has the letter, the kind on the page is among the nouns of its row.
 //
-// What differs is listed with file and line, and the exit status is 1. --list prints the letters of a page. The pages
-// of Part I are read, chapters 1 to 5.
+// What differs is listed with file and line, and the exit status is 1. --list prints the letters of a page. The
+// chapters and the pages beside them are read.
 import fs from 'node:fs';
 import path from 'node:path';
 import { options, walk } from './lib.mjs';
@@ -27,13 +27,28 @@ const kinds = {
   'vector field': 'vector-field vector-fields',
   angle: 'angle angles azimuth',
   degree: 'degree',
+  section: 'section sections',
+  jet: 'jet jets',
+  metric: 'metric metrics',
+  density: 'density densities',
+  pressure: 'pressure pressures',
+  energy: 'energy energies enthalpy',
+  stress: 'stress stresses',
+  mass: 'mass masses',
+  vorticity: 'vorticity',
+  multiplier: 'multiplier multipliers',
+  current: 'current currents',
+  node: 'node nodes',
+  cell: 'cell cells',
   set: 'manifold group algebra groupoid bundle',
 };
-/// What one thing can be at once: a configuration is a point of the group, a relative motion an arrow of it.
-const both = [['configuration', 'point'], ['configuration', 'arrow']];
+/// What one thing can be at once: a configuration is a point of the group, or a section, a relative motion an arrow of
+/// it; a vector field is a section; a density, a pressure and an energy are functions, and a mass has a density.
+const both = [['configuration', 'point'], ['configuration', 'arrow'], ['configuration', 'section'], ['vector field', 'section'],
+  ...['density', 'pressure', 'energy', 'vorticity', 'multiplier'].map(kind => [kind, 'function']), ['mass', 'density'], ['energy', 'density']];
 const agree = (a, b) => a === b || both.some(pair => pair.includes(a) && pair.includes(b));
 const kindOf = new Map(Object.entries(kinds).flatMap(([kind, words]) => words.split(' ').map(w => [w.replace(/-(?=[mf])/, ' '), kind])));
-const noun = new RegExp(`\\b(${[...kindOf.keys()].join('|')})\\s+\\\\f\\$(.*?)\\\\f\\$`, 'gi');
+const noun = new RegExp(`(?<!-|unit )\\b(${[...kindOf.keys()].join('|')})\\s+\\\\f\\$(.*?)\\\\f\\$`, 'gi');
 
 /// The letter that a formula is about: `a` of `a_1,\dots,a_N`, of `a\in G` and of `a = b`; '' for an expression.
 export function letterOf(formula) {
@@ -98,7 +113,7 @@ export function faults(root) {
       else seen.set(symbol, row.line);
     }
   }
-  for (const page of walk(path.join(root, 'chapters')).filter(f => /[\\/]ch0[1-5]_[^\\/]*[\\/][^\\/]*\.md$/.test(f))) {
+  for (const page of walk(path.join(root, 'chapters')).filter(f => f.endsWith('.md'))) {
     const source = fs.readFileSync(page, 'utf8'), label = /^# .*\{#(\w+)\}/.exec(source)?.[1] ?? '';
     const first = new Map();
     // The table of the page itself, then that of its chapter.

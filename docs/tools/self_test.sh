@@ -269,7 +269,7 @@ echo "[{\"name\":\"top\",\"title\":\"Top\",\"meaning\":\"It turns.\",\"statement
 passes 'a book with keys of scenes' --strict
 contains scene_keys.html 'id="key_system_mass"'
 contains scene_keys.html 'The &lt;mass&gt; of_it\.'
-contains scene_keys.html '"none_at_all"'
+contains scene_keys.html '&quot;none_at_all&quot;'
 contains scene_keys.html 'mass = 1'
 contains system_top.html 'scene_keys.html#key_run_at'
 contains search_index.js 'key_system_mass'
@@ -319,6 +319,7 @@ project; sed -i 's/^So it is\./Every turn is./' $chapter; passes 'a sentence of 
 
 # A letter keeps its kind on a page, and stands once in a table.
 claims 'Take the arrow \\f$a\\f$ and the step \\f$a_1\\f$.'; refuses 'a letter with two meanings' 'chapter.md:23: "step a_1" .time.; in line 23 "arrow a" .arrow.'
+claims 'The metric \\f$a\\f$ of space-time \\f$b\\f$ has the density \\f$b\\f$ and the node \\f$a\\f$.'; refuses 'a letter of fields with two meanings' 'chapter.md:23: "node a" .node.; in line 23 "metric a" .metric.'
 claims 'Take the arrow \\f$a\\f$ and the arrow \\f$a_1\\f$, the relative motion \\f$a_2\\f$.'; passes 'a letter with one meaning' --strict
 project; printf '# Notation {#notation}\n\n## Chapter 3 {#notation_ch03}\n\n| symbol | what it is |\n|---|---|\n| \\f$a\\f$ | an arrow |\n| \\f$b, a\\f$ | two steps |\n' >docs/pages/12_notation.md
 refuses 'a symbol that stands twice in a table' '12_notation.md:8: a stands twice in the table of ch03'

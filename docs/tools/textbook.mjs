@@ -36,12 +36,12 @@ export function stepLines(lines, step) {
   return { first: start + 1, lines: part.map(l => l.slice(margin)) };
 }
 
-/// The body of a snippet in try_it.cpp, and the headers above it.
+/// The body of a snippet in try_it.cpp, without the marks of other snippets, and the headers above it.
 export function snippetOf(text, name) {
   const lines = text.split('\n'), start = lines.findIndex(l => l.startsWith(`TRY_IT(${name})`));
   if (start < 0) return null;
   const end = lines.findIndex((l, i) => i > start && l.startsWith('}'));
-  const body = lines.slice(start + 1, end).map(l => l.replace(/^  /, ''));
+  const body = lines.slice(start + 1, end).filter(l => !/^\s*\/\/ \[\w+\]$/.test(l)).map(l => l.replace(/^  /, ''));
   const above = lines.slice(0, start).filter(l => /^#include|^using /.test(l) && !l.includes('"book/try_it.hpp"'));
   return { first: start + 1, body, program: [...above, '', 'int main() {', ...body.map(l => (l ? `  ${l}` : l)), '}', ''].join('\n') };
 }

@@ -64,7 +64,7 @@ SumOfTerms<S, Base<S>> equivariance_of_cell(L const& density, Xi const& xi,
 ///
 /// Nodes of a fixed side are boundary nodes: what they contribute is minus the impulse of the wall.
 ///
-/// \snippet media.cpp noether_balance
+/// \snippet ch10_outlook/try_it.cpp noether_balance
 ///
 /// \implements{claim_10_0_discrete_noether_sum}
 /// @param xi  a vector field on Y that moves points of space alone

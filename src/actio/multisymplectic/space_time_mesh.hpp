@@ -54,7 +54,7 @@ struct StraightBox {
 
 /// A structured mesh of space-time.
 ///
-/// \snippet media.cpp step_of_a_section
+/// \snippet ch10_outlook/try_it.cpp step_of_a_section
 template <class S, int n>
 class SpaceTimeMesh {
  public:

@@ -138,7 +138,7 @@ StepReport append_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
 /// The next level of time: solves \ref discrete_euler_lagrange at the last level of a section for the values
 /// at the level after it, and appends them.
 ///
-/// \snippet media.cpp step_of_a_section
+/// \snippet ch10_outlook/try_it.cpp step_of_a_section
 /// @param density  over jets and any scalar: energy per volume of space-time
 /// @param mesh     of space-time; it has the lengths of the steps
 /// @param section  at least two levels, and fewer than the mesh has

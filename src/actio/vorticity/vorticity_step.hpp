@@ -41,7 +41,7 @@ namespace actio::sphere {
 /// The state is a matrix W, made of the harmonics of the vorticity by \ref matrix_of. Energy, angular
 /// momentum and Casimirs are read by \ref vorticity_energy, \ref sphere_momentum and \ref vorticity_casimirs.
 ///
-/// \snippet sphere.cpp vorticity_step
+/// \snippet ch10_outlook/try_it.cpp vorticity_step
 /// @tparam Stream  a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
 template <class Stream = SphereLaplacian>
 class VorticityStep : public StepSetting<Stream> {
