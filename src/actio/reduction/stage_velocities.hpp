@@ -6,7 +6,7 @@
 namespace actio::detail {
 
 /// Velocities of momenta at the stages of a step: by a line where they are found to be on one, which is
-/// checked in the middle and at the end.
+/// checked in the middle and at the end. Where a check has failed once, no line is taken any more.
 template <Group G, Real S>
 class StageVelocities {
  public:
@@ -23,11 +23,12 @@ class StageVelocities {
   template <class F>
   bool find(F const& l, Coordinates<G, S> const& mu, bool check) {
     mu_.components = mu;
-    bool const linear = legendre_.linear();
+    bool const linear = lines_ && legendre_.linear();
     if (linear) legendre_.by_line(mu_, xi_);
     if (linear && !check) return true;
     legendre_.solve(l, mu_, xi_);
-    return !linear || legendre_.linear();
+    lines_ = lines_ && (!linear || legendre_.linear());
+    return !linear || lines_;
   }
   /// The last one found.
   Velocity<G, S> const& velocity() const { return xi_; }
@@ -36,12 +37,14 @@ class StageVelocities {
   template <class Stream>
   void remember(Stream& stream) {
     legendre_.remember(stream, xi_.coordinates.size());
+    stream(lines_);
   }
 
  private:
   LegendreChord<G, S> legendre_;
   Velocity<G, S> xi_;
   Momentum<G, S> mu_;
+  bool lines_ = true;  // no check has failed
 };
 
 }  // namespace actio::detail
