@@ -10,8 +10,8 @@ using namespace command;
 /// A system whose motion is known otherwise: in closed form, or by a higher order with short steps.
 struct Known {
   std::string name;
-  BodyScene scene;        // its [method] without order and step
-  std::string truth;      // [method]
+  BodyScene scene;    // its [method] without order and step
+  std::string truth;  // [method]
   char const* turn = "attitude";
   int n = 3;
 };
@@ -23,7 +23,8 @@ std::vector<Known> known_systems() {
   BodyScene const free{"kind = 'rigid_body'\ninertia = [1, 1.7, 2.1]", "angular_velocity = [0.6, 1.2, -0.9]",
                        "name = 'natural_chart'", run, state};
   BodyScene orbit = free;
-  orbit.system += "\n[system.torque]\ngravity_gradient = { rate = 0.3, direction = [1, 0, 0], normal = [0, 0, 1] }";
+  orbit.system +=
+      "\n[system.torque]\ngravity_gradient = { rate = 0.3, direction = [1, 0, 0], normal = [0, 0, 1] }";
   orbit.method = "";
   return {
       {"free body", free, "order = 'exact'"},
@@ -34,14 +35,16 @@ std::vector<Known> known_systems() {
         "angular_velocity = [0.5, 0.3, 2]", "", run, state},
        "order = 4\nstep = 0.001"},
       {"body in four dimensions",
-       {body_of_four(), "angular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]", "", run, "'attitude', 'momentum'"},
+       {body_of_four(), "angular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]", "", run,
+        "'attitude', 'momentum'"},
        "order = 6\nstep = 0.005",
        "attitude",
        4},
       {"Lagrangian on SE(3)",
        {"kind = 'euler_poincare'\ngroup = 'SE(3)'\n"
         "lagrangian = '(w1^2 + 2*w2^2 + 2.5*w3^2 + v1^2 + 1.5*v2^2 + 2*v3^2)/2 + 0.2*w1*v2'",
-        "velocity = [0.5, 0.4, -0.3, 0.6, -0.2, 0.3]", "", "until = 8\nevery = 4", "'configuration', 'body_momentum'"},
+        "velocity = [0.5, 0.4, -0.3, 0.6, -0.2, 0.3]", "", "until = 8\nevery = 4",
+        "'configuration', 'body_momentum'"},
        "name = 'galerkin'\norder = 10\nstep = 0.05",
        "configuration",
        4},
@@ -93,7 +96,8 @@ BOOST_AUTO_TEST_CASE(the_true_error_is_at_most_what_was_asked_and_not_much_less)
       for (std::string const name : {known.turn, "momentum"})
         error = std::max(error, error_of(name, known.n, found.table, truth.table, HUGE_VAL));
       double const asked = std::stod(accuracy);
-      BOOST_TEST_MESSAGE(known.name << ": asked " << accuracy << ", true error " << error << "; " << found.outcome.err);
+      BOOST_TEST_MESSAGE(known.name << ": asked " << accuracy << ", true error " << error << "; "
+                                    << found.outcome.err);
       BOOST_TEST(error <= asked + rounding, known.name << ", " << accuracy << ": " << error);
       BOOST_TEST(error >= asked / 100, known.name << ", " << accuracy << ": " << error);
       BOOST_TEST(!contains(found.summary, "was asked"), found.summary);
@@ -119,11 +123,12 @@ BOOST_AUTO_TEST_CASE(the_copy_of_the_scene_has_order_and_step_and_makes_the_same
   auto const plan = actio({"run", scene, "--dry-run"});
   BOOST_TEST(contains(plan.out, "estimated error"), plan.out);
 
-  auto const other = actio({"run", folder / "a/scene.toml", "--set", "run.accuracy=1e-8", "--out", folder / "d"});
+  auto const other =
+      actio({"run", folder / "a/scene.toml", "--set", "run.accuracy=1e-8", "--out", folder / "d"});
   BOOST_TEST(other.status == 2);
   BOOST_TEST(contains(other.err, "was chosen for an accuracy of 1e-07, and 1e-08 is asked"), other.err);
-  auto const anew = actio({"run", folder / "a/scene.toml", "--set", "run.accuracy=1e-8", "--unset", "method.step",
-                           "--out", folder / "d"});
+  auto const anew = actio({"run", folder / "a/scene.toml", "--set", "run.accuracy=1e-8", "--unset",
+                           "method.step", "--out", folder / "d"});
   BOOST_TEST(anew.status == 0, anew.err);
 
   // To a later time with the same step; with another one it is no run of that accuracy.
@@ -137,7 +142,8 @@ BOOST_AUTO_TEST_CASE(the_copy_of_the_scene_has_order_and_step_and_makes_the_same
 BOOST_AUTO_TEST_CASE(an_order_or_a_method_that_is_given_stays) {
   BodyScene scene = top();
   scene.method = "order = 2";
-  Left const low = run({scene.system, scene.initial, scene.method, scene.run + "\naccuracy = 1e-4", scene.quantities});
+  Left const low =
+      run({scene.system, scene.initial, scene.method, scene.run + "\naccuracy = 1e-4", scene.quantities});
   BOOST_TEST(low.outcome.status == 0, low.outcome.err);
   BOOST_TEST(contains(low.outcome.err, "order 2 with steps of"), low.outcome.err);
 }
@@ -168,7 +174,8 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_worse_than_was_asked_says_so) {
   scene.method = "order = 4\nstep = 0.125", scene.run += "\naccuracy = 1e-9\nchosen_for = 1e-9";
   Left const found = run(scene);
   BOOST_TEST(found.outcome.status == 0, found.outcome.err);
-  BOOST_TEST(contains(found.outcome.err, "accuracy: 1e-09 was asked, and the error of the "), found.outcome.err);
+  BOOST_TEST(contains(found.outcome.err, "accuracy: 1e-09 was asked, and the error of the "),
+             found.outcome.err);
   BOOST_TEST(contains(found.summary, "accuracy: 1e-09 was asked"), found.summary);
 }
 

@@ -15,8 +15,7 @@ inline std::vector<std::vector<double>> columns(Table const& table, std::string 
 }
 /// The largest error until a time of attitude, configuration or momentum, as a run tells it.
 /// @param n  of the matrices
-inline double error_of(std::string const& name, int n, Table const& found, Table const& truth,
-                double until) {
+inline double error_of(std::string const& name, int n, Table const& found, Table const& truth, double until) {
   auto const t = truth["t"];
   std::string const columns_of =
       name == "momentum" && truth.columns.back().rfind("body_", 0) == 0 ? "body_momentum" : name;

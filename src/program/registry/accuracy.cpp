@@ -29,7 +29,8 @@ struct Refusal : Error {
 class Chooser {
  public:
   /// @param first  the scene with the default step
-  Chooser(System const& system, Request const& request, Simulation const& first, double accuracy, Stop const& stop)
+  Chooser(System const& system, Request const& request, Simulation const& first, double accuracy,
+          Stop const& stop)
       : system_(system),
         request_(request),
         accuracy_(accuracy),
@@ -90,7 +91,8 @@ class Chooser {
       if (work * until_ / step > limit || until_ / step > most) throw Refusal(untold(now, order));
       now = pilot_with(order, step, work);
     }
-    while (at_once && now.step_for(accuracy_ / safety, order) >= 2 * now.step && 2 * now.step <= until_ / fewest) {
+    while (at_once && now.step_for(accuracy_ / safety, order) >= 2 * now.step &&
+           2 * now.step <= until_ / fewest) {
       Pilot longer = pilot_with(order, 2 * now.step, work);
       if (!longer.whole()) break;
       now = std::move(longer);
@@ -105,9 +107,10 @@ class Chooser {
       if (!next.whole()) throw Refusal(untold(next, now.order));
       bool const as_expected = next.told.back().error <= 10 * now.pilot.error_with(next.step, now.order);
       if (!sure && !as_expected)
-        throw Refusal(fmt::format("with steps of {:.3g} the error is {}, and shorter ones of order {} do not lessen it, "
-                                  "where {} is asked",
-                                  next.step, in_words(next.told.back()), now.order, accuracy_));
+        throw Refusal(fmt::format(
+            "with steps of {:.3g} the error is {}, and shorter ones of order {} do not lessen it, where {} "
+            "is asked",
+            next.step, in_words(next.told.back()), now.order, accuracy_));
       sure = as_expected, now.pilot = std::move(next);
       now = with_step(std::move(now));
     }
@@ -119,10 +122,11 @@ class Chooser {
     if (one.step > 0) return one;
     double const of_method = std::max(one.pilot.told.back().error, accuracy_),
                  step = one.pilot.step * std::pow(accuracy_ / safety / of_method, 1.0 / one.order);
-    throw Refusal(fmt::format("{} is asked, and rounding alone adds up to {:.1e} over the {:.3g} steps of order {}; "
-                              "{:.0e} can be met",
-                              accuracy_, one.pilot.rounding(step), until_ / step, one.order,
-                              2 * safety * one.pilot.rounding(step)));
+    throw Refusal(
+        fmt::format("{} is asked, and rounding alone adds up to {:.1e} over the {:.3g} steps of order {}; "
+                    "{:.0e} can be met",
+                    accuracy_, one.pilot.rounding(step), until_ / step, one.order,
+                    2 * safety * one.pilot.rounding(step)));
   }
 
   void refuse_where_it_grows_too_much(Pilot const& pilot, int order) const {
@@ -134,8 +138,8 @@ class Chooser {
           order, accuracy_, until_, pilot.step, in_words(pilot.told.back()), met));
   }
   std::string untold(Pilot const& pilot, int order) const {
-    return fmt::format("with steps of {:.3g} of order {} no error is told at t = {}: {}", pilot.step, order, until_,
-                       pilot.untold);
+    return fmt::format("with steps of {:.3g} of order {} no error is told at t = {}: {}", pilot.step, order,
+                       until_, pilot.untold);
   }
   static std::string in_words(Pilot::Point const& at) {
     return fmt::format("{:.1e}{} of the {} at t = {:.6g}", at.error, at.unit, at.of, at.time);
@@ -163,13 +167,15 @@ bool is_chosen(SceneFile const& file, double accuracy) {
   if (!method.has("step")) return false;
   auto const before = accuracy_keys.chosen_for.find(run);
   if (!before)
-    accuracy_keys.accuracy.fail(run, fmt::format("it chooses the step, and method.step = {} is given; one of the two "
-                                                 "is expected",
-                                                 method.found("step")));
+    accuracy_keys.accuracy.fail(
+        run, fmt::format("it chooses the step, and method.step = {} is given; one of the two "
+                         "is expected",
+                         method.found("step")));
   if (*before != accuracy)
-    accuracy_keys.accuracy.fail(run, fmt::format("method.step = {} was chosen for an accuracy of {}, and {} is asked; "
-                                                 "--unset method.step has another one chosen",
-                                                 method.found("step"), *before, accuracy));
+    accuracy_keys.accuracy.fail(
+        run, fmt::format("method.step = {} was chosen for an accuracy of {}, and {} is asked; "
+                         "--unset method.step has another one chosen",
+                         method.found("step"), *before, accuracy));
   return true;
 }
 
@@ -188,7 +194,8 @@ Pattern<double> AccuracyKeys::small_positive() {
 std::string ChosenSteps::in_words(Simulation const& simulation) const {
   if (simulation.exact || simulation.companion.exact)
     return fmt::format("accuracy {}: the method is exact, and has no error but that of rounding", accuracy);
-  std::string const steps = fmt::format("accuracy {}: order {} with steps of {}", accuracy, order, simulation.step);
+  std::string const steps =
+      fmt::format("accuracy {}: order {} with steps of {}", accuracy, order, simulation.step);
   if (!pilot) return steps + ", as they were chosen for it";
   auto const& end = pilot->told.back();
   auto const largest =

@@ -4,8 +4,8 @@
 // (error_estimate.hpp), but longer ones than the run will have. The first are the longest whose error can be
 // told. By the order p of the method, the error being that of a pilot times the power p of the ratio of the
 // steps, the length follows with which it is a third of the accuracy: an estimate is within a factor of three
-// of the error. A further pilot, with steps of at most four times that length, sees whether the order holds up
-// to there.
+// of the error. A further pilot, with steps of at most four times that length, sees whether the order holds
+// up to there.
 //
 // Where the scene leaves the order open, the one is taken that needs the least work: steps times the work of
 // one, which the system counts. No clock has a part, so that the choice is the same on every machine.
@@ -40,9 +40,10 @@ inline AccuracyKeys const accuracy_keys{{"run"}};  ///< its keys
 
 /// What was chosen.
 struct ChosenSteps {
-  double accuracy;             ///< asked for
-  std::optional<Pilot> pilot;  ///< the last one; none where the method needs none, or the copy of a scene told
-  int order = 0;               ///< of the method; 0: it has no error
+  double accuracy;  ///< asked for
+  std::optional<Pilot>
+      pilot;      ///< the last one; none where the method needs none, or the copy of a scene told
+  int order = 0;  ///< of the method; 0: it has no error
 
   /// `accuracy 1e-09: order 6 with steps of 0.0125, estimated error 4.0e-10 of the momentum at t = 10`
   std::string in_words(Simulation const& simulation) const;

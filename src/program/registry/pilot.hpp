@@ -1,4 +1,5 @@
-// A pilot: the motion of a scene with longer steps than its run will have, over the whole time, for its error.
+// A pilot: the motion of a scene with longer steps than its run will have, over the whole time, for its
+// error.
 #pragma once
 
 #include <functional>
@@ -31,10 +32,10 @@ struct Pilot {
     double time, error;
     std::string of, unit;  ///< what has it, and its unit: " rad", or nothing
   };
-  double step = 0;           ///< time
-  double until = 0;          ///< the end of the run
-  std::vector<Point> told;   ///< at the times at which a number is told
-  std::string untold;        ///< why none is told at the end; empty: one is
+  double step = 0;          ///< time
+  double until = 0;         ///< the end of the run
+  std::vector<Point> told;  ///< at the times at which a number is told
+  std::string untold;       ///< why none is told at the end; empty: one is
   bool whole() const { return !told.empty() && untold.empty(); }  ///< whether one is told at the end
   /// Of a step of this length.
   double rounding(double length) const { return rounding_over(until / length); }

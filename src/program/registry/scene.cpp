@@ -138,9 +138,17 @@ Scene Scene::read(SceneFile file, Pilots const& pilots) {
   if (times && schedule.between_steps()) times->allow_between_steps();
   if (!keys.error_estimate.given(file))
     keys.error_estimate.write(file, simulation.companion.motion != nullptr);
-  return {file,       &system, title, seed,
-          schedule,   quantities, formats, plots,
-          std::move(simulation), times, accuracy_keys.accuracy.find(file)};
+  return {file,
+          &system,
+          title,
+          seed,
+          schedule,
+          quantities,
+          formats,
+          plots,
+          std::move(simulation),
+          times,
+          accuracy_keys.accuracy.find(file)};
 }
 
 }  // namespace actio::scene

@@ -19,7 +19,7 @@ struct Scene {
   Simulation simulation;                   ///< ready to run
   std::optional<Schedule> snapshots = {};  ///< when there are snapshots; none: never
 
-  std::optional<double> accuracy = {};     ///< that steps were chosen by; none: the scene asks for none
+  std::optional<double> accuracy = {};  ///< that steps were chosen by; none: the scene asks for none
 
   /// @param pilots  by which steps are chosen, where it asks for an accuracy
   /// @throws SceneError, NumericsError, FileError, Stopped
