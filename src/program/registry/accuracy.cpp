@@ -43,16 +43,16 @@ class Chooser {
     std::optional<Candidate> best;
     std::string why;
     for (int const order : orders) try {
-        Candidate const one = longest_step(order, best ? cost(*best) : HUGE_VAL);
+        Candidate const one = longest_step(order, best ? cost(*best) : HUGE_VAL, order == orders.back());
         if (best && cost(one) >= cost(*best)) break;
         best = one;
       } catch (Refusal const& refusal) {
         why = refusal.what();
       }
-    while (best) try {
+    if (best) try {
         return confirmed(*best);
       } catch (Refusal const& refusal) {
-        why = refusal.what(), best.reset();
+        why = refusal.what();
       }
     accuracy_keys.accuracy.fail(request_.file, why);
   }
@@ -81,22 +81,28 @@ class Chooser {
 
   /// By the longest steps whose error can be told.
   /// @param limit  more than this the run shall not cost
-  Candidate longest_step(int order, double limit) const {
+  /// @param last   whether there is no higher order, which would do with longer steps
+  Candidate longest_step(int order, double limit, bool last) const {
     double work = 1, step = std::min(4 * default_step_, until_ / fewest);
     Pilot now = pilot_with(order, step, work);
     bool const at_once = now.whole();
     while (!now.whole()) {
       step /= 2;
       if (step < default_step_) refuse_where_it_grows_too_much(now, order);
-      if (work * until_ / step > limit || until_ / step > most) throw Refusal(untold(now, order));
+      if (work * until_ / step > limit || until_ / step > most || (!last && 4 * step < default_step_))
+        throw Refusal(untold(now, order));
       now = pilot_with(order, step, work);
     }
-    while (at_once && now.step_for(accuracy_ / safety, order) >= 2 * now.step &&
-           2 * now.step <= until_ / fewest) {
-      Pilot longer = pilot_with(order, 2 * now.step, work);
-      if (!longer.whole()) break;
-      now = std::move(longer);
+    auto const longer = [&](double step_then) {
+      Pilot then = pilot_with(order, step_then, work);
+      bool const told = then.whole();
+      if (told) now = std::move(then);
+      return told;
+    };
+    auto const wanted = [&] { return std::min(now.step_for(accuracy_ / safety, order), until_ / fewest); };
+    while (at_once && wanted() >= 2 * now.step && longer(2 * now.step)) {
     }
+    if (wanted() > 1.1 * now.step) longer(std::min(wanted(), 1.4 * now.step));
     return with_step({order, work, std::move(now), 0});
   }
 
@@ -104,7 +110,10 @@ class Chooser {
   Candidate confirmed(Candidate now) const {
     for (bool sure = true; now.pilot.step > farthest * now.step || !sure;) {
       Pilot next = pilot_with(now.order, std::min(farthest * now.step, now.pilot.step / 2), now.work);
-      if (!next.whole()) throw Refusal(untold(next, now.order));
+      if (!next.whole()) {
+        refuse_where_it_grows_too_much(now.pilot, now.order);
+        throw Refusal(untold(next, now.order));
+      }
       bool const as_expected = next.told.back().error <= 10 * now.pilot.error_with(next.step, now.order);
       if (!sure && !as_expected)
         throw Refusal(fmt::format(
@@ -130,11 +139,11 @@ class Chooser {
   }
 
   void refuse_where_it_grows_too_much(Pilot const& pilot, int order) const {
-    double const met = pilot.met_until(accuracy_);
+    double const met = pilot.met_until(accuracy_ / safety);
     if (met < until_)
       throw Refusal(fmt::format(
-          "errors grow so much that no step of order {} meets {} until t = {}: with steps of {:.3g} the error is {} "
-          "already; it would be met until about t = {:.3g}",
+          "errors grow so much that no step of order {} meets {} until t = {}: with steps of {:.3g} the "
+          "error is {} already; it would be met until about t = {:.3g}",
           order, accuracy_, until_, pilot.step, in_words(pilot.told.back()), met));
   }
   std::string untold(Pilot const& pilot, int order) const {

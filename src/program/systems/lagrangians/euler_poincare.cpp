@@ -68,9 +68,9 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
           asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}), choice.name};
 }
 
-/// Of a step, as `Simulation` has it: substeps.
+/// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
 double work_of_step(ReducedScheme const& scheme) {
-  return scheme.stages > 0 ? std::pow(scheme.stages, 2) : static_cast<double>(scheme.fractions.size());
+  return scheme.stages > 0 ? std::pow(scheme.stages, 1.5) : static_cast<double>(scheme.fractions.size());
 }
 
 /// The step of the scene. By default it follows the pace of the start, and is halved until a step can be
