@@ -10,8 +10,8 @@
 // Where the scene leaves the order open, the one is taken that needs the least work: steps times the work of
 // one, which the system counts. No clock has a part, so that the choice is the same on every machine.
 //
-// The last pilot, its companion and its control cost a third of the run, and those before it, each with steps
-// twice as long or longer, as much again at most.
+// Where the accuracy asks for steps that are much shorter than those whose error can be told, the last pilot,
+// its companion and its control cost a third of the run, and those before it less.
 #pragma once
 
 #include "program/registry/pilot.hpp"
