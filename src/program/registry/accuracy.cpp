@@ -71,7 +71,7 @@ class Chooser {
     try {
       Simulation simulation = system_.prepare({file, request_.schedule, request_.quantities, true});
       work = simulation.work;
-      return pilot(std::move(simulation), until_, stop_);
+      return pilot(std::move(simulation), request_.schedule, stop_);
     } catch (NumericsError const& error) {
       Pilot out;
       out.step = step, out.until = until_, out.untold = error.what();

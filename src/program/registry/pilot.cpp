@@ -6,12 +6,17 @@
 namespace actio::scene {
 namespace {
 
+/// Of the rows after the start.
+double first_of(Schedule const& rows) { return rows.time(0) > 0 ? rows.time(0) : rows.time(1); }
+
 /// Times at which the error is looked at: 64 at equal distances, and before the first of them its halves.
-std::vector<double> times_to(double until) {
+/// @param first  none is before this one
+std::vector<double> times_to(double until, double first) {
   constexpr int equal = 64, halves = 20;
   std::vector<double> out;
   for (int k = halves; k > 0; --k) out.push_back(until / equal * std::exp2(-k));
   for (int k = 1; k < equal; ++k) out.push_back(until * k / equal);
+  std::erase_if(out, [first](double time) { return time < first; });
   out.push_back(until);
   return out;
 }
@@ -81,8 +86,9 @@ double Pilot::met_until(double error) const {
   return until;
 }
 
-Pilot pilot(Simulation simulation, double until, Stop const& stop) {
+Pilot pilot(Simulation simulation, Schedule const& rows, Stop const& stop) {
   Pilot out;
+  double const until = rows.until();
   out.step = simulation.step, out.until = until;
   if (!simulation.failure.empty() || !simulation.companion.motion) {
     out.untold = simulation.failure.empty() ? simulation.companion.how : simulation.failure;
@@ -90,7 +96,7 @@ Pilot pilot(Simulation simulation, double until, Stop const& stop) {
   }
   Flight flight(simulation, stop);
   try {
-    for (double const time : times_to(until)) {
+    for (double const time : times_to(until, std::min(first_of(rows), 16 * out.step))) {
       flight.go_to(time, time == until);
       auto const worst = flight.estimate().worst();
       out.untold = worst ? worst->said : flight.estimate().how();

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "program/document/schedule.hpp"
 #include "program/registry/error_estimate.hpp"
 
 namespace actio::scene {
@@ -49,8 +50,9 @@ struct Pilot {
   double met_until(double error) const;
 };
 
-/// Makes it. A motion that fails on the way is one of which no error is told.
+/// Makes it. A motion that fails on the way is one of which no error is told. Within its first sixteen steps
+/// it is looked at where the run has rows.
 /// @throws Stopped
-Pilot pilot(Simulation simulation, double until, Stop const& stop);
+Pilot pilot(Simulation simulation, Schedule const& rows, Stop const& stop);
 
 }  // namespace actio::scene
