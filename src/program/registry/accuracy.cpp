@@ -192,12 +192,15 @@ bool is_chosen(SceneFile const& file, double accuracy) {
 
 Pattern<double> AccuracyKeys::small_positive() {
   std::string const expects = "a number > 0, and 0.1 at most";
-  return {expects, [expects](SceneTable const& table, std::string const& name) {
+  return {expects,
+          [expects](SceneTable const& table, std::string const& name) {
             double const value = table.number(name);
             if (!(value > 0 && value <= 0.1))
               table.fail(name, fmt::format("{}: {} is expected, found {}", name, expects, value));
             return value;
-          }};
+          },
+          {},
+          "radians, or relative"};
 }
 
 std::string ChosenSteps::in_words(Simulation const& simulation) const {
