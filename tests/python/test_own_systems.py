@@ -685,7 +685,7 @@ class ThePage(unittest.TestCase):
     def test_its_examples_run(self):
         page = pathlib.Path(__file__).parents[2] / "docs/pages/05_own_systems.md"
         blocks = re.findall(r"(?:^ {4}.*\n|^\n(?= {4}))+", page.read_text(), re.M)
-        self.assertEqual(len(blocks), 4)
+        self.assertEqual(len(blocks), 5)
         here, said, names = os.getcwd(), io.StringIO(), {}
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)
