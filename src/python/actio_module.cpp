@@ -107,7 +107,13 @@ py::tuple run(std::string const& source, bool is_text, std::string const& name, 
   {
     py::gil_scoped_release const release;
     auto file = is_text ? scene::SceneFile::parse(source, name) : scene::SceneFile::read(source);
-    out = python::run_in_memory(std::move(file), list, watch.functions());
+    try {
+      out = python::run_in_memory(std::move(file), list, watch.functions());
+    } catch (scene::Stopped const& stopped) {
+      py::gil_scoped_acquire const hold;
+      if (PyErr_Occurred()) throw py::error_already_set();
+      throw scene::NumericsError(stopped.what());
+    }
   }
   return handed_over(std::move(out), waiting());
 }

@@ -103,7 +103,7 @@ MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watc
     else
       file.change(change.text);
   }
-  Scene scene = Scene::read(std::move(file));
+  Scene scene = Scene::read(std::move(file), {true, watch.stop});
   std::size_t const columns = 1 + scene.simulation.quantities.row_size();
   check_that_it_fits(static_cast<double>(scene.schedule.rows()), columns);
   MemoryRun out = without_rows(scene);

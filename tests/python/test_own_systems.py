@@ -508,6 +508,28 @@ class Runs(unittest.TestCase):
         self.agree(run["body_momentum"], exact["body_momentum"], 1e-8)
         self.agree(run["energy"], exact["energy"], 1e-8)
 
+    def test_a_run_to_an_accuracy_has_it_and_tells_its_step(self):
+        wanted = {**FREE, "quantities": ["body_momentum"]}
+        exact = free_body().run(**wanted, method="galerkin", step=0.05, order=12)["body_momentum"]
+        for accuracy in (1e-4, 1e-7, 1e-10):
+            run = free_body().run(**wanted, accuracy=accuracy)
+            self.assertEqual(run.accuracy, accuracy)
+            apart = numpy.linalg.norm(run["body_momentum"] - exact, axis=1).max()
+            self.assertLess(apart / numpy.linalg.norm(exact[0]), accuracy)
+            self.assertLess(max(run.error.values()), accuracy)
+            self.assertRegex(run.summary["remarks"][-1], f"accuracy {accuracy:g}: order [246] with steps of 0[.]")
+            self.assertIn("chosen_for", run.scene)
+            self.assertIn("accuracy", run._repr_html_())
+        self.assertIsNone(free_body().run(**wanted, step=0.05).accuracy)
+        with self.assertRaisesRegex(actio.SceneError, "accuracy: it chooses the step"):
+            free_body().run(**wanted, step=0.05, accuracy=1e-6)
+        with self.assertRaisesRegex(actio.SceneError, "accuracy: a number > 0, and 0.1 at most"):
+            free_body().run(**wanted, accuracy=-1)
+
+    def test_an_order_to_an_accuracy_stays(self):
+        run = free_body().run(**FREE, order=4, accuracy=1e-8, quantities=["energy"])
+        self.assertIn("order 4 with steps of", run.summary["remarks"][-1])
+
     def test_a_basis_of_matrices_gives_the_motion_of_the_group_that_it_is_of(self):
         more = {**FREE, "step": 0.05, "order": 4, "quantities": ["configuration", "body_momentum"]}
         known, own = free_body().run(**more), free_body(free_body().basis).run(**more)
@@ -663,7 +685,7 @@ class ThePage(unittest.TestCase):
     def test_its_examples_run(self):
         page = pathlib.Path(__file__).parents[2] / "docs/pages/05_own_systems.md"
         blocks = re.findall(r"(?:^ {4}.*\n|^\n(?= {4}))+", page.read_text(), re.M)
-        self.assertEqual(len(blocks), 4)
+        self.assertEqual(len(blocks), 5)
         here, said, names = os.getcwd(), io.StringIO(), {}
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)

@@ -86,6 +86,8 @@ SceneFile SceneFile::parse(std::string_view text, std::string const& name,
   return SceneFile(std::move(document));
 }
 
+SceneFile SceneFile::copy() const { return SceneFile(std::make_shared<detail::SceneDocument>(*document_)); }
+
 SceneTable SceneFile::section(std::string const& name) const {
   std::vector<std::string> path{name.substr(0, name.find('.'))};
   for (std::size_t dot = name.find('.'); dot != std::string::npos;) {

@@ -149,6 +149,10 @@ class SceneFile {
   static SceneFile parse(std::string_view text, std::string const& name,
                          std::vector<std::string> const& overrides = {});
 
+  /// The same for itself: what is written into one of the two the other has not. Places are those of the
+  /// original alone.
+  SceneFile copy() const;
+
   /// One of the tables at the top, or one within as `initial.attitude`; empty where it is not in the file.
   /// @throws SceneError  where one at the top is no table; where one within is none, once it is read from
   SceneTable section(std::string const& name) const;

@@ -133,6 +133,38 @@ double Schedule::step_from(double shortest) const {
 
 namespace {
 
+/// Whole steps in a time: the least number of which none is longer.
+double parts(double time, double longest) { return std::max(1.0, std::ceil(time / longest)); }
+
+/// How many rows and snapshots such steps do not meet; of snapshots as many as there may be.
+double times_beside(Schedule const& schedule, double step) {
+  auto const missed = [step](double t) {
+    return std::abs(t / step - std::round(t / step)) > 1e-9 * std::max(1.0, t / step);
+  };
+  double count = 0;
+  // The first rows and the last one stand for all.
+  long const rows = schedule.rows(), some = std::min(rows - 1, 4096L);
+  for (long row = 0; row < some; ++row) count += missed(schedule.time(row));
+  if (some > 0) count *= static_cast<double>(rows - 1) / static_cast<double>(some);
+  count += missed(schedule.time(rows - 1));
+  if (schedule.has_others())
+    for (double const t : schedule.landmarks())
+      if (t > 0 && missed(t)) count += schedule.until() / t;
+  return count;
+}
+
+}  // namespace
+
+double Schedule::default_step(double longest) const {
+  double const divisor = common_divisor(), meets = divisor > 0 ? divisor / parts(divisor, longest) : 0;
+  double const between = rows_ > 2 ? time(2) - time(1) : until_;
+  bool const regular = rows_ > 2 && time(0) == 0 && std::abs(between - time(1)) <= 1e-9 * between;
+  double const whole = regular ? between : until_, free = whole / parts(whole, longest);
+  return until_ > 4 * meets * (until_ / free + times_beside(*this, free)) ? free : meets;
+}
+
+namespace {
+
 /// `; the nearest step that would do is 0.25`, and where that is longer than asked also a shorter one, for
 /// the method may not take it.
 std::string step_that_would_do(Schedule const& schedule, double step) {

@@ -84,6 +84,10 @@ class Schedule {
   /// The longest step of which every row is a multiple and that is at most this long; zero where there is
   /// none.
   double step_up_to(double longest) const;
+  /// The longest step that divides all times and is at most so long. Where that makes more than four times as
+  /// many steps as one would that divides the time between two rows, or the whole time, and goes to the other
+  /// rows by shorter steps, the latter.
+  double default_step(double longest) const;
   /// The shortest that is at least this long; zero where there is none.
   double step_from(double shortest) const;
 

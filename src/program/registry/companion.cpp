@@ -20,4 +20,10 @@ Companion companions(std::function<std::unique_ptr<Motion>(long)> const& make,
           "of the step there is an estimate"};
 }
 
+Companion no_error(std::string how, bool attitude) {
+  Companion out{nullptr, 0, 0, attitude, std::move(how)};
+  out.exact = true;
+  return out;
+}
+
 }  // namespace actio::scene

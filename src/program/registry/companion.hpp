@@ -18,5 +18,8 @@ namespace actio::scene {
 /// @param attitude   whether it is reconstructed
 Companion companions(std::function<std::unique_ptr<Motion>(long)> const& make,
                      std::initializer_list<long> multiples, int order, bool attitude);
+/// Of a run that has no error but that of rounding.
+/// @param how  it comes about: "exact: ..."
+Companion no_error(std::string how, bool attitude);
 
 }  // namespace actio::scene

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "actio/numbers/nearest_name.hpp"
+#include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/registry/keys.hpp"
 #include "program/registry/units.hpp"
@@ -43,9 +44,10 @@ std::string why_between_steps(Schedule const& schedule, double step) {
 }
 
 /// What the system makes of the scene. What it does not place itself is wrong with the whole of it.
-Simulation prepared(System const& system, Request const& request, Schedule& schedule) {
+Simulation prepared(System const& system, Request const& request, Schedule& schedule, Pilots const& pilots) {
   try {
     bool const step_given = request.file.section("method").has("step");
+    auto const chosen = choose_steps(system, request, pilots);
     Simulation simulation = system.prepare(request);
     bool const beside = !simulation.exact && !step_given && !schedule.met_by(simulation.step);
     bool const refused = request.file.section("run").has("between_steps") && !schedule.between_steps();
@@ -59,12 +61,15 @@ Simulation prepared(System const& system, Request const& request, Schedule& sche
     }
     // refuses a step that does not meet the rows
     if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));
+    if (chosen) simulation.remarks.push_back(chosen->in_words(simulation));
     return simulation;
   } catch (SceneError const&) {
     throw;
   } catch (NumericsError const&) {
     throw;
   } catch (FileError const&) {
+    throw;
+  } catch (Stopped const&) {
     throw;
   } catch (Error const& error) {
     throw SceneError(request.file.section("system").place(), error.what());
@@ -103,7 +108,7 @@ Schedule snapshot_times(SceneTable const& output, Schedule const& rows) {
 
 }  // namespace
 
-Scene Scene::read(SceneFile file) {
+Scene Scene::read(SceneFile file, Pilots const& pilots) {
   file.allow({"scene", "system", "initial", "method", "run", "output"});
   System const& system = system_of(file);
   allow_keys(file, system);
@@ -125,11 +130,25 @@ Scene Scene::read(SceneFile file) {
   std::optional<Schedule> times;
   if (snapshots) schedule.meet(times.emplace(snapshot_times(output, schedule)));
   bool const plots = keys.plots.read(file);
-  auto const wanted = keys.error_estimate.find(file);
-  Simulation simulation = prepared(system, {file, schedule, quantities, wanted, snapshots}, schedule);
+  // An accuracy is compared with the error.
+  auto wanted = keys.error_estimate.find(file);
+  bool const by_accuracy = accuracy_keys.accuracy.given(file);
+  if (!wanted && by_accuracy) wanted = true;
+  Simulation simulation = prepared(system, {file, schedule, quantities, wanted, snapshots}, schedule, pilots);
   if (times && schedule.between_steps()) times->allow_between_steps();
-  if (!wanted) keys.error_estimate.write(file, simulation.companion.motion != nullptr);
-  return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation), times};
+  if (!keys.error_estimate.given(file))
+    keys.error_estimate.write(file, simulation.companion.motion != nullptr);
+  return {file,
+          &system,
+          title,
+          seed,
+          schedule,
+          quantities,
+          formats,
+          plots,
+          std::move(simulation),
+          times,
+          accuracy_keys.accuracy.find(file)};
 }
 
 }  // namespace actio::scene

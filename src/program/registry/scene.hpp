@@ -1,6 +1,7 @@
 // A scene, read: what is simulated, and what is wanted from it.
 #pragma once
 
+#include "program/registry/pilot.hpp"
 #include "program/registry/system.hpp"
 
 namespace actio::scene {
@@ -18,8 +19,11 @@ struct Scene {
   Simulation simulation;                   ///< ready to run
   std::optional<Schedule> snapshots = {};  ///< when there are snapshots; none: never
 
-  /// @throws SceneError, NumericsError, FileError
-  static Scene read(SceneFile file);
+  std::optional<double> accuracy = {};  ///< that steps were chosen by; none: the scene asks for none
+
+  /// @param pilots  by which steps are chosen, where it asks for an accuracy
+  /// @throws SceneError, NumericsError, FileError, Stopped
+  static Scene read(SceneFile file, Pilots const& pilots = {});
 };
 
 }  // namespace actio::scene

@@ -73,6 +73,7 @@ struct Companion {
   std::string momentum = "momentum";      ///< what `StateDistance::momentum` is the distance of
   bool vectors = false;                   ///< whether vectors are carried
   std::vector<std::string> without = {};  ///< quantities that are asked for, and of which no error is told
+  bool exact = false;  ///< whether the run has no error but that of rounding, and needs no companion
 };
 
 /// A system that is ready to run. Its quantities look at its motion, and were asked for.
@@ -84,6 +85,7 @@ struct Simulation {
   QuantityGraph quantities;                                ///< what can be told of it
   bool exact = false;                                      ///< goes to any time at once, and has no steps
   double step = std::numeric_limits<double>::quiet_NaN();  ///< time; of a method with steps
+  double work = 1;  ///< that a step takes, in a unit that all orders of the method have in common
   /// so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the
   /// machine, since the digits may depend on it
   long steps_at_once = 1 << 14;

@@ -107,7 +107,9 @@ Scene with_other_step(Scene const& scene, std::string const& folder, double step
   if (scene.simulation.exact)
     throw SceneError(here, "the method of this run goes to any time at once, and has no steps");
   if (step == scene.simulation.step) throw SceneError(here, "the steps of this run have that length already");
-  Scene out = changed(here, folder, {fmt::format("method.step={}", step), "output.error_estimate=false"});
+  std::vector<std::string> overrides{fmt::format("method.step={}", step), "output.error_estimate=false"};
+  if (scene.accuracy) overrides.insert(overrides.end(), {"!run.accuracy", "!run.chosen_for"});
+  Scene out = changed(here, folder, overrides);
   refuse_without_step(out);
   return out;
 }

@@ -11,9 +11,9 @@
 #include "program/base/poll_interval.hpp"
 #include "program/base/progress.hpp"
 #include "program/base/whole_file.hpp"
+#include "program/registry/error_estimate.hpp"
 #include "program/run/change_of_step.hpp"
 #include "program/run/checkpoint.hpp"
-#include "program/run/error_estimate.hpp"
 #include "program/run/exports.hpp"
 #include "program/run/run_output.hpp"
 #include "program/run/run_position.hpp"
@@ -271,6 +271,7 @@ class Run {
     report.snapshots = position_.snapshots(), report.seconds = position_.seconds();
     report.drift = drift_.entries();
     report.error = error_.entries(), report.error_how = error_.how();
+    if (scene_.accuracy && report.ending == Ending::done) compare_with_accuracy(*scene_.accuracy);
     report.step_changes = position_.step_changes();
     if (!report.step_changes.empty())
       report.error.clear(), report.error_how = fmt::format("not estimated: the step was changed at t = {}",
@@ -285,6 +286,16 @@ class Run {
     report.summary = summary_json(scene_, report);
     if (!in_memory())
       attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
+  }
+
+  /// Where the error of the run is larger than was asked, or not told.
+  void compare_with_accuracy(double accuracy) {
+    auto const worst = error_.worst();
+    if (!worst || (worst->told() && worst->error <= accuracy)) return;
+    simulation_.remarks.push_back(
+        fmt::format("accuracy: {} was asked, and the error of the {} is {}", accuracy, worst->name,
+                    worst->told() ? fmt::format("estimated as {:.1e}{}", worst->error, worst->unit)
+                                  : "not told: " + worst->said));
   }
 
   /// Of a run whose rows were all there when this process began.

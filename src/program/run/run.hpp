@@ -8,9 +8,9 @@
 
 #include "program/base/interrupt.hpp"
 #include "program/output/series.hpp"
+#include "program/registry/error_estimate.hpp"
 #include "program/registry/scene.hpp"
 #include "program/run/drift.hpp"
-#include "program/run/error_estimate.hpp"
 #include "program/run/progression.hpp"
 
 namespace actio::scene {

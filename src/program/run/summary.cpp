@@ -45,6 +45,7 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
   }
   out["error"]["how"] = report.error_how;
   out["error_until"] = until;
+  if (scene.accuracy) out["accuracy"] = *scene.accuracy;
   out["actio"] = ACTIO_VERSION;
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

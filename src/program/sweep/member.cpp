@@ -53,7 +53,7 @@ std::optional<RunReport> go_on(SweepPlan const& plan, Scene& scene, RunFolder co
   try {
     return run_scene(scene, folder.path(), true, options);
   } catch (FileError const&) {
-    scene = plan.read(member);
+    scene = plan.read(member, {true, options.stop});
     return {};
   }
 }
@@ -100,7 +100,7 @@ MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member,
     result.status = static_cast<int>(ending), result.message = error.what();
   };
   try {
-    Scene scene = plan.read(member);
+    Scene scene = plan.read(member, {task == MemberTask::run, stop});
     check_member(scene);
     if (task == MemberTask::check)
       result.inputs = scene.file.inputs();
@@ -113,6 +113,8 @@ MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member,
     result.input_changed = dynamic_cast<InputChanged const*>(&error) != nullptr;
   } catch (FileError const& error) {
     failed(Ending::file_failed, error);
+  } catch (Stopped const& error) {
+    failed(Ending::interrupted, error);
   } catch (std::exception const& error) {
     failed(Ending::numerics_failed, error);
   }

@@ -63,12 +63,12 @@ std::string SweepPlan::described(long member) const {
   return name(member) + " (" + list + ")";
 }
 
-Scene SweepPlan::read(long member) const {
+Scene SweepPlan::read(long member, Pilots const& pilots) const {
   std::vector<std::string> overrides = set_;
   auto const its = values(member);
   for (std::size_t k = 0; k < keys_.size(); ++k) overrides.push_back(keys_[k].key + "=" + its[k]);
-  return Scene::read(text_ ? SceneFile::parse(*text_, scene_, overrides)
-                           : SceneFile::read(scene_, overrides));
+  return Scene::read(text_ ? SceneFile::parse(*text_, scene_, overrides) : SceneFile::read(scene_, overrides),
+                     pilots);
 }
 
 }  // namespace actio::scene

@@ -49,8 +49,9 @@ class SweepPlan {
   /// `000012 (method.step=0.1, method.order=2)`
   std::string described(long member) const;
   /// The scene of a member.
-  /// @throws SceneError, NumericsError, FileError
-  Scene read(long member) const;
+  /// @param pilots  by which steps are chosen, where it asks for an accuracy
+  /// @throws SceneError, NumericsError, FileError, Stopped
+  Scene read(long member, Pilots const& pilots) const;
 
  private:
   SweepPlan() = default;

@@ -25,39 +25,6 @@ std::string alternatives(std::vector<std::string> orders) {
   return out;
 }
 
-/// Whole steps in a time: the least number of which none is longer.
-double parts(double time, double longest) { return std::max(1.0, std::ceil(time / longest)); }
-
-/// How many rows and snapshots such steps do not meet; of snapshots as many as there may be.
-double times_beside(Schedule const& schedule, double step) {
-  auto const missed = [step](double t) {
-    return std::abs(t / step - std::round(t / step)) > 1e-9 * std::max(1.0, t / step);
-  };
-  double count = 0;
-  // The first rows and the last one stand for all.
-  long const rows = schedule.rows(), some = std::min(rows - 1, 4096L);
-  for (long row = 0; row < some; ++row) count += missed(schedule.time(row));
-  if (some > 0) count *= static_cast<double>(rows - 1) / static_cast<double>(some);
-  count += missed(schedule.time(rows - 1));
-  if (schedule.has_others())
-    for (double const t : schedule.landmarks())
-      if (t > 0 && missed(t)) count += schedule.until() / t;
-  return count;
-}
-
-/// The longest step that divides all times and is at most so long. Where that makes more than four times as
-/// many steps as one would that divides the time between two rows, or the whole time, and goes to the other
-/// rows by shorter steps, the latter.
-double default_step(Schedule const& schedule, double longest) {
-  double const until = schedule.until(), divisor = schedule.common_divisor(),
-               meets = divisor > 0 ? divisor / parts(divisor, longest) : 0;
-  double const between = schedule.rows() > 2 ? schedule.time(2) - schedule.time(1) : until;
-  bool const regular =
-      schedule.rows() > 2 && schedule.time(0) == 0 && std::abs(between - schedule.time(1)) <= 1e-9 * between;
-  double const whole = regular ? between : until, free = whole / parts(whole, longest);
-  return until > 4 * meets * (until / free + times_beside(schedule, free)) ? free : meets;
-}
-
 }  // namespace
 
 MethodChoice read_method(SceneTable method, std::vector<Method> const& known) {
@@ -83,7 +50,7 @@ MethodChoice read_method(SceneTable method, std::vector<Method> const& known) {
 
 double read_step(SceneTable method, Schedule const& schedule, double fastest, double turn) {
   if (auto const given = step_keys.step.find(method)) return *given;
-  double const longest = fastest > 0 ? turn / fastest : HUGE_VAL, step = default_step(schedule, longest);
+  double const longest = fastest > 0 ? turn / fastest : HUGE_VAL, step = schedule.default_step(longest);
   return step_keys.step.read_or(method, step > 0 && std::isfinite(step) ? step : longest);
 }
 

@@ -6,7 +6,7 @@ import json
 import re
 import warnings
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy
 from numpy.typing import NDArray
@@ -198,6 +198,13 @@ class Run(Mapping[str, Array]):
         return {name: value for name, value in entries if isinstance(value, (int, float))}
 
     @property
+    def accuracy(self) -> Optional[float]:
+        """The error that the scene allows, by which its order and step were chosen; None where it allows none
+        by name. Where the error at the end is larger, or none is told, a remark of the summary says so."""
+        allowed = self.summary.get("accuracy")
+        return None if allowed is None else float(allowed)
+
+    @property
     def snapshots(self) -> Snapshots:
         """The snapshots that the scene asks for in [output]; none where it asks for none. Of a run that was
         loaded they are read from its folder when this is first asked for."""
@@ -262,6 +269,8 @@ class Run(Mapping[str, Array]):
         )
         caption += f" to t = {self.t[-1]:g}" if self.rows else ""
         caption += figures("drift", self.drift) + figures("error", self.error)
+        if self.accuracy is not None:
+            caption += f"; accuracy {self.accuracy:g}"
         for name, said in self.untold.items():
             caption += f"; error of {html.escape(name)}: {html.escape(said)}"
         first = [[float(x) for x in row] for row in self.table[:5]]

@@ -204,6 +204,7 @@ class System:
         every: Optional[float] = None,
         step: Optional[float] = None,
         order: Optional[int] = None,
+        accuracy: Optional[float] = None,
         method: Optional[str] = None,
         configuration: Optional[Any] = None,
         quantities: Union[str, Sequence[str], None] = None,
@@ -214,6 +215,9 @@ class System:
         velocity: at the beginning, in the order of `components`.
         until, every: the last time, and the time from row to row.
         step, order, method: of the method, which is one of `actio.systems()["euler_poincare"]["methods"]`.
+        accuracy: in place of the step, and of the order where it is left out: the largest error that
+            configuration, momentum and advected vectors may have until the end, relative. Both are chosen by
+            it, as `Run.scene` and the remarks of `Run.summary` say, and `Run.error` is compared with it.
         configuration: the matrix at the beginning; the identity where it is left out.
         quantities: what the rows hold, a name or several of `actio.quantities("euler_poincare")` and of
             advected vectors; where it is left out, configuration, velocity, momenta, energy and the
@@ -241,7 +245,7 @@ class System:
             "system": system,
             "initial": {"velocity": _plain(velocity), "configuration": _plain(configuration)},
             "method": {"name": method, "order": order, "step": step},
-            "run": {"until": until, "every": every},
+            "run": {"until": until, "every": every, "accuracy": accuracy},
             "output": {"quantities": list((*_STATE, *self._advected) if quantities is None else quantities)},
         }
         return Scene(
@@ -260,6 +264,7 @@ class System:
         every: Optional[float] = None,
         step: Optional[float] = None,
         order: Optional[int] = None,
+        accuracy: Optional[float] = None,
         method: Optional[str] = None,
         configuration: Optional[Any] = None,
         quantities: Union[str, Sequence[str], None] = None,
@@ -276,6 +281,7 @@ class System:
             every=every,
             step=step,
             order=order,
+            accuracy=accuracy,
             method=method,
             configuration=configuration,
             quantities=quantities,

@@ -5,6 +5,7 @@
 
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "program/catalogue/body_shape.hpp"
+#include "program/registry/accuracy.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
 #include "program/systems/bodies/free_motion.hpp"
@@ -168,7 +169,7 @@ std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule
 /// Steps three and six times as long cost a little less than a half of the run, since short and long drifts
 /// take the same series.
 Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
-  if (scene.is_free()) return {nullptr, 0, 0, true, "exact: no error but that of rounding"};
+  if (scene.is_free()) return no_error("exact: no error but that of rounding", true);
   if (!wanted.value_or(true)) return {nullptr, 0, 0, true, "left out by output.error_estimate"};
   return companions([&](long multiple) { return stepped(scene, static_cast<double>(multiple) * scene.step); },
                     {3}, std::stoi(scene.choice.order), true);
@@ -220,6 +221,7 @@ Simulation prepare(Request const& request) {
   define_top(simulation.quantities, scene);
   simulation.quantities.ask(request.quantities);
   simulation.step = scene.step;
+  simulation.work = work_of_step(scene.choice.order);
   simulation.remarks = scene.remarks;
   if (scene.is_free()) {
     simulation.shortcuts.push_back("no gravity: free motion, exact flow");
@@ -247,7 +249,7 @@ System heavy_top_system() {
           "Heavy top",
           "A rigid body held at a point under uniform gravity.",
           "chapter 3",
-          records_of({top_keys, initial_parameters(momentum_keys)}),
+          records_of({top_keys, initial_parameters(momentum_keys), accuracy_keys}),
           methods(),
           quantities(),
           prepare,

@@ -7,6 +7,7 @@
 
 #include "program/catalogue/body_shape.hpp"
 #include "program/pictures/pictures.hpp"
+#include "program/registry/accuracy.hpp"
 #include "program/registry/conservation.hpp"
 #include "program/systems/bodies/free_motion.hpp"
 #include "program/systems/bodies/rigid_body_scene.hpp"
@@ -216,6 +217,7 @@ Simulation prepare(Request const& request) {
   if (failure.empty() || !scene.torque)
     simulation.companion = companion_of(scene, request.error_estimate, attitude);
   simulation.step = scene.step;
+  simulation.work = scene.work();
   if (scene.torque) simulation.steps_at_once = scene.torque->steps_at_once();
   simulation.shortcuts = shortcuts(scene, attitude);
   simulation.remarks = scene.remarks;
@@ -242,7 +244,8 @@ System rigid_body_system() {
           "A rigid body that turns about its centre of mass, freely or under a torque that comes from a "
           "potential: Euler's equations for the momentum, and the attitude that goes with it.",
           "chapter 5",
-          records_of({body_keys(), torque_parameters(), initial_parameters(momentum_keys), method_keys}),
+          records_of({body_keys(), torque_parameters(), initial_parameters(momentum_keys), method_keys,
+                      accuracy_keys}),
           methods(),
           quantities(),
           prepare,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
+#include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
@@ -129,6 +130,7 @@ Simulation prepare(Request const& request) {
   double const fastest = bodies::skew_spectrum(start.velocity).maxCoeff();
   simulation.step =
       read_step(method, request.schedule, fastest, default_turn(choice, fastest, request.schedule.until()));
+  simulation.work = static_cast<double>(fractions_of(choice.order).size());
   simulation.steps_at_once =
       std::max(1L, steps_in_5_ms(choice.chart, start.inertia.group.n) / (choice.order == 2 ? 1 : 40));
   std::unique_ptr<TurningBodyN> motion;
@@ -149,7 +151,7 @@ Simulation prepare(Request const& request) {
     simulation.shortcuts.push_back("all moments are equal: the momentum is constant");
     motion = constant_motion_n(start.momentum), constant = true;
   }
-  simulation.companion = constant ? Companion{nullptr, 0, 0, false, "exact: the momentum is constant"}
+  simulation.companion = constant ? no_error("exact: the momentum is constant", false)
                                   : companion_of(choice, start, simulation.step, request.error_estimate);
   define_turning_body_n(simulation.quantities, *motion, start.inertia);
   simulation.quantities.ask(request.quantities);
@@ -173,7 +175,7 @@ System rigid_body_n_system() {
           "Free rigid body in n dimensions",
           "A rigid body that turns freely about its centre of mass in a space of n dimensions.",
           "chapter 5",
-          records_of({body_n_parameters(), step_n}),
+          records_of({body_n_parameters(), step_n, accuracy_keys}),
           methods(),
           turning_body_n_quantities(),
           prepare,

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "actio/reduction/composition.hpp"
 #include "program/registry/companion.hpp"
 #include "program/systems/bodies/free_motion.hpp"
+#include "program/systems/bodies/free_motion_n.hpp"
 
 namespace actio::scene {
 namespace {
@@ -44,9 +44,7 @@ std::unique_ptr<TurningBody> free_motion(RigidBodyScene const& scene) {
   PrincipalInertia const& inertia = scene.inertia;
   if (order == 0) return exact_motion(scene.free);
   if (scene.scheme == RigidBodyScene::Scheme::natural_chart) {
-    auto const fractions = order == 2   ? std::vector<double>{1}
-                           : order == 4 ? suzuki<double>()
-                                        : kahan_li<double>();
+    auto const fractions = fractions_of(order);
     auto const steps = [=](bodies::FreeState const& start, double h) {
       return bodies::NaturalChartSteps(inertia, start.body_momentum, start.attitude, h, fractions);
     };
@@ -99,6 +97,11 @@ RigidBodyScene::RigidBodyScene(Request const& request, std::vector<Method> const
       fastest(pace(*this, request.schedule.until())),
       step(read_step(method, request.schedule, fastest)) {}
 
+double RigidBodyScene::work() const {
+  if (torque) return work_of_step(choice.order);
+  return scheme == Scheme::natural_chart ? static_cast<double>(fractions_of(choice.number()).size()) : 1;
+}
+
 RigidBodyMotion motion_of(RigidBodyScene& scene, Schedule const& schedule) {
   try {
     return able_motion(scene, schedule);
@@ -109,7 +112,7 @@ RigidBodyMotion motion_of(RigidBodyScene& scene, Schedule const& schedule) {
 
 Companion companion_of(RigidBodyScene const& scene, std::optional<bool> wanted, bool attitude) {
   if (scene.is_exact() || scene.has_exact_flow())
-    return {nullptr, 0, 0, attitude, "exact: no error but that of rounding"};
+    return no_error("exact: no error but that of rounding", attitude);
   if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
   if (scene.torque)
     return companions(

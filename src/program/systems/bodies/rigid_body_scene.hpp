@@ -34,6 +34,8 @@ struct RigidBodyScene {
 
   /// Whether a free body has the exact flow in steps.
   bool has_exact_flow() const { return scheme == Scheme::variational && !torque; }
+  /// Of a step, as `Simulation` has it.
+  double work() const;
   /// Whether it goes to any time at once.
   bool is_exact() const { return choice.order == "exact"; }
 };

@@ -120,6 +120,11 @@ double swing_of_weight(PrincipalInertia const& inertia, Eigen::Vector3d const& l
   return swing_frequency(inertia, lever.norm() * (Eigen::Matrix3d::Identity() - unit * unit.transpose()));
 }
 
+double work_of_step(std::string const& order) {
+  auto const method = order == "2" ? bodies::strang_splitting() : bodies::blanes_moan_splitting();
+  return static_cast<double>(method.drifts.size());
+}
+
 Method variational_method(std::string const& torque) {
   return {"variational",
           {"4", "2"},

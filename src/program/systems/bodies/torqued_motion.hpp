@@ -52,6 +52,9 @@ double swing_frequency(PrincipalInertia const& inertia, Eigen::Matrix3d const& c
 /// @param lever  weight times centre of mass, energy
 double swing_of_weight(PrincipalInertia const& inertia, Eigen::Vector3d const& lever);
 
+/// How much a step takes: how often the body moves freely between kicks.
+double work_of_step(std::string const& order);
+
 /// The record of the method.
 Method variational_method(std::string const& torque);
 

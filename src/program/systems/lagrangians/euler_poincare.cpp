@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "actio/reduction/composition.hpp"
+#include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
@@ -75,6 +76,11 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
           asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}), choice.name};
 }
 
+/// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
+double work_of_step(ReducedScheme const& scheme) {
+  return scheme.stages > 0 ? std::pow(scheme.stages, 1.5) : static_cast<double>(scheme.fractions.size());
+}
+
 /// The step of the scene. By default it follows the pace of the start, and is halved until a step can be
 /// made.
 double step_of(Request const& request, ReducedScheme const& scheme, ReducedScene const& scene) {
@@ -119,6 +125,7 @@ Simulation prepare(Request const& request) {
   Simulation simulation(quantities_of(request.file, scene));
   simulation.remarks = remarks;
   simulation.step = step_of(request, scheme, scene);
+  simulation.work = work_of_step(scheme);
   simulation.steps_at_once = std::max(1L, 4000L / (scene.system->dimension() * scene.system->dimension()));
   std::unique_ptr<ReducedMotion> motion;
   try {
@@ -154,7 +161,7 @@ System euler_poincare_system() {
       "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
       "vectors that the motion carries.",
       "chapters 2 to 4",
-      records_of({reduced_parameters(), reduced_step}),
+      records_of({reduced_parameters(), reduced_step, accuracy_keys}),
       methods(),
       reduced_quantities(),
       prepare,

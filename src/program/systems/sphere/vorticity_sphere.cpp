@@ -8,6 +8,7 @@
 #include "actio/quantized_sphere/resolution.hpp"
 #include "actio/reduction/composition.hpp"
 #include "program/base/memory.hpp"
+#include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
@@ -207,6 +208,7 @@ Simulation prepare(Request const& request) {
   start.matrix = {};
   tell(simulation, start, *flow, asked("histogram"));
   simulation.step = step_of(method, request.schedule, flow, scheme);
+  simulation.work = static_cast<double>(scheme.fractions.size());
   simulation.steps_at_once = steps_in_5_ms(start.n, scheme.fractions.size());
   auto motion = stepped_vorticity(flow, scheme, simulation.step);
   simulation.companion = companion_of(flow, scheme, choice.number(), simulation.step, request.error_estimate);
@@ -227,7 +229,7 @@ System vorticity_sphere_system() {
           "unit radius, or the potential vorticity of a quasi-geostrophic layer, as a matrix of "
           "the size N whose spectrum stays.",
           "chapter 10",
-          records_of({vorticity_parameters(), vorticity_step, precision_keys, symbol_keys}),
+          records_of({vorticity_parameters(), vorticity_step, precision_keys, symbol_keys, accuracy_keys}),
           methods(),
           vorticity_quantities(),
           prepare,

@@ -1,4 +1,4 @@
-#include "program/run/error_estimate.hpp"
+#include "program/registry/error_estimate.hpp"
 
 #include <fmt/format.h>
 
@@ -139,6 +139,16 @@ std::vector<ErrorEstimate::Entry> ErrorEstimate::entries() const {
   for (auto const& name : companion_.without) {
     out.push_back({name});
     out.back().said = "none is estimated";
+  }
+  return out;
+}
+
+std::optional<ErrorEstimate::Entry> ErrorEstimate::worst() const {
+  std::optional<Entry> out;
+  for (auto const& one : entries()) {
+    if (std::ranges::find(companion_.without, one.name) != companion_.without.end()) continue;
+    if (!one.told()) return one;
+    if (!out || one.error > out->error) out = one;
   }
   return out;
 }

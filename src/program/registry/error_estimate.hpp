@@ -27,6 +27,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "program/base/checkpoint_stream.hpp"
 #include "program/registry/simulation.hpp"
@@ -62,6 +63,9 @@ class ErrorEstimate {
   };
   /// Of what a state has; none where nothing is estimated.
   std::vector<Entry> entries() const;
+  /// The largest of them, of what has an estimate at all, or one of which no number is told; none where
+  /// nothing is estimated so far.
+  std::optional<Entry> worst() const;
   /// In words: how it is estimated, or why it is not.
   std::string how() const;
 
