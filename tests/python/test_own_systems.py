@@ -517,7 +517,7 @@ class Runs(unittest.TestCase):
             apart = numpy.linalg.norm(run["body_momentum"] - exact, axis=1).max()
             self.assertLess(apart / numpy.linalg.norm(exact[0]), accuracy)
             self.assertLess(max(run.error.values()), accuracy)
-            self.assertRegex(run.summary["remarks"][-1], f"accuracy {accuracy:g}: order [246] with steps of 0[.]")
+            self.assertRegex(run.summary["remarks"][-1], f"accuracy {accuracy:g}: momentum_level of order 8 with steps of 0[.]")
             self.assertIn("chosen_for", run.scene)
             self.assertIn("accuracy", run._repr_html_())
         self.assertIsNone(free_body().run(**wanted, step=0.05).accuracy)

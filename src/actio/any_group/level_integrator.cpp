@@ -37,9 +37,7 @@ class Numbers {
  public:
   explicit Numbers(std::vector<double>& all, bool reading) : all_(all), reading_(reading) {}
   template <class... T>
-  void operator()(T&... values) {
-    (one(values), ...);
-  }
+  void operator()(T&... values) { (one(values), ...); }
 
  private:
   void one(std::span<double> values) {

@@ -60,7 +60,7 @@ class LevelIntegrator {
   void follow_configuration(Eigen::MatrixXd g) { configuration_ = std::move(g); }
 
   /// A step.
-  /// @throws NotConverged, Singular, NotFinite, OutsideDomain  where it has no solution; all is then as it was
+  /// @throws NotConverged, Singular, NotFinite, OutsideDomain where it has no solution; all is then as it was
   void step();
 
   ReducedPoint const& point() const { return point_; }  ///< momentum and vectors

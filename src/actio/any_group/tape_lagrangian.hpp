@@ -16,9 +16,7 @@ struct TapeLagrangian {
 
   /// Energy, at a velocity of a group with the coordinates of the system, without vectors.
   template <Group G, Scalar S>
-  S operator()(Velocity<G, S> const& v) const {
-    return (*this)(v, Matrix<S, Dynamic, 1>(0));
-  }
+  S operator()(Velocity<G, S> const& v) const { return (*this)(v, Matrix<S, Dynamic, 1>(0)); }
   /// The same with the carried vectors, one after the other.
   template <Group G, Scalar S>
   S operator()(Velocity<G, S> const& v, Matrix<S, Dynamic, 1> const& a) const {

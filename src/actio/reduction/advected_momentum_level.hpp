@@ -1,7 +1,7 @@
 // Steps of order 8 on a level of the momentum, with a vector that the motion advects.
 //
-// Momentum and vector are a covector of the semidirect product of the group with the covectors of the space of
-// vectors, and move on its coadjoint orbit: (Pi, a)' = ad*_(xi, w) (Pi, a), where l'(xi) = Pi and
+// Momentum and vector are a covector of the semidirect product of the group with the covectors of the space
+// of vectors, and move on its coadjoint orbit: (Pi, a)' = ad*_(xi, w) (Pi, a), where l'(xi) = Pi and
 // w = -dl/da. Each step moves them by the coadjoint action of one element, so every Casimir is conserved to
 // rounding, whatever the error of the step.
 #pragma once

@@ -8,7 +8,8 @@
 
 namespace actio::detail {
 
-/// The matrix of \f$\mathrm{ad}_v\f$, and \f$\mathrm{ad}^*_v\,\mu\f$, on columns of coordinates, whatever the group.
+/// The matrix of \f$\mathrm{ad}_v\f$, and \f$\mathrm{ad}^*_v\,\mu\f$, on columns of coordinates, whatever the
+/// group.
 template <Real B>
 class Commutators {
  public:

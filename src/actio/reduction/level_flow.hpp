@@ -53,7 +53,8 @@ class LevelFlow {
     add(method_.rows[last + 1], turned_, h, zero_, eta);
     return true;
   }
-  /// \f$\mathrm{Ad}^*\f$ of a displacement: \f$\exp(\mp\mathrm{ad}^*_\eta)\,\mu\f$ by its series, to rounding.
+  /// \f$\mathrm{Ad}^*\f$ of a displacement: \f$\exp(\mp\mathrm{ad}^*_\eta)\,\mu\f$ by its series, to
+  /// rounding.
   void transport(V const& eta, V& mu) {
     using S = typename V::Scalar;
     commutators_.ad(eta, ad_);
@@ -77,8 +78,8 @@ class LevelFlow {
     sum.store();
   }
 
-  /// \f$\eta' = \mathrm{iex}(\pm\mathrm{ad}_\eta)^{-1}\xi\f$ up to the sixth power of ad, and up to the fourth at
-  /// stages that have no weight at the end of the step.
+  /// \f$\eta' = \mathrm{iex}(\pm\mathrm{ad}_\eta)^{-1}\xi\f$ up to the sixth power of ad, and up to the
+  /// fourth at stages that have no weight at the end of the step.
   ///
   /// Since \f$\eta\f$ and \f$\xi\f$ commute to first order, the k-th power is of the order h^(k+1): what is
   /// left out changes the end of the step in the ninth order alone.

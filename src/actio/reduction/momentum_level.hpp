@@ -68,14 +68,10 @@ struct MomentumLevelStep {
 /// @throws OutsideDomain  when called, for a step that is zero or not finite
 /// @throws NotConverged, Singular  when called, where the velocity of a momentum is not found
 template <Real S, class F>
-auto momentum_level_step_left(F l) {
-  return detail::MomentumLevelStep<-1, F, S>{std::move(l)};
-}
+auto momentum_level_step_left(F l) { return detail::MomentumLevelStep<-1, F, S>{std::move(l)}; }
 /// The same of a right-invariant system, on spatial momenta: \f$\mu_1 = \mathrm{Ad}^*_f\,\mu_0\f$.
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 template <Real S, class F>
-auto momentum_level_step_right(F l) {
-  return detail::MomentumLevelStep<1, F, S>{std::move(l)};
-}
+auto momentum_level_step_right(F l) { return detail::MomentumLevelStep<1, F, S>{std::move(l)}; }
 
 }  // namespace actio

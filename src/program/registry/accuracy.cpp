@@ -207,7 +207,7 @@ std::string ChosenSteps::in_words(Simulation const& simulation) const {
   if (simulation.exact || simulation.companion.exact)
     return fmt::format("accuracy {}: the method is exact, and has no error but that of rounding", accuracy);
   std::string const steps =
-      fmt::format("accuracy {}: order {} with steps of {}", accuracy, order, simulation.step);
+      fmt::format("accuracy {}: {} of order {} with steps of {}", accuracy, method, order, simulation.step);
   if (!pilot) return steps + ", as they were chosen for it";
   auto const& end = pilot->told.back();
   auto const largest =
@@ -227,8 +227,10 @@ std::optional<ChosenSteps> choose_steps(System const& system, Request const& req
     return {};
   }
   bool const chosen = is_chosen(request.file, *accuracy), order_given = method.has("order");
+  if (!method.has("name") && !order_given && !system.method_for_accuracy.empty())
+    method.set("name", system.method_for_accuracy);
   Simulation const first = system.prepare(request);
-  ChosenSteps out{*accuracy, {}};
+  ChosenSteps out{*accuracy, method.text("name"), {}};
   if (first.exact || first.companion.exact) return out;
   if (!pilots.made && !chosen) return {};
   if (chosen) return out.order = static_cast<int>(method.integer("order", 1, 1000)), out;

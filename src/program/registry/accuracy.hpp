@@ -40,12 +40,14 @@ inline AccuracyKeys const accuracy_keys{{"run"}};  ///< its keys
 
 /// What was chosen.
 struct ChosenSteps {
-  double accuracy;  ///< asked for
+  double accuracy;     ///< asked for
+  std::string method;  ///< by its name
   std::optional<Pilot>
       pilot;      ///< the last one; none where the method needs none, or the copy of a scene told
   int order = 0;  ///< of the method; 0: it has no error
 
-  /// `accuracy 1e-09: order 6 with steps of 0.0125, estimated error 4.0e-10 of the momentum at t = 10`
+  /// `accuracy 1e-09: galerkin of order 6 with steps of 0.0125, estimated error 4.0e-10 of the momentum at
+  /// t = 10`
   std::string in_words(Simulation const& simulation) const;
 };
 

@@ -78,7 +78,8 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
 double work_of_step(ReducedScheme const& scheme) {
-  return scheme.stages > 0 ? std::pow(scheme.stages, 1.5) : static_cast<double>(scheme.fractions.size());
+  if (scheme.stages > 0) return std::pow(scheme.stages, 1.5);
+  return static_cast<double>(std::max(std::size_t{1}, scheme.fractions.size()));
 }
 
 /// The step of the scene. By default it follows the pace of the start, and is halved until a step can be
@@ -170,7 +171,10 @@ System euler_poincare_system() {
       "[output]\nquantities = [\"body_momentum\", \"energy\"]\n",
       nullptr,
       {},
-      named_quantities};
+      named_quantities,
+      {},
+      {},
+      "momentum_level"};
 }
 
 }  // namespace actio::scene
