@@ -1,7 +1,6 @@
 // What a scene says of a medium besides its material: its cells, its sides, and how it begins.
 #pragma once
 
-#include <array>
 #include <map>
 #include <memory>
 #include <string>

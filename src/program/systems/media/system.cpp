@@ -202,9 +202,10 @@ std::vector<Quantity> quantities_of(bool fluid, SceneFile const& file) {
   return all;
 }
 
-}  // namespace
-
-Simulation prepare_medium(bool fluid, Request const& request) {
+/// The motion that a scene asks for.
+/// @throws SceneError  where a key is refused: at its place, with the value and the bound
+template <bool fluid>
+Simulation prepare_medium(Request const& request) {
   MediumMethod const method = read_medium_method(request.file);
   medium_keys.metric.read(request.file);
   MediumMesh const mesh = read_medium_mesh(request.file);
@@ -234,8 +235,23 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   return simulation;
 }
 
-std::vector<Parameter> medium_scene_parameters(bool fluid) {
-  return records_of({MediumKeys{{"system"}, fluid}, medium_start_keys, medium_method_parameters()});
+}  // namespace
+
+System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
+                     std::string example) {
+  return {std::move(name),
+          std::move(title),
+          std::move(meaning),
+          "chapter 10",
+          records_of({MediumKeys{{"system"}, fluid}, medium_start_keys, medium_method_parameters()}),
+          medium_methods(),
+          medium_quantities(fluid),
+          fluid ? &prepare_medium<true> : &prepare_medium<false>,
+          std::move(example),
+          nullptr,
+          {},
+          nullptr,
+          medium_snapshots(fluid)};
 }
 
 }  // namespace actio::scene
