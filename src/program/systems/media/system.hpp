@@ -6,8 +6,8 @@
 
 namespace actio::scene {
 
-/// A system of media, by its name, title, meaning and example: a fluid, or an elastic body. Its motion is made
-/// by fused steps where the box of a scene allows them, else on a mesh.
+/// A system of media, by its name, title, meaning and example: a fluid, or an elastic body. Its motion is
+/// made by fused steps where the box of a scene allows them, else on a mesh.
 System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
                      std::string example);
 
