@@ -1,7 +1,10 @@
-// The error that a call throws, for a test that looks at its figures.
+// The error that a call throws, for a test that looks at its figures or its words.
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#include "actio/numbers/errors.hpp"
 
 namespace actio::testing {
 
@@ -15,6 +18,17 @@ E caught(Call const& call) {
     return error;
   }
   throw std::logic_error("nothing was refused");
+}
+
+/// The message of the error of the library that a call throws; empty where it throws none.
+template <class Call>
+std::string message_of(Call const& call) {
+  try {
+    call();
+  } catch (Error const& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace actio::testing

@@ -1,6 +1,5 @@
 // The lines to try of chapters 9 and 10: symmetries of a medium, Noether's identity, circulation; reciprocity
 // and Newmark's scheme.
-#include <numbers>
 
 #include "actio/noether/circulation.hpp"
 #include "actio/noether/current_divergence.hpp"

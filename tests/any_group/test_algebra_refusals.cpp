@@ -8,7 +8,6 @@
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/semidirect_algebra.hpp"
 #include "caught.hpp"
-#include "message_of.hpp"
 #include "refused.hpp"
 
 using namespace actio;

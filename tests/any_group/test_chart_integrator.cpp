@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "message_of.hpp"
+#include "caught.hpp"
 #include "own_system.hpp"
 
 using namespace actio;

@@ -7,7 +7,7 @@
 #include "actio/groups/direct_product.hpp"
 #include "actio/groups/semidirect_product.hpp"
 #include "actio/groups/unit_quaternions.hpp"
-#include "message_of.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;

@@ -6,7 +6,7 @@
 #include "actio/any_group/invariants.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/semidirect_algebra.hpp"
-#include "message_of.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 #include "witness/draw.hpp"
 

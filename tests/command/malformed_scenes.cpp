@@ -1,6 +1,5 @@
 #include "malformed_scenes.hpp"
 
-#include <array>
 
 namespace command {
 namespace {

@@ -17,13 +17,15 @@
 
 namespace command {
 
-/// `actio` with these arguments, as a process of its own with a checkpoint every few hundredths of a second.
+/// `actio` with these arguments, as a process of its own with a checkpoint every few hundredths of a second,
+/// or as often as ACTIO_CHECKPOINT_SECONDS says.
 class Process {
  public:
-  explicit Process(std::vector<std::string> const& arguments) {
+  /// @param disk  the most bytes that a file of it may have, which is a disk that is full then
+  explicit Process(std::vector<std::string> const& arguments, rlim_t disk = RLIM_INFINITY) {
     id_ = ::fork();
     if (id_ < 0) throw std::runtime_error("no process for the test");
-    if (id_ == 0) become(arguments);
+    if (id_ == 0) become(arguments, disk);
   }
   ~Process() {
     if (id_ > 0) ::kill(id_, SIGKILL), ::waitpid(id_, nullptr, 0);
@@ -42,11 +44,13 @@ class Process {
   }
 
  private:
-  [[noreturn]] void become(std::vector<std::string> const& arguments) const {
+  [[noreturn]] void become(std::vector<std::string> const& arguments, rlim_t disk) const {
     std::vector<char*> words{const_cast<char*>(ACTIO_COMMAND)};
     for (auto const& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
     words.push_back(nullptr);
-    ::setenv("ACTIO_CHECKPOINT_SECONDS", "0.03", 1);
+    ::setenv("ACTIO_CHECKPOINT_SECONDS", "0.03", 0);
+    rlimit const most{disk, disk};
+    if (disk != RLIM_INFINITY) ::setrlimit(RLIMIT_FSIZE, &most);
     ::dup2(::open((folder_ / "out").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600), STDOUT_FILENO);
     ::dup2(::open((folder_ / "err").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600), STDERR_FILENO);
     ::execv(ACTIO_COMMAND, words.data());

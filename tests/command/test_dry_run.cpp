@@ -1,7 +1,6 @@
 // actio run --dry-run: the plan, and that it is only a plan.
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
 #include <sstream>
 
 #include "command.hpp"

@@ -2,7 +2,6 @@
 // help.
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
 
 #include "command.hpp"
 

@@ -5,8 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <complex>
-#include <fstream>
 #include <limits>
 
 #include "sphere_scene.hpp"

@@ -1,6 +1,5 @@
 // Formulas against the same in C++: over double, exactly over the rationals, and in 50 digits.
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
 

@@ -1,7 +1,6 @@
 // What a group refuses, with the figure that was measured, known by hand; and what it restores.
 #include <boost/test/unit_test.hpp>
 
-#include <functional>
 
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/direct_product.hpp"

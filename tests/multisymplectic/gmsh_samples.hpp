@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/meshes/gmsh_mesh.hpp"
+#include "caught.hpp"
 
 namespace actio::testing::gmsh {
 
@@ -165,12 +166,8 @@ inline double volume_of(media::BodyMesh const& mesh) {
 
 /// A text that must be refused with these words.
 inline void not_read(std::string const& text, std::string const& words) {
-  try {
-    media::gmsh_mesh_of(text, "sample");
-    BOOST_ERROR("not refused: " << words);
-  } catch (media::NotAGmshFile const& e) {
-    BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
-  }
+  auto const e = caught<media::NotAGmshFile>([&] { media::gmsh_mesh_of(text, "sample"); });
+  BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
 }
 inline std::string replaced(std::string text, std::string const& what, std::string const& by) {
   auto const at = text.find(what);

@@ -4,10 +4,12 @@
 
 #include "actio/multisymplectic/asynchronous_steps.hpp"
 #include "refused.hpp"
+#include "refuses.hpp"
 #include "witness/draw.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::refuses;
 
 namespace {
 using Spot = Matrix<double, 2, 1>;
@@ -52,17 +54,6 @@ State start(BodyMesh const& mesh) {
 std::vector<double> const steps{0.05, 0.03, 0.11};
 std::vector<unsigned> const held{3, 0, 0, 2};
 
-template <class Failure, class F>
-void refused(F const& f, double measured, double bound, std::string const& words) {
-  try {
-    f();
-    BOOST_ERROR("not refused: " << words);
-  } catch (Failure const& e) {
-    BOOST_TEST(std::abs(e.measured - measured) <= 1e-14 * std::abs(measured), words);
-    BOOST_TEST(std::abs(e.bound - bound) <= 1e-14 * std::abs(bound), words);
-    BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
-  }
-}
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(asynchronous_line)
@@ -156,17 +147,17 @@ BOOST_AUTO_TEST_CASE(the_longest_steps_of_a_string_are_known) {
   BOOST_CHECK_NO_THROW(made(longest));
   auto longer = longest;
   longer[1] = std::nextafter(longest[1], 1.0);
-  refused<StepTooLong>([&] { made(longer); }, longer[1], longest[1], "cell 1");
+  refuses<StepTooLong>([&] { made(longer); }, longer[1], longest[1], "cell 1");
   longer[1] = 0;
-  refused<OutsideDomain>([&] { made(longer); }, 0, 0, "cell 1: a step is a positive number");
-  refused<OutsideDomain>([&] { made({0.01, 0.01}); }, 2, 3, "each cell has its entry");
+  refuses<OutsideDomain>([&] { made(longer); }, 0, 0, "cell 1: a step is a positive number");
+  refuses<OutsideDomain>([&] { made({0.01, 0.01}); }, 2, 3, "each cell has its entry");
   auto three = y;
   three.pop_back();
-  refused<OutsideDomain>([&] { asynchronous_steps<1>(String{}, mesh, longest, three, y); }, 3, 4,
+  refuses<OutsideDomain>([&] { asynchronous_steps<1>(String{}, mesh, longest, three, y); }, 3, 4,
                          "each node has its entry");
-  refused<OutsideDomain>([&] { asynchronous_steps<1>(String{}, mesh, longest, y, three); }, 3, 4,
+  refuses<OutsideDomain>([&] { asynchronous_steps<1>(String{}, mesh, longest, y, three); }, 3, 4,
                          "each node has its entry");
-  refused<OutsideDomain>([&] { asynchronous_steps<1>(String{}, mesh, longest, y, y, {1}); }, 1, 4,
+  refuses<OutsideDomain>([&] { asynchronous_steps<1>(String{}, mesh, longest, y, y, {1}); }, 1, 4,
                          "each node has its entry");
 }
 
@@ -236,17 +227,17 @@ BOOST_AUTO_TEST_CASE(masses_that_are_none_and_cells_that_are_no_simplices_are_re
   double const eps = epsilon<double>();
   BOOST_CHECK_NO_THROW(with(2, 0, 2)());
   BOOST_CHECK_NO_THROW(with(2, 100 * eps, 2)());
-  refused<OutsideDomain>(with(2, 0, 2.5), 0.5, 128 * eps, "mass at x = (0.8)");
-  refused<OutsideDomain>(with(2, -0.25, 2), 0.25, 128 * eps, "mass at x = (0.8)");
-  refused<OutsideDomain>(with(0, 0, 0), 0, 0, "mass at x = (0.8)");
-  refused<OutsideDomain>(with(-1, 0, -1), 0, -64 * eps, "mass at x = (0.8)");
-  refused<NotABodyMesh>(
+  refuses<OutsideDomain>(with(2, 0, 2.5), 0.5, 128 * eps, "mass at x = (0.8)");
+  refuses<OutsideDomain>(with(2, -0.25, 2), 0.25, 128 * eps, "mass at x = (0.8)");
+  refuses<OutsideDomain>(with(0, 0, 0), 0, 0, "mass at x = (0.8)");
+  refuses<OutsideDomain>(with(-1, 0, -1), 0, -64 * eps, "mass at x = (0.8)");
+  refuses<NotABodyMesh>(
       [] {
         simplex_geometry<2>(box_mesh({0, 0}, {1, 1}, {1, 1}), 0);
       },
       4, 3, "quadrilaterals");
-  refused<NotABodyMesh>([&] { simplex_geometry<2>(tetrahedron(), 0); }, 4, 3, "tetrahedrons");
-  refused<NotABodyMesh>([] { simplex_geometry<1>(box_mesh({0}, {1}, {3}, {true}), 0); }, 2, 2, "segments");
+  refuses<NotABodyMesh>([&] { simplex_geometry<2>(tetrahedron(), 0); }, 4, 3, "tetrahedrons");
+  refuses<NotABodyMesh>([] { simplex_geometry<1>(box_mesh({0}, {1}, {3}, {true}), 0); }, 2, 2, "segments");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

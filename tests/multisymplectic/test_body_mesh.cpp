@@ -5,10 +5,12 @@
 
 #include "actio/meshes/body_mesh_check.hpp"
 #include "actio/meshes/body_shapes.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::caught;
 
 namespace {
 
@@ -42,13 +44,9 @@ double enclosed_by_sides(BodyMesh const& mesh) {
 
 /// A mesh that is wrong somewhere must be refused with these words and this cell.
 void refused(BodyMesh const& mesh, std::string const& words, int cell) {
-  try {
-    require_body_mesh(mesh);
-    BOOST_ERROR("not refused: " << words);
-  } catch (NotABodyMesh const& e) {
-    BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
-    BOOST_TEST(e.cell == cell, e.what());
-  }
+  auto const e = caught<NotABodyMesh>([&] { require_body_mesh(mesh); });
+  BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
+  BOOST_TEST(e.cell == cell, e.what());
 }
 
 }  // namespace

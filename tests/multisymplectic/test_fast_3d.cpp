@@ -5,10 +5,12 @@
 #include "actio/continuum/materials.hpp"
 #include "actio/fast_media/fast_medium_3d.hpp"
 #include "actio/multisymplectic/step_field_equations.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::caught;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -129,16 +131,6 @@ FastMedium3d<FastStVenantKirchhoff> thrown(FastOptions const& options = {}) {
           },
           options};
 }
-template <class Try>
-CellInverts inversion_in(Try const& tried) {
-  try {
-    tried();
-  } catch (CellInverts const& error) {
-    return error;
-  }
-  BOOST_FAIL("no cell was found inside out");
-  throw 0;
-}
 /// The least Jacobian of the corners of a cell.
 double least_jacobian(std::vector<Place> const& x, FastBox3d const& box, std::array<int, 3> const& cell) {
   double least = HUGE_VAL;
@@ -158,7 +150,7 @@ double least_jacobian(std::vector<Place> const& x, FastBox3d const& box, std::ar
 
 BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_the_state_before) {
   auto medium = thrown();
-  CellInverts const found = inversion_in([&] { medium.step(1000); });
+  CellInverts const found = caught<CellInverts>([&] { medium.step(1000); });
   BOOST_TEST(medium.steps() == found.step - 1);
   BOOST_TEST(found.measured <= 0);
   BOOST_TEST(found.largest_step > 0.02);
@@ -176,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_the_state_b
   BOOST_TEST(std::abs(least_jacobian(x, medium.box(), found.cell) - found.measured) <= 1e-12);
   for (int const threads : {2, 4}) {
     auto other = thrown({threads});
-    CellInverts const again = inversion_in([&] { other.step(1000); });
+    CellInverts const again = caught<CellInverts>([&] { other.step(1000); });
     BOOST_TEST((again.step == found.step && again.cell == found.cell && again.measured == found.measured));
     BOOST_TEST(other.places() == medium.places());
   }

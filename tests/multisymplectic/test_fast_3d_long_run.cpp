@@ -4,7 +4,6 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cstring>
-#include <random>
 
 #include "../../benchmarks/peers/gathered_medium.hpp"
 #include "actio/fast_media/fast_medium_2d.hpp"

@@ -2,10 +2,12 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_media/fast_box_3d.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::caught;
 
 namespace {
 using enum Side;
@@ -59,13 +61,9 @@ BOOST_AUTO_TEST_CASE(a_period_that_is_not_given_is_the_length_of_the_box) {
 namespace {
 template <class Box>
 void refuses(Box const& box, double measured, double bound, char const* direction) {
-  try {
-    box.examine();
-    BOOST_ERROR("what is no box was not refused");
-  } catch (OutsideDomain const& error) {
-    BOOST_TEST((error.measured == measured && error.bound == bound));
-    BOOST_TEST(std::string(error.what()).find(direction) != std::string::npos);
-  }
+  auto const error = caught<OutsideDomain>([&] { box.examine(); });
+  BOOST_TEST((error.measured == measured && error.bound == bound));
+  BOOST_TEST(std::string(error.what()).find(direction) != std::string::npos);
 }
 }  // namespace
 

@@ -4,10 +4,12 @@
 #include <cstring>
 
 #include "actio/fast_media/fast_medium_2d.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::caught;
 
 namespace {
 using Place = std::array<double, 2>;
@@ -46,23 +48,13 @@ double least_jacobian(std::vector<Place> const& x, FastBox2d const& box) {
       }
   return least;
 }
-template <class Try>
-CellInverts inversion_in(Try const& tried) {
-  try {
-    tried();
-  } catch (CellInverts const& error) {
-    return error;
-  }
-  BOOST_FAIL("no cell was found inside out");
-  throw 0;
-}
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(fast_refusals)
 
 BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_the_state_before) {
   auto medium = thrown();
-  CellInverts const found = inversion_in([&] { medium.step(1000); });
+  CellInverts const found = caught<CellInverts>([&] { medium.step(1000); });
   BOOST_TEST(found.step > 1);
   BOOST_TEST(medium.steps() == found.step - 1);
   BOOST_TEST(found.measured <= 0);
@@ -73,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_the_state_b
   BOOST_TEST(same(other.places(), medium.places()));
   BOOST_TEST(same(other.velocities_half_a_step_ago(), medium.velocities_half_a_step_ago()));
   for (auto* one : {&medium, &other}) {
-    CellInverts const again = inversion_in([&] { one->step(); });
+    CellInverts const again = caught<CellInverts>([&] { one->step(); });
     BOOST_TEST(again.step == found.step);
     BOOST_TEST((again.cell == found.cell && again.measured == found.measured));
   }
@@ -84,11 +76,11 @@ BOOST_AUTO_TEST_CASE(a_cell_about_to_turn_inside_out_is_refused_with_the_state_b
 
 BOOST_AUTO_TEST_CASE(threads_and_levels_find_the_same_cell) {
   auto medium = thrown();
-  CellInverts const found = inversion_in([&] { medium.step(1000); });
+  CellInverts const found = caught<CellInverts>([&] { medium.step(1000); });
   for (int const threads : {1, 2, 5})
     for (int const levels : {1, 3, 8}) {
       auto other = thrown({threads, levels});
-      CellInverts const again = inversion_in([&] { other.step(1000); });
+      CellInverts const again = caught<CellInverts>([&] { other.step(1000); });
       BOOST_TEST((again.step == found.step && again.cell == found.cell && again.measured == found.measured));
       BOOST_TEST(same(other.places(), medium.places()));
     }
@@ -97,7 +89,7 @@ BOOST_AUTO_TEST_CASE(threads_and_levels_find_the_same_cell) {
 // The end of a call is a place where nobody looks at the Jacobians that follow, unless somebody does.
 BOOST_AUTO_TEST_CASE(no_call_ends_with_a_cell_inside_out) {
   auto medium = thrown();
-  CellInverts const found = inversion_in([&] { medium.step(1000); });
+  CellInverts const found = caught<CellInverts>([&] { medium.step(1000); });
   for (long const last : {found.step - 1, found.step}) {
     auto other = thrown();
     bool refused = false;
@@ -141,14 +133,10 @@ void is_stable_up_to_the_longest_step(Medium const& law) {
   below.step(2000);
   BOOST_TEST(least_jacobian(below.places(), box) > 0.999);
   // The bound at the start is that of a window, from above within three per cent.
-  try {
-    FastMedium2d(law, box, 1.05 * longest, 1, place, still);
-    BOOST_ERROR("a step beyond the longest was not refused");
-  } catch (OutsideDomain const& error) {
-    BOOST_TEST(error.measured == 1.05 * longest);
-    BOOST_TEST(error.bound >= 0.99 * longest);
-    BOOST_TEST(error.bound <= 1.04 * longest);
-  }
+  auto const error = caught<OutsideDomain>([&] { FastMedium2d(law, box, 1.05 * longest, 1, place, still); });
+  BOOST_TEST(error.measured == 1.05 * longest);
+  BOOST_TEST(error.bound >= 0.99 * longest);
+  BOOST_TEST(error.bound <= 1.04 * longest);
 }
 BOOST_AUTO_TEST_CASE(steps_are_stable_below_the_longest_and_refused_beyond) {
   is_stable_up_to_the_longest_step(FastFluid{PolytropicByRoots<1, 2>{0.5}});

@@ -5,6 +5,7 @@
 
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "actio/fast_media/fast_medium_3d.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
@@ -94,14 +95,9 @@ Shape<Box> window_around(Shape<Box> const& shape, Node<Box> const& cell) {
 /// A step of this length is refused, and any shorter one is not.
 template <class Box>
 void bound_is(Shape<Box> const& shape, double longest) {
-  double bound = 0;
-  try {
-    body_of(shape, 1000);
-    BOOST_ERROR("a step beyond the longest was not refused");
-  } catch (OutsideDomain const& error) {
-    BOOST_TEST(error.measured == 1000);
-    bound = error.bound;
-  }
+  auto const error = testing::caught<OutsideDomain>([&] { body_of(shape, 1000); });
+  double const bound = error.bound;
+  BOOST_TEST(error.measured == 1000);
   BOOST_TEST(bound == longest, boost::test_tools::tolerance(1e-12));
   body_of(shape, bound);
   CHECK_REFUSED(body_of(shape, std::nextafter(bound, 1e3)), OutsideDomain);

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/meshes/gmsh_mesh.hpp"
+#include "caught.hpp"
 
 using namespace actio;
 using namespace actio::media;
@@ -24,16 +25,12 @@ void refused(std::string const& text, std::string const& words, std::string cons
   std::size_t const at = at_line_of.empty() ? 0 : text.find(at_line_of);
   BOOST_REQUIRE(at != text.npos);
   std::size_t const line = 1 + std::size_t(std::count(text.begin(), text.begin() + long(at), '\n'));
-  try {
-    gmsh_mesh_of(text, "sample");
-    BOOST_ERROR("not refused: " << words);
-  } catch (NotAGmshFile const& e) {
-    BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
-    if (at_line_of.empty()) return;
-    BOOST_TEST(e.line == line, e.what());
-    BOOST_TEST(std::string(e.what()).find("sample, line " + std::to_string(line) + ":") == 0, e.what());
-    BOOST_TEST(std::size_t(std::count(text.begin(), text.begin() + long(e.byte), '\n')) + 1 == line);
-  }
+  auto const e = testing::caught<NotAGmshFile>([&] { gmsh_mesh_of(text, "sample"); });
+  BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
+  if (at_line_of.empty()) return;
+  BOOST_TEST(e.line == line, e.what());
+  BOOST_TEST(std::string(e.what()).find("sample, line " + std::to_string(line) + ":") == 0, e.what());
+  BOOST_TEST(std::size_t(std::count(text.begin(), text.begin() + long(e.byte), '\n')) + 1 == line);
 }
 }  // namespace
 

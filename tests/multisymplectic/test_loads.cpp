@@ -3,9 +3,11 @@
 
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "actio/meshes/body_shapes.hpp"
+#include "caught.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::message_of;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -18,15 +20,6 @@ BodyStart<2> bent() {
   BodyStart<2> start;
   start.placement = [](Spot<2> const& X) { return Spot<2>{1.1 * X[0] + 0.1 * X[1] * X[1], X[1]}; };
   return start;
-}
-template <class Try>
-std::string refusal(Try const& tried) {
-  try {
-    tried();
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return "";
 }
 bool says(std::string const& message, std::string const& part) {
   BOOST_TEST(message.find(part) != std::string::npos, message << " does not say " << part);
@@ -168,7 +161,7 @@ BOOST_AUTO_TEST_CASE(sides_hold_what_they_say) {
 
 BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused_by_name) {
   auto const with = [](BodySides<2> const& sides, BodyLoads<2> const& loads = {}) {
-    return refusal([&] { MediumOnMesh<2>(block(), rubber(), {}, {.step = 0.01}, sides, loads); });
+    return message_of([&] { MediumOnMesh<2>(block(), rubber(), {}, {.step = 0.01}, sides, loads); });
   };
   says(with({{"rihgt", {Side::fixed, {}}}}), "did you mean 'right'?");
   BodyLoads<2> loads;
@@ -177,14 +170,14 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused_by_name) {
   loads = {}, loads.tractions["left"] = {NAN, 0};
   says(with({}, loads), "traction on side 'left'");
   says(
-      refusal([] {
+      message_of([] {
         MediumOnMesh<2>(disc_mesh(1, {1, 2}), rubber(), {}, {.step = 0.01}, {{"outer", {Side::sliding, {}}}});
       }),
       "plane");
-  says(refusal([] { MediumOnMesh<2>(block(), rubber(), {}, {.step = 0.01, .order = 3}); }), "2 or 4");
-  says(refusal([] { MediumOnMesh<3>(block(), stored_energy<3>(neo_hookean(1, 1)), {}, {.step = 0.01}); }),
+  says(message_of([] { MediumOnMesh<2>(block(), rubber(), {}, {.step = 0.01, .order = 3}); }), "2 or 4");
+  says(message_of([] { MediumOnMesh<3>(block(), stored_energy<3>(neo_hookean(1, 1)), {}, {.step = 0.01}); }),
        "dimension");
-  says(refusal([] {
+  says(message_of([] {
          BodyStart<2> start;
          start.density = [](Spot<2> const& X) { return X[0]; };
          MediumOnMesh<2>(block(), rubber(), start, {.step = 0.01});
@@ -203,11 +196,11 @@ BOOST_AUTO_TEST_CASE(a_potential_that_is_not_finite_is_refused_with_the_node_and
   BodyStart<2> start;
   start.velocity = [](Spot<2> const&) { return Spot<2>{1, 0}; };
   MediumOnMesh<2> body(block(), rubber(), start, {.step = 0.01}, {}, loads);
-  says(refusal([&] { body.step(1000); }), "potential at node");
+  says(message_of([&] { body.step(1000); }), "potential at node");
   long const reached = body.steps();
   BOOST_TEST(reached > 10);
   auto const state = body.remember();
-  says(refusal([&] { body.step(); }), "potential at node");
+  says(message_of([&] { body.step(); }), "potential at node");
   BOOST_TEST((state == body.remember()));
 }
 
@@ -264,7 +257,7 @@ BOOST_AUTO_TEST_CASE(a_state_that_was_remembered_goes_on_bit_for_bit) {
     second.restore(first.remember()), second.step(14);
     BOOST_TEST((whole.remember() == second.remember()));
     BOOST_TEST(whole.time() == second.time());
-    says(refusal([&] { whole.restore({1, 2, 3}); }), "remembered");
+    says(message_of([&] { whole.restore({1, 2, 3}); }), "remembered");
   }
 }
 

@@ -4,25 +4,16 @@
 
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "refused.hpp"
+#include "refuses.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::caught, testing::refuses;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using Spot = std::array<double, 2>;
 
-template <class Failure, class F>
-void refused(F const& f, double measured, double bound, std::string const& words) {
-  try {
-    f();
-    BOOST_ERROR("not refused: " << words);
-  } catch (Failure const& e) {
-    BOOST_TEST(std::abs(e.measured - measured) <= 16 * eps * std::abs(measured), e.what());
-    BOOST_TEST(e.bound == bound, e.what());
-    BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
-  }
-}
 template <class F>
 void not_finite(F const& f, std::string const& words) {
   BOOST_CHECK_EXCEPTION(f(), NotFinite, [&](NotFinite const& e) {
@@ -44,48 +35,44 @@ BOOST_AUTO_TEST_CASE(cells_and_densities_that_are_none_are_refused_with_the_cell
   auto dart = two_by_one();
   // The corner (2, 1) at (1.25, 0.25): its edges are (1/4, -3/4) and (-3/4, 1/4).
   dart.nodes[5] = {1.25, 0.25, 0};
-  refused<InvertedCell>([&] { body(dart); }, -0.5, 0, "cell (1, 0), corner 3");
+  refuses<InvertedCell>([&] { body(dart); }, -0.5, 0, "cell (1, 0), corner 3");
   BodyStart<2> start;
   start.density = [](Spot const& X) { return X[0] > 1.5 ? -0.125 : 1; };
-  refused<OutsideDomain>([&] { body(two_by_one(), start); }, -0.125, 0,
+  refuses<OutsideDomain>([&] { body(two_by_one(), start); }, -0.125, 0,
                          "density in cell (1, 0): a density of mass is not negative");
   start.density = [](Spot const& X) { return X[0] > 1 ? 0.0 : 1; };
-  refused<OutsideDomain>([&] { body(two_by_one(), start); }, 0, 0, "density in cell (1, 0): a cell has mass");
+  refuses<OutsideDomain>([&] { body(two_by_one(), start); }, 0, 0, "density in cell (1, 0): a cell has mass");
   start.density = [](Spot const& X) { return X[0] > 1 ? HUGE_VAL : 1; };
   not_finite([&] { body(two_by_one(), start); }, "density in cell (1, 0)");
-  refused<NotABodyMesh>([] { body(box_mesh({0}, {1}, {2})); }, 1, 2, "the dimension of the medium");
+  refuses<NotABodyMesh>([] { body(box_mesh({0}, {1}, {2})); }, 1, 2, "the dimension of the medium");
   start = {}, start.placement = [](Spot const& X) { return Spot{X[0] == 1 ? NAN : X[0], X[1]}; };
   not_finite([&] { body(two_by_one(), start); }, "placement and velocity of node 1");
   start = {}, start.velocity = [](Spot const& X) { return Spot{X[0] == 2 ? HUGE_VAL : X[0], X[1]}; };
   not_finite([&] { body(two_by_one(), start); }, "placement and velocity of node 2");
   start = {}, start.placement = [](Spot const& X) { return Spot{X[0] == 2 ? 0.75 : X[0], X[1]}; };
-  try {
-    body(two_by_one(), start);
-    BOOST_ERROR("a cell was inside out");
-  } catch (BodyCellInverts const& e) {
-    BOOST_TEST((e.measured == -0.25 && e.bound == 0 && e.cell == 1 && e.step == 0 && e.time_step == 0));
-    BOOST_TEST((e.would_do == 0 && e.largest_step == 0));
-  }
+  auto const e = caught<BodyCellInverts>([&] { body(two_by_one(), start); });
+  BOOST_TEST((e.measured == -0.25 && e.bound == 0 && e.cell == 1 && e.step == 0 && e.time_step == 0));
+  BOOST_TEST((e.would_do == 0 && e.largest_step == 0));
 }
 
 BOOST_AUTO_TEST_CASE(steps_that_are_none_are_refused_with_what_was_asked_for) {
   auto const with = [](BodyStepping const& by) { return [by] { body(two_by_one(), {}, by); }; };
   not_finite(with({.step = HUGE_VAL}), "time step");
-  refused<OutsideDomain>(with({.step = 0}), 0, 0, "a positive time step");
-  refused<OutsideDomain>(with({.step = 1, .order = 1}), 1, 2, "2 or 4");
-  refused<OutsideDomain>(with({.step = 1, .order = 3}), 3, 4, "2 or 4");
-  refused<OutsideDomain>(with({.step = 1, .order = 6}), 6, 4, "2 or 4");
-  refused<OutsideDomain>(with({.step = 1, .order = 4, .viscosity = {0, 1}}), 4, 2, "viscosity");
-  refused<OutsideDomain>(with({.step = 1, .conserve = Conserve::energy, .viscosity = {1, 0}}), 2, 2,
+  refuses<OutsideDomain>(with({.step = 0}), 0, 0, "a positive time step");
+  refuses<OutsideDomain>(with({.step = 1, .order = 1}), 1, 2, "2 or 4");
+  refuses<OutsideDomain>(with({.step = 1, .order = 3}), 3, 4, "2 or 4");
+  refuses<OutsideDomain>(with({.step = 1, .order = 6}), 6, 4, "2 or 4");
+  refuses<OutsideDomain>(with({.step = 1, .order = 4, .viscosity = {0, 1}}), 4, 2, "viscosity");
+  refuses<OutsideDomain>(with({.step = 1, .conserve = Conserve::energy, .viscosity = {1, 0}}), 2, 2,
                          "viscosity");
   auto one = body(two_by_one());
-  refused<OutsideDomain>([&] { one.step(-2); }, -2, 0, "must not be negative");
+  refuses<OutsideDomain>([&] { one.step(-2); }, -2, 0, "must not be negative");
   BOOST_CHECK_NO_THROW(one.step(0));
   one.step(3);
-  refused<OutsideDomain>([&] { one.set_time_step(0.1); }, 3, 0, "before the first one");
-  refused<OutsideDomain>([&] { one.restore(std::vector<double>(48, 0)); }, 48, 49, "four numbers");
+  refuses<OutsideDomain>([&] { one.set_time_step(0.1); }, 3, 0, "before the first one");
+  refuses<OutsideDomain>([&] { one.restore(std::vector<double>(48, 0)); }, 48, 49, "four numbers");
   auto viscous = body(two_by_one(), {}, {.step = 0.01, .viscosity = {1, 1}});
-  refused<OutsideDomain>([&] { viscous.restore(std::vector<double>(49, 0)); }, 49, 62, "with viscosity five");
+  refuses<OutsideDomain>([&] { viscous.restore(std::vector<double>(49, 0)); }, 49, 62, "with viscosity five");
   BOOST_TEST((one.remember().size() == 49 && viscous.remember().size() == 62));
   BOOST_TEST((viscous.numbers_of_state() == 62 && one.steps() == 3));
 }

@@ -5,24 +5,18 @@
 #include "actio/meshes/body_mesh_check.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "refused.hpp"
+#include "refuses.hpp"
 
 using namespace actio;
 using namespace actio::media;
+using testing::refuses;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// Refused with these numbers, and these words somewhere in the message.
-template <class Failure = NotABodyMesh, class F>
-void refused(F const& f, double measured, double bound, std::string const& words) {
-  try {
-    f();
-    BOOST_ERROR("not refused: " << words);
-  } catch (Failure const& e) {
-    BOOST_TEST(std::abs(e.measured - measured) <= 8 * eps * std::abs(measured), words);
-    BOOST_TEST(e.bound == bound, words);
-    BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
-  }
+template <class F>
+void refuses(F const& f, double measured, double bound, std::string const& words) {
+  testing::refuses<NotABodyMesh>(f, measured, bound, words);
 }
 template <class Change>
 BodyMesh with(Change const& change) {
@@ -37,19 +31,19 @@ auto requiring(Change const& change) { return [change] { require_body_mesh(with(
 BOOST_AUTO_TEST_SUITE(refusals_of_meshes)
 
 BOOST_AUTO_TEST_CASE(boxes_are_refused_with_what_they_lack) {
-  refused([] { box_mesh({}, {}, {}); }, 0, 3, "one to three dimensions");
-  refused([] { box_mesh({0, 0, 0, 0}, {1, 1, 1, 1}, {1, 1, 1, 1}); }, 4, 3, "one to three dimensions");
-  refused([] { box_mesh({0}, {1, 1}, {1, 1}); }, 1, 2, "each direction has its entry");
-  refused([] { box_mesh({0, 0}, {1, 1, 1}, {1, 1}); }, 3, 2, "each direction has its entry");
-  refused([] { box_mesh({0, 0}, {1, 1}, {1, 1}, {true}); }, 1, 2, "each direction has its entry");
-  refused([] { box_mesh({0, 2}, {1, 2}, {1, 1}); }, 2, 2, "box, direction 2: the upper end");
-  refused([] { box_mesh({0, 0}, {1, 2}, {1, 0}); }, 0, 1, "direction 2: there are cells enough");
-  refused(
+  refuses([] { box_mesh({}, {}, {}); }, 0, 3, "one to three dimensions");
+  refuses([] { box_mesh({0, 0, 0, 0}, {1, 1, 1, 1}, {1, 1, 1, 1}); }, 4, 3, "one to three dimensions");
+  refuses([] { box_mesh({0}, {1, 1}, {1, 1}); }, 1, 2, "each direction has its entry");
+  refuses([] { box_mesh({0, 0}, {1, 1, 1}, {1, 1}); }, 3, 2, "each direction has its entry");
+  refuses([] { box_mesh({0, 0}, {1, 1}, {1, 1}, {true}); }, 1, 2, "each direction has its entry");
+  refuses([] { box_mesh({0, 2}, {1, 2}, {1, 1}); }, 2, 2, "box, direction 2: the upper end");
+  refuses([] { box_mesh({0, 0}, {1, 2}, {1, 0}); }, 0, 1, "direction 2: there are cells enough");
+  refuses(
       [] {
         box_mesh({0, 0}, {1, 2}, {1, 1}, {false, true});
       },
       1, 2, "direction 2: there are cells enough");
-  refused(
+  refuses(
       [] {
         box_mesh({0, 0, 0}, {1, 1, 1}, {2000, 1999, 1999});
       },
@@ -100,17 +94,17 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_box_lie_evenly_and_count_along_the_first_directi
 }
 
 BOOST_AUTO_TEST_CASE(round_bodies_are_refused_with_what_they_lack) {
-  refused([] { annulus_mesh(-1, 1, {2, 8}); }, -1, 0, "annulus: the inner radius is positive");
-  refused([] { annulus_mesh(0, 1, {2, 8}); }, 0, 0, "a disc has none");
-  refused([] { annulus_mesh(2, 2, {2, 8}); }, 2, 2, "the outer radius is above the inner one");
-  refused([] { annulus_mesh(1, 2, {0, 8}); }, 0, 1, "there are cells across");
-  refused([] { annulus_mesh(1, 2, {1, 2}); }, 2, 3, "there are cells enough along");
-  refused([] { disc_mesh(0, {1, 1}); }, 0, 0, "the outer radius is above the inner one");
-  refused([] { disc_mesh(1, {1, 0}); }, 0, 1, "there are cells enough along");
-  refused([] { shell_mesh(0, 1, {1, 1}); }, 0, 0, "a ball has none");
-  refused([] { shell_mesh(3, 1, {1, 1}); }, 1, 3, "the outer radius is above the inner one");
+  refuses([] { annulus_mesh(-1, 1, {2, 8}); }, -1, 0, "annulus: the inner radius is positive");
+  refuses([] { annulus_mesh(0, 1, {2, 8}); }, 0, 0, "a disc has none");
+  refuses([] { annulus_mesh(2, 2, {2, 8}); }, 2, 2, "the outer radius is above the inner one");
+  refuses([] { annulus_mesh(1, 2, {0, 8}); }, 0, 1, "there are cells across");
+  refuses([] { annulus_mesh(1, 2, {1, 2}); }, 2, 3, "there are cells enough along");
+  refuses([] { disc_mesh(0, {1, 1}); }, 0, 0, "the outer radius is above the inner one");
+  refuses([] { disc_mesh(1, {1, 0}); }, 0, 1, "there are cells enough along");
+  refuses([] { shell_mesh(0, 1, {1, 1}); }, 0, 0, "a ball has none");
+  refuses([] { shell_mesh(3, 1, {1, 1}); }, 1, 3, "the outer radius is above the inner one");
   // The lattice of 4^3 nodes, and layers of the 56 on its surface.
-  refused([] { ball_mesh(1, {40000000, 3}); }, 64 + 40000001.0 * 56, 2147483647.0, "nodes can be counted");
+  refuses([] { ball_mesh(1, {40000000, 3}); }, 64 + 40000001.0 * 56, 2147483647.0, "nodes can be counted");
   CHECK_REFUSED(disc_mesh(HUGE_VAL, {1, 1}), NotFinite);
   CHECK_REFUSED(annulus_mesh(std::nan(""), 1, {1, 3}), NotFinite);
   BOOST_TEST(annulus_mesh(1, 2, {1, 3}).cells.size() == 3);
@@ -156,31 +150,31 @@ BOOST_AUTO_TEST_CASE(the_core_of_a_round_body_lies_halfway_between_a_cube_and_a_
 }
 
 BOOST_AUTO_TEST_CASE(meshes_of_no_body_are_refused_with_what_was_counted) {
-  refused(requiring([](BodyMesh& m) { m.dimension = 3; }), 3, 2, "mesh of a body of quadrilaterals");
-  refused(requiring([](BodyMesh& m) { m.cells.clear(); }), 0, 1, "there are cells");
-  refused(requiring([](BodyMesh& m) { m.wraps.resize(5); }), 5, 6, "how it lies across seams");
-  refused(requiring([](BodyMesh& m) { m.cells[3][2] = -1; }), -1, 11, "its corners are nodes");
-  refused(requiring([](BodyMesh& m) { m.cells[3][2] = 12; }), 12, 11, "its corners are nodes");
-  refused(requiring([](BodyMesh& m) { m.nodes.push_back({7, 7, 0}); }), 0, 1, "every node is a corner");
+  refuses(requiring([](BodyMesh& m) { m.dimension = 3; }), 3, 2, "mesh of a body of quadrilaterals");
+  refuses(requiring([](BodyMesh& m) { m.cells.clear(); }), 0, 1, "there are cells");
+  refuses(requiring([](BodyMesh& m) { m.wraps.resize(5); }), 5, 6, "how it lies across seams");
+  refuses(requiring([](BodyMesh& m) { m.cells[3][2] = -1; }), -1, 11, "its corners are nodes");
+  refuses(requiring([](BodyMesh& m) { m.cells[3][2] = 12; }), 12, 11, "its corners are nodes");
+  refuses(requiring([](BodyMesh& m) { m.nodes.push_back({7, 7, 0}); }), 0, 1, "every node is a corner");
   // The corner (3, 2) of a unit cell drawn to (2.25, 1.25): its edges are (1/4, -3/4) and (-3/4, 1/4).
-  refused(requiring([](BodyMesh& m) {
+  refuses(requiring([](BodyMesh& m) {
             m.nodes[11] = {2.25, 1.25, 0};
           }),
           -0.8, 64 * eps, "a cell is not inverted");
-  refused(requiring([](BodyMesh& m) { m.nodes[11] = m.nodes[7]; }), 0, 64 * eps, "a cell is not degenerate");
-  refused(requiring([](BodyMesh& m) { m.cells.push_back(m.cells[1]), m.cells.push_back(m.cells[1]); }), 3, 2,
+  refuses(requiring([](BodyMesh& m) { m.nodes[11] = m.nodes[7]; }), 0, 64 * eps, "a cell is not degenerate");
+  refuses(requiring([](BodyMesh& m) { m.cells.push_back(m.cells[1]), m.cells.push_back(m.cells[1]); }), 3, 2,
           "a facet belongs to two cells at most");
-  refused(requiring([](BodyMesh& m) {
+  refuses(requiring([](BodyMesh& m) {
             auto const other = box_mesh({7, 0}, {9, 1}, {2, 1});
             m.cells.insert(m.cells.end(), {{12, 13, 15, 16}, {13, 14, 16, 17}});
             m.nodes.insert(m.nodes.end(), other.nodes.begin(), other.nodes.end());
           }),
           2, 1, "cells are connected by their facets");
-  refused(requiring([](BodyMesh& m) {
+  refuses(requiring([](BodyMesh& m) {
             m.sides["left"].push_back({4, 9, -1, -1});
           }),
           4, -1, "side left, facet 2");
-  refused([] { facets_of_side(with([](BodyMesh&) {}), "front"); }, 0, 1, "sides with the name front");
+  refuses([] { facets_of_side(with([](BodyMesh&) {}), "front"); }, 0, 1, "sides with the name front");
 }
 
 BOOST_AUTO_TEST_CASE(corners_have_the_volume_of_their_edges) {

@@ -3,24 +3,13 @@
 #include <boost/test/unit_test.hpp>
 
 #include "media.hpp"
+#include "refuses.hpp"
 
 using namespace actio;
 using namespace actio::media;
 using namespace actio::testing;
 
 namespace {
-
-template <class Failure, class F>
-void refused(F const& f, double measured, double bound, std::string const& words) {
-  try {
-    f();
-    BOOST_ERROR("not refused: " << words);
-  } catch (Failure const& e) {
-    BOOST_TEST(std::abs(e.measured - measured) <= 1e-14 * std::abs(measured), words);
-    BOOST_TEST(std::abs(e.bound - bound) <= 1e-14 * std::abs(bound), words);
-    BOOST_TEST(std::string(e.what()).find(words) != std::string::npos, e.what());
-  }
-}
 template <int n>
 StraightBox<double, n> unit_box() {
   Matrix<double, n, 1> low = Matrix<double, n, 1>::Zero(), high = low;
@@ -48,16 +37,16 @@ BOOST_AUTO_TEST_SUITE(space_time_refusals)
 
 BOOST_AUTO_TEST_CASE(space_time_meshes_are_refused_with_what_they_lack) {
   auto const free = all_sides<2>(Side::free), around = all_sides<2>(Side::periodic);
-  refused<NotAMesh>(mesh_of<2>({}, {{1, 1}}, free), 0, 1, "time has a first level");
-  refused<NotAMesh>(mesh_of<2>({0, 1, 0.5}, {{1, 1}}, free), 0.5, 1, "level 2: times increase");
-  refused<NotAMesh>(mesh_of<2>({0, 0}, {{1, 1}}, free), 0, 0, "level 1: times increase");
-  refused<NotAMesh>(mesh_of<2>({0, 1}, {{1, 0}}, free), 0, 1, "direction 2: there are cells enough");
-  refused<NotAMesh>(mesh_of<2>({0, 1}, {{1, 2}}, around), 1, 2, "direction 1: there are cells enough");
+  refuses<NotAMesh>(mesh_of<2>({}, {{1, 1}}, free), 0, 1, "time has a first level");
+  refuses<NotAMesh>(mesh_of<2>({0, 1, 0.5}, {{1, 1}}, free), 0.5, 1, "level 2: times increase");
+  refuses<NotAMesh>(mesh_of<2>({0, 0}, {{1, 1}}, free), 0, 0, "level 1: times increase");
+  refuses<NotAMesh>(mesh_of<2>({0, 1}, {{1, 0}}, free), 0, 1, "direction 2: there are cells enough");
+  refuses<NotAMesh>(mesh_of<2>({0, 1}, {{1, 2}}, around), 1, 2, "direction 1: there are cells enough");
   Sides<2> half = free;
   half[1][1] = Side::periodic;
-  refused<NotAMesh>(mesh_of<2>({0, 1}, {{2, 2}}, half), 1, 2, "direction 2: a periodic side");
+  refuses<NotAMesh>(mesh_of<2>({0, 1}, {{2, 2}}, half), 1, 2, "direction 2: a periodic side");
   int const most = std::numeric_limits<int>::max();
-  refused<NotAMesh>(mesh_of<2>({0, 1}, {{most, most}}, free), std::pow(2.0, 62),
+  refuses<NotAMesh>(mesh_of<2>({0, 1}, {{most, most}}, free), std::pow(2.0, 62),
                     double(std::numeric_limits<Index>::max() / 4), "the nodes can be counted");
   BOOST_TEST(mesh_of<2>({0}, {{1, 1}}, free)().levels() == 1);
   BOOST_TEST(mesh_of<2>({0, 1}, {{2, 2}}, around)().node_count() == 4);
@@ -67,17 +56,17 @@ BOOST_AUTO_TEST_CASE(space_time_meshes_are_refused_with_what_they_lack) {
         {0, 1}, {{2, 2}}, {{{Side::periodic, Side::periodic}, {Side::free, Side::free}}},
         [](Matrix<double, 2, 1> const& u) { return Matrix<double, 2, 1>(u[0], u[1] * (1 + 0.5 * u[0])); });
   };
-  refused<NotAMesh>(wedge, 0.25, 64 * epsilon<double>(), "x = (0, 0.5)");
+  refuses<NotAMesh>(wedge, 0.25, 64 * epsilon<double>(), "x = (0, 0.5)");
 }
 
 BOOST_AUTO_TEST_CASE(cells_that_are_none_are_refused_with_their_volume_over_their_edges) {
   Matrix<double, 2, 4> sheared;
   sheared << 0, 1, 2, 2, 0, 1, 1, 1;
   // The edges (1, 1) and (2, 1) at corner 0: their determinant, -1, over their largest entries.
-  refused<InvertedCell>([&] { cell_geometry<double, 2>(sheared, "X"); }, -0.5, 64 * epsilon<double>(),
+  refuses<InvertedCell>([&] { cell_geometry<double, 2>(sheared, "X"); }, -0.5, 64 * epsilon<double>(),
                         "cell X, corner 0 at x = (0, 0)");
   Matrix<double, 2, 4> point = Matrix<double, 2, 4>::Zero();
-  refused<InvertedCell>([&] { cell_geometry<double, 2>(point, "Y"); }, 0, 64 * epsilon<double>(), "cell Y");
+  refuses<InvertedCell>([&] { cell_geometry<double, 2>(point, "Y"); }, 0, 64 * epsilon<double>(), "cell Y");
 }
 
 BOOST_AUTO_TEST_CASE(a_mesh_of_three_dimensions_has_its_nodes_places_and_sides_where_they_are) {
@@ -127,27 +116,27 @@ BOOST_AUTO_TEST_CASE(sections_and_slabs_that_a_mesh_does_not_have_are_refused) {
     return out;
   };
   BOOST_CHECK_NO_THROW(require_section(mesh, section));
-  refused<NotAMesh>([&] { require_section(mesh, with(4)); }, 4, 3, "its levels are among those of the mesh");
+  refuses<NotAMesh>([&] { require_section(mesh, with(4)); }, 4, 3, "its levels are among those of the mesh");
   auto short_one = section;
   short_one.levels[2].pop_back();
-  refused<NotAMesh>([&] { require_section(mesh, short_one); }, 3, 4, "a value at each node");
-  refused<NotAMesh>([&] { require_slab(mesh, section, 2); }, 2, 1, "a slab lies between two of its levels");
-  refused<NotAMesh>([&] { require_slab(mesh, section, -1); }, -1, 1, "a slab lies between two of its levels");
+  refuses<NotAMesh>([&] { require_section(mesh, short_one); }, 3, 4, "a value at each node");
+  refuses<NotAMesh>([&] { require_slab(mesh, section, 2); }, 2, 1, "a slab lies between two of its levels");
+  refuses<NotAMesh>([&] { require_slab(mesh, section, -1); }, -1, 1, "a slab lies between two of its levels");
   BOOST_CHECK_NO_THROW(require_slab(mesh, section, 1));
   auto one = with(1), two = with(2), all = section;
-  refused<NotAMesh>([&] { step(Heavy{}, mesh, one); }, 1, 2, "two levels determine the next one");
-  refused<NotAMesh>([&] { step(Heavy{}, mesh, all); }, 3, 2, "the mesh has a level to step to");
-  refused<NotAMesh>([&] { first_step(Heavy{}, mesh, two, two.levels[0]); }, 2, 1, "one level is given");
+  refuses<NotAMesh>([&] { step(Heavy{}, mesh, one); }, 1, 2, "two levels determine the next one");
+  refuses<NotAMesh>([&] { step(Heavy{}, mesh, all); }, 3, 2, "the mesh has a level to step to");
+  refuses<NotAMesh>([&] { first_step(Heavy{}, mesh, two, two.levels[0]); }, 2, 1, "one level is given");
   auto const velocities = Level<double, 1>(3, Matrix<double, 1, 1>(0.0));
-  refused<NotAMesh>([&] { first_step(Heavy{}, mesh, one, velocities); }, 3, 4, "each node has a velocity");
+  refuses<NotAMesh>([&] { first_step(Heavy{}, mesh, one, velocities); }, 3, 4, "each node has a velocity");
   auto const flat = mesh_of<1>({0}, {{3}}, all_sides<1>(Side::free))();
-  refused<NotAMesh>([&] { first_step(Heavy{}, flat, one, one.levels[0]); }, 1, 0, "a level to step to");
+  refuses<NotAMesh>([&] { first_step(Heavy{}, flat, one, one.levels[0]); }, 1, 0, "a level to step to");
   // A section of one component does not slide along sides of the second direction.
   auto const sliding = mesh_of<2>({0, 0.1, 0.2}, {{1, 1}}, all_sides<2>(Side::sliding))();
   auto flat_section = restricted(
       sliding, [](Matrix<double, 3, 1> const& x) { return Matrix<double, 1, 1>(x[1]); }, 2);
   auto const plain = []<class T>(Jet<T, 2, 1> const& j) -> T { return j.v(0, 0) * j.v(0, 0) * 0.5; };
-  refused<NotAMesh>([&] { step(plain, sliding, flat_section); }, 1, 2, "across their own components");
+  refuses<NotAMesh>([&] { step(plain, sliding, flat_section); }, 1, 2, "across their own components");
   BOOST_TEST(flat_section.last() == 1);
 }
 
@@ -161,14 +150,14 @@ BOOST_AUTO_TEST_CASE(boxes_of_cells_end_where_the_mesh_does) {
   };
   BOOST_CHECK_NO_THROW(box(0, 2, {{3, 0}}, {{4, 3}})());
   BOOST_CHECK_NO_THROW(box(1, 1, {{0, 2}}, {{1, 1}})());
-  refused<NotAMesh>(box(1, 2, {{0, 0}}, {{1, 1}}), 3, 2, "its slabs lie between levels");
-  refused<NotAMesh>(box(-1, 1, {{0, 0}}, {{1, 1}}), 0, 2, "its slabs lie between levels");
-  refused<NotAMesh>(box(1, 0, {{0, 0}}, {{1, 1}}), 1, 2, "its slabs lie between levels");
-  refused<NotAMesh>(box(0, 1, {{0, 2}}, {{1, 2}}), 4, 3, "direction 2: its cells lie in the mesh");
-  refused<NotAMesh>(box(0, 1, {{0, -1}}, {{1, 1}}), 0, 3, "direction 2: its cells lie in the mesh");
-  refused<NotAMesh>(box(0, 1, {{0, 1}}, {{1, 0}}), 1, 3, "direction 2: its cells lie in the mesh");
-  refused<NotAMesh>(box(0, 1, {{0, 0}}, {{5, 1}}), 0, 4, "direction 1: its cells lie in the mesh");
-  refused<NotAMesh>(box(0, 1, {{5, 0}}, {{1, 1}}), 5, 4, "direction 1: its cells lie in the mesh");
+  refuses<NotAMesh>(box(1, 2, {{0, 0}}, {{1, 1}}), 3, 2, "its slabs lie between levels");
+  refuses<NotAMesh>(box(-1, 1, {{0, 0}}, {{1, 1}}), 0, 2, "its slabs lie between levels");
+  refuses<NotAMesh>(box(1, 0, {{0, 0}}, {{1, 1}}), 1, 2, "its slabs lie between levels");
+  refuses<NotAMesh>(box(0, 1, {{0, 2}}, {{1, 2}}), 4, 3, "direction 2: its cells lie in the mesh");
+  refuses<NotAMesh>(box(0, 1, {{0, -1}}, {{1, 1}}), 0, 3, "direction 2: its cells lie in the mesh");
+  refuses<NotAMesh>(box(0, 1, {{0, 1}}, {{1, 0}}), 1, 3, "direction 2: its cells lie in the mesh");
+  refuses<NotAMesh>(box(0, 1, {{0, 0}}, {{5, 1}}), 0, 4, "direction 1: its cells lie in the mesh");
+  refuses<NotAMesh>(box(0, 1, {{5, 0}}, {{1, 1}}), 5, 4, "direction 1: its cells lie in the mesh");
   // Around the seam: the cells 3 and 0.
   CellBox<2> const across{0, 2, {{3, 1}}, {{2, 1}}};
   for (int i = 0; i < 4; ++i)

@@ -7,7 +7,6 @@
 #include "actio/linear_algebra/matrix_logarithm.hpp"
 #include "actio/linear_algebra/schur_form.hpp"
 #include "actio/numbers/gauss_quadrature.hpp"
-#include "actio/numbers/nearest_name.hpp"
 #include "caught.hpp"
 #include "refused.hpp"
 #include "witness/number.hpp"

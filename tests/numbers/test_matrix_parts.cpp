@@ -4,7 +4,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <sstream>
 
 #include "actio/matrices/matrix.hpp"
 #include "actio/numbers/errors.hpp"

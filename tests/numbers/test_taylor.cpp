@@ -1,6 +1,5 @@
 // Functions of power series in the time, over the rationals where their values at t = 0 are rational.
 #include <boost/test/unit_test.hpp>
-#include <numbers>
 
 #include "actio/numbers/taylor.hpp"
 

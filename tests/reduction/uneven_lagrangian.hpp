@@ -2,7 +2,6 @@
 // and what is measured against it.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "actio/groups/affine_line.hpp"

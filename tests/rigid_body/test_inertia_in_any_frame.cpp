@@ -6,6 +6,7 @@
 
 #include "actio/rigid_body/inertia_of_parts.hpp"
 #include "actio/rigid_body/largest_step.hpp"
+#include "caught.hpp"
 #include "refused.hpp"
 
 using namespace actio;
@@ -18,12 +19,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 /// The measured number and the bound of a refusal.
 template <class Refusal, class F>
 std::pair<double, double> refused(F const& f) {
-  try {
-    f();
-  } catch (Refusal const& refusal) {
-    return {refusal.measured, refusal.bound};
-  }
-  throw std::logic_error("nothing was refused");
+  auto const refusal = testing::caught<Refusal>(f);
+  return {refusal.measured, refusal.bound};
 }
 /// I_ij = sum m (|x|^2 delta_ij - x_i x_j), entry by entry.
 Matrix3d sum_over(std::vector<PointMass> const& points) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "program/registry/conservation.hpp"
 #include "program/run/run.hpp"

@@ -4,9 +4,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "caught.hpp"
 #include "program/systems/media/place_formula.hpp"
 
 using namespace actio::scene;
+using actio::testing::message_of;
 
 namespace {
 
@@ -19,17 +21,8 @@ double value(PlaceFormula const& f, std::array<double, 3> const& point) {
   f(point, &y);
   return y;
 }
-template <class Use>
-std::string said_by(Use const& use) {
-  try {
-    use();
-  } catch (SceneError const& error) {
-    return error.what();
-  }
-  return "taken";
-}
 std::string complaint(std::string const& text) {
-  return said_by([&] { formula(text); });
+  return message_of([&] { formula(text); });
 }
 
 }  // namespace
@@ -59,7 +52,7 @@ BOOST_AUTO_TEST_CASE(places_are_those_of_the_file) {
   std::string const text = "[a]\nx = [\"1\", 'sn(X)']\ny = \"\\u0058 + sn(X)\"\nz = \"\"\"sn(X)\"\"\"\n";
   auto const table = SceneFile::parse(text, "f", {"a.w=\"sn(X)\"", "a.u=sn"}).section("a");
   auto const said = [&](std::string const& t, TextPlace const& place) {
-    std::string const whole = said_by([&] { PlaceFormula(t, 1, place); });
+    std::string const whole = message_of([&] { PlaceFormula(t, 1, place); });
     return whole.substr(0, whole.find(" unknown"));
   };
   BOOST_TEST(said(table.texts("x")[1], table.text_place("x", 1)) == "f:2:12:");
@@ -72,10 +65,10 @@ BOOST_AUTO_TEST_CASE(places_are_those_of_the_file) {
 BOOST_AUTO_TEST_CASE(no_value_is_a_nan_or_infinite) {
   PlaceFormula const root = formula("sqrt(X - 1)/Y");
   BOOST_TEST(value(root, {5, 2, 0}) == 1);
-  BOOST_TEST(said_by([&] {
+  BOOST_TEST(message_of([&] {
                value(root, {0.5, 2, 0});
              }) == "f:3:10: a finite value is expected, found nan at X = 0.5, Y = 2, Z = 0");
-  BOOST_TEST(said_by([&] {
+  BOOST_TEST(message_of([&] {
                value(root, {5, 0, 0});
              }) == "f:3:10: a finite value is expected, found inf at X = 5, Y = 0, Z = 0");
   BOOST_TEST(value(root, {5, 2, 0}) == 1);
@@ -94,10 +87,10 @@ BOOST_AUTO_TEST_CASE(several_formulas_are_told_apart) {
   std::array<double, 2> y;
   both(std::array{1.0, 3.0}, y.data());
   BOOST_TEST((y[0] == 4 && y[1] == 0.25));
-  BOOST_TEST(said_by([&] {
+  BOOST_TEST(message_of([&] {
                both(std::array{1.0, -1.0}, y.data());
              }) == "f:2:16: a finite value is expected, found inf at X = 1, Y = -1");
-  BOOST_TEST(said_by([&] {
+  BOOST_TEST(message_of([&] {
                PlaceFormula(table, "y", {"X", "Y"});
              }) == "f:3:5: y: 2 formulas in X, Y are expected, one for each dimension, found 1");
 }

@@ -4,7 +4,6 @@
 #include <toml++/toml.h>
 
 #include <bit>
-#include <cstring>
 #include <random>
 
 #include <boost/test/unit_test.hpp>

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <boost/test/unit_test.hpp>
 
+#include "caught.hpp"
 #include "program/document/schedule.hpp"
 
 using namespace actio::scene;
+using actio::testing::message_of;
 
 namespace {
 
@@ -20,13 +22,10 @@ Schedule schedule_of(std::string const& run) {
 /// What is said where rows are refused; empty where they are taken.
 std::string complaint(std::string const& run, double step) {
   SceneFile const file = SceneFile::parse(fmt::format("[method]\nstep = {}\n[run]\n{}", step, run), "f");
-  try {
+  return message_of([&] {
     Schedule const schedule(file.section("run"));
     StepsToRows(schedule, step, file.section("method"));
-  } catch (SceneError const& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 /// A number of a plain kind, or of any.
@@ -164,14 +163,7 @@ BOOST_AUTO_TEST_CASE(a_step_off_by_a_part_in_ten_to_the_ninth_is_taken_and_by_mo
 }
 
 BOOST_AUTO_TEST_CASE(wrong_times_are_pointed_at) {
-  auto const said = [](std::string const& run) -> std::string {
-    try {
-      schedule_of(run);
-    } catch (SceneError const& error) {
-      return error.what();
-    }
-    return "taken";
-  };
+  auto const said = [](std::string const& run) { return message_of([&] { schedule_of(run); }); };
   BOOST_TEST(said("until = 0\n").starts_with("f:2:9: until: a number > 0"));
   BOOST_TEST(said("until = 1\nevery = -1\n").starts_with("f:3:9: every: a number > 0"));
   BOOST_TEST(said("at = [0]\n").starts_with("f:2:"));

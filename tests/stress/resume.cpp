@@ -3,9 +3,11 @@
 //
 // ACTIO_SEED repeats the instants of another time.
 //
-// A table in HDF5 is whole at any instant, while the run goes on and after each kill; its rows are the first
-// ones of the unbroken run, and at the end it is the same file.
+// A table in HDF5 is whole at any instant, while the run goes on, after each kill and after a disk was full;
+// its rows are the first ones of the unbroken run, who has it open keeps what there was, and at the end it is
+// the same file.
 #include <cstdio>
+#include <fstream>
 
 #include "../command/hdf5_table.hpp"
 #include "../command/process.hpp"
@@ -57,68 +59,114 @@ bool same(Case const& c, std::mt19937& random) {
   return ended && met && table && summary;
 }
 
-/// What an ordinary reader makes of a table: nothing is wrong, or what.
-std::string wrong(std::string const& path, command::Table const& whole) try {
-  auto const part = command::read_hdf5(path);
-  bool const begins = part.rows.size() <= whole.rows.size() &&
-                      std::equal(part.rows.begin(), part.rows.end(), whole.rows.begin());
-  return begins ? "" : "its rows are not the first ones";
-} catch (std::exception const& error) {
-  return error.what();
-}
-
-struct Hdf5Case {
-  char const* name;
-  std::map<std::string, std::string> changes;
-  int kills;
-};
-Hdf5Case const hdf5_cases[] = {
+/// Of these every third start finds a disk that is soon full.
+Case const storms[] = {
     {"HDF5, exact, many rows",
      {{"until", "200000.0"}, {"quantities", "[\"attitude\", \"energy\"]"}, {"formats", "[\"hdf5\"]"}},
-     100},
+     60},
     {"HDF5, order 2, few rows",
      {{"order", "2"},
       {"step", "0.25"},
       {"until", "30000000.0"},
       {"every", "10000.0"},
       {"formats", "[\"hdf5\"]"}},
-     50},
+     40},
 };
 
-/// Kills a run until it is done; reads its table while it goes on, and after each kill.
-bool readable(Hdf5Case const& c, std::mt19937& random) {
+/// What readers saw of the files of a run, beside those of the unbroken one.
+class Readers {
+ public:
+  Readers(std::string const& out, std::string const& unbroken)
+      : table_(out + "/series.h5"),
+        rows_(out + "/series.csv"),
+        whole_(command::read_hdf5(unbroken + "/series.h5")),
+        whole_rows_(command::contents(unbroken + "/series.csv")) {}
+
+  /// An ordinary reader opens the table; the rows are the first ones.
+  void look(char const* when) {
+    if (!whole_rows_.starts_with(command::contents(rows_))) complain(when, "series.csv has other rows");
+    if (!std::filesystem::exists(table_)) return;
+    if (!held_.is_open()) held_.open(table_, std::ios::binary), first_ = command::contents(table_);
+    ++looks;
+    try {
+      auto const part = command::read_hdf5(table_);
+      on_the_way += part.rows.size() < whole_.rows.size();
+      if (part.rows.size() > whole_.rows.size() ||
+          !std::equal(part.rows.begin(), part.rows.end(), whole_.rows.begin()))
+        complain(when, "series.h5 has other rows");
+    } catch (std::exception const& error) {
+      complain(when, error.what());
+    }
+  }
+  /// The reader that has opened the first table and stays finds what was there then.
+  void leave() {
+    std::string const found{std::istreambuf_iterator<char>(held_), {}};
+    if (first_.empty() || found != first_) complain("of a reader that stayed", "series.h5 was changed");
+  }
+  int looks = 0, on_the_way = 0, refused = 0;
+
+ private:
+  void complain(char const* when, std::string const& what) {
+    ++refused, std::printf("%s: %s\n", when, what.c_str());
+  }
+  std::string table_, rows_;
+  command::Table whole_;
+  std::string whole_rows_, first_;
+  std::ifstream held_;
+};
+
+/// Kills a run until it is done, and fills its disk; reads its files while it goes on, and after each end.
+bool readable(Case const& c, std::mt19937& random) {
   command::Folder const folder;
   std::string const scene = folder.write("scene.toml", command::apophis(c.changes)),
-                    unbroken = folder / "unbroken", broken = folder / "broken", table = broken + "/series.h5";
+                    unbroken = folder / "unbroken", broken = folder / "broken";
+  auto const resumed = [&] { return command::Process({"resume", broken, "--quiet"}).wait().status; };
   auto const began = std::chrono::steady_clock::now();
   bool well = command::Process({"run", scene, "--out", unbroken, "--quiet"}).wait().status == 0;
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  auto const whole = command::read_hdf5(unbroken + "/series.h5");
-  std::uniform_real_distribution<double> instant(0, std::min(0.5, 3 * seconds / c.kills));
-  int met = 0, looks = 0, refused = 0;
-  auto const look = [&](char const* when) {
-    if (!std::filesystem::exists(table)) return;
-    ++looks;
-    if (std::string const what = wrong(table, whole); !what.empty())
-      ++refused, std::printf("%s: %s\n", when, what.c_str());
+  Readers readers(broken, unbroken);
+  auto const size = [](std::string const& file) {
+    std::error_code none;
+    auto const bytes = std::filesystem::file_size(file, none);
+    return none ? 0.0 : static_cast<double>(bytes);
   };
+  double const share = size(unbroken + "/series.csv") / c.kills;
+  std::uniform_real_distribution<double> instant(0, std::min(0.5, 2 * seconds / c.kills)), more(0, 2 * share);
+  int met = 0, full = 0, others = 0;
+  bool done = false;
   for (int k = 0; k < c.kills; ++k) {
-    bool const begun = std::filesystem::exists(broken + "/scene.toml");
-    command::Process process(begun ? std::vector<std::string>{"resume", broken, "--quiet"}
-                                   : std::vector<std::string>{"run", scene, "--out", broken, "--quiet"});
+    bool const begun = !done && std::filesystem::exists(broken + "/scene.toml"), fills = k % 3 == 2;
+    auto const disk = static_cast<rlim_t>(size(broken + "/series.csv") + more(random));
+    command::Process process(
+        begun ? std::vector<std::string>{"resume", broken, "--quiet"}
+              : std::vector<std::string>{"run", scene, "--out", broken, "--quiet", "--force"},
+        fills ? disk : RLIM_INFINITY);
     command::sleep_for(instant(random));
-    look("while it goes on");
+    readers.look("while it goes on");
     command::sleep_for(instant(random));
-    process.send(SIGKILL);
-    if (process.wait().status == 128 + SIGKILL) ++met;
-    look("after a kill");
+    if (!fills) process.send(SIGKILL);
+    int const status = process.wait().status;
+    done = status == 0;  // then it begins anew
+    met += status == 128 + SIGKILL, full += status == 4;
+    others += status != 128 + SIGKILL && status != 4 && status != 0;
+    readers.look("after it ended");
   }
-  well = well && command::Process({"resume", broken, "--quiet"}).wait().status == 0 &&
-         command::contents(table) == command::contents(unbroken + "/series.h5");
-  std::printf("%-42s %5.1f s unbroken, %2d of %2d kills met the run, %d looks, %d refused: %s\n", c.name,
-              seconds, met, c.kills, looks, refused, well ? "bit for bit" : "THE TABLES DIFFER");
+  well = well && resumed() == 0;
+  readers.leave();
+  bool const same = command::contents(broken + "/series.h5") == command::contents(unbroken + "/series.h5") &&
+                    command::contents(broken + "/series.csv") == command::contents(unbroken + "/series.csv");
+  std::printf(
+      "%-42s %5.1f s unbroken, %2d of %2d met by a kill, %2d by a full disk, %d looks, %d of them on "
+      "the way, %d refused: %s\n",
+      c.name, seconds, met, c.kills, full, readers.looks, readers.on_the_way, readers.refused,
+      others                    ? "ANOTHER STATUS THAN 0, 4 OR THAT OF A KILL"
+      : !well || !same          ? "THE FILES DIFFER"
+      : met < 3 || full < 3     ? "TOO FEW KILLS OR FULL DISKS MET IT"
+      : readers.on_the_way == 0 ? "NO TABLE WAS SEEN ON THE WAY"
+                                : "bit for bit");
   std::fflush(stdout);
-  return well && refused == 0 && met > 2;
+  return well && same && others == 0 && readers.refused == 0 && met >= 3 && full >= 3 &&
+         readers.on_the_way > 0;
 }
 
 }  // namespace
@@ -130,6 +178,6 @@ int main() {
   bool well = true;
   for (Case const& c : cases) well = same(c, random) && well;
   ::setenv("ACTIO_CHECKPOINT_SECONDS", "0.001", 1);  // files are made anew thirty checkpoints apart
-  for (Hdf5Case const& c : hdf5_cases) well = readable(c, random) && well;
+  for (Case const& c : storms) well = readable(c, random) && well;
   return well ? 0 : 1;
 }

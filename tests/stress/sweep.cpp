@@ -2,7 +2,6 @@
 // unbroken sweep, seconds aside, and so do all series.
 //
 // ACTIO_SEED repeats the instants of another time.
-#include <algorithm>
 #include <cstdio>
 #include <sstream>
 

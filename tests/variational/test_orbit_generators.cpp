@@ -7,10 +7,12 @@
 #include "actio/groups/special_linear.hpp"
 #include "actio/variational/action.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
+#include "caught.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
+using testing::caught;
 
 namespace {
 
@@ -51,26 +53,18 @@ BOOST_AUTO_TEST_CASE(a_vector_outside_is_refused_with_what_elimination_leaves_of
   // <mu, w>/6.
   auto const mu = momentum(SO<3>{}, Vector<double, 3>(2, 3, 6)),
              w = momentum(SO<3>{}, Vector<double, 3>(1, 1, -2));
-  try {
-    orbit_generator(mu, w);
-    BOOST_TEST(false);
-  } catch (OutsideDomain const& e) {
-    BOOST_TEST(std::abs(e.measured - 7.0 / 6) < 8 * eps);
-    BOOST_TEST(e.bound == 16 * 256 * 3 * eps * 2);
-  }
+  auto const e = caught<OutsideDomain>([&] { orbit_generator(mu, w); });
+  BOOST_TEST(std::abs(e.measured - 7.0 / 6) < 8 * eps);
+  BOOST_TEST(e.bound == 16 * 256 * 3 * eps * 2);
   // At rest nothing moves, and nothing is needed for that.
   auto const none = momentum(SO<3>{}, Vector<double, 3>(0, 0, 0));
   BOOST_TEST((orbit_generator(none, none).coordinates == none.components));
 }
 
 BOOST_AUTO_TEST_CASE(a_quadrature_of_a_negative_degree_is_refused) {
-  try {
-    Quadrature<double> const rule(-1);
-    BOOST_TEST(false);
-  } catch (OutsideDomain const& e) {
-    BOOST_TEST(e.measured == -1);
-    BOOST_TEST(e.bound == 0);
-  }
+  auto const e = caught<OutsideDomain>([&] { Quadrature<double> const rule(-1); });
+  BOOST_TEST(e.measured == -1);
+  BOOST_TEST(e.bound == 0);
   BOOST_TEST(Quadrature<double>(0).nodes.size() == 1u);
 }
 

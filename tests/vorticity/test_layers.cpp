@@ -5,11 +5,13 @@
 
 #include "actio/quantized_sphere/helmholtz_stream.hpp"
 #include "actio/vorticity/vorticity_step.hpp"
+#include "caught.hpp"
 #include "flows.hpp"
 #include "refused.hpp"
 
 using namespace actio;
 using namespace actio::sphere;
+using testing::caught;
 using testing::random_matrix, testing::random_state;
 
 extern template class actio::sphere::VorticityStep<HelmholtzStream>;
@@ -100,12 +102,8 @@ BOOST_AUTO_TEST_CASE(the_stream_of_a_layer_has_no_trace) {
       SkewHermitian<> const p = HelmholtzStream(n, gamma).solve(random_matrix(n));
       BOOST_TEST(std::abs(p.imaginary.trace()) <= 1e-15 * n * norm(p));
     }
-  try {
-    HelmholtzStream(8, -0.5);
-    BOOST_ERROR("a negative gamma is none");
-  } catch (OutsideDomain const& error) {
-    BOOST_TEST((error.measured == -0.5 && error.bound == 0));
-  }
+  auto const error = caught<OutsideDomain>([&] { HelmholtzStream(8, -0.5); });
+  BOOST_TEST((error.measured == -0.5 && error.bound == 0));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 #include "program/catalogue/groups.hpp"
 
-#include <algorithm>
 #include <cctype>
 
 namespace actio::scene {

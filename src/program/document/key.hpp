@@ -97,6 +97,8 @@ class AnyKey {
   /// The table of a scene that holds it; or one that is known to do so.
   SceneTable in(SceneFile const& file) const { return file.section(table_); }
   SceneTable const& in(SceneTable const& table) const { return table; }  ///< \copydoc in
+  /// The table that it is.
+  SceneTable table(auto const& scene) const { return in(scene).inside(name_); }
   /// Whether it is there.
   bool given(auto const& scene) const { return in(scene).has(name_); }
   /// @throws SceneError  at its place, with its name first

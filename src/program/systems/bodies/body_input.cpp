@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include "actio/groups/unit_quaternions.hpp"
-#include "actio/numbers/nearest_name.hpp"
 #include "program/systems/bodies/angle_input.hpp"
 #include "program/systems/bodies/body_n_input.hpp"
 

@@ -3,7 +3,6 @@
 #include "program/systems/bodies/formula_potential.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/groups/rotations.hpp"

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "actio/fast_body/space/principal_axes.hpp"

@@ -1,7 +1,4 @@
 // The compressible fluid whose pressure is a function of its density (thesis, chapters 6 to 10).
-#include "program/systems/media/method.hpp"
-#include "program/systems/media/quantities.hpp"
-#include "program/medium_output/snapshots.hpp"
 #include "program/systems/media/system.hpp"
 
 namespace actio::scene {
@@ -21,20 +18,11 @@ every = 0.01
 [output]
 quantities = ["energy", "momentum", "min_jacobian"]
 )scene";
-  return {"barotropic_fluid",
-          "Barotropic fluid",
-          "A compressible fluid without friction whose pressure is a function of its density, followed "
-          "particle by particle: a gas in a box, or against vacuum, on cells that move with it.",
-          "chapter 10",
-          medium_scene_parameters(true),
-          medium_methods(),
-          medium_quantities(true),
-          [](Request const& request) { return prepare_medium(true, request); },
-          example,
-          nullptr,
-          {},
-          nullptr,
-          medium_snapshots(true)};
+  return medium_system(
+      true, "barotropic_fluid", "Barotropic fluid",
+      "A compressible fluid without friction whose pressure is a function of its density, followed "
+      "particle by particle: a gas in a box, or against vacuum, on cells that move with it.",
+      example);
 }
 
 }  // namespace actio::scene

@@ -1,7 +1,4 @@
 // The hyperelastic solid (thesis, chapters 6 to 10).
-#include "program/systems/media/method.hpp"
-#include "program/systems/media/quantities.hpp"
-#include "program/medium_output/snapshots.hpp"
 #include "program/systems/media/system.hpp"
 
 namespace actio::scene {
@@ -21,19 +18,9 @@ every = 0.02
 [output]
 quantities = ["energy", "momentum", "angular_momentum", "min_jacobian"]
 )scene";
-  return {"elastic_body",
-          "Elastic body",
-          "A hyperelastic solid at any strain and rotation, on cells that move with it.",
-          "chapter 10",
-          medium_scene_parameters(false),
-          medium_methods(),
-          medium_quantities(false),
-          [](Request const& request) { return prepare_medium(false, request); },
-          example,
-          nullptr,
-          {},
-          nullptr,
-          medium_snapshots(false)};
+  return medium_system(false, "elastic_body", "Elastic body",
+                       "A hyperelastic solid at any strain and rotation, on cells that move with it.",
+                       example);
 }
 
 }  // namespace actio::scene

@@ -69,9 +69,9 @@ void require_density(SceneFile const& file, MediumStart const& start, PointOfBod
                                       "; max(0, ...) keeps what rounding makes negative from a root");
   }
   if (!(rho >= 0))
-    file.section("system").fail(
-        "density", fmt::format("density: a mass per reference volume is not negative, found {} at X = {}",
-                               rho, in_words(X)));
+    medium_keys.density.fail(
+        file,
+        fmt::format("a mass per reference volume is not negative, found {} at X = {}", rho, in_words(X)));
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ void use_group(SceneTable const& table, std::string const& key, std::string cons
 }
 /// Groups inside of a body are left, but for those that the scene names.
 void use_groups(SceneFile const& scene, media::BodyMesh& body) {
-  SceneTable const boundary = scene.section("system.boundary"), load = scene.section("system.load"),
-                   loops = scene.section("system.loops");
+  SceneTable const boundary = medium_keys.boundary.table(scene), load = medium_keys.load.table(scene),
+                   loops = medium_keys.loops.table(scene);
   for (auto const& name : boundary.keys()) use_group(boundary, name, name, false, body);
   for (char const* kind : {"traction", "pressure", "motion"}) {
     if (!load.has(kind) || !load.is_table(kind)) continue;
@@ -145,12 +145,12 @@ std::vector<std::string> side_names(MediumMesh const& mesh) {
 
 void read_sides(SceneFile const& file, MediumMesh& out) {
   auto const names = side_names(out);
-  SceneTable table = file.section("system.boundary"), system = file.section("system");
-  if (system.has("boundary") && !system.is_table("boundary"))
-    system.fail(
-        "boundary",
-        fmt::format("boundary: a table of sides is expected, for example boundary.{} = \"fixed\", found {}",
-                    names.empty() ? "left" : names.front(), system.found("boundary")));
+  AnyKey const& boundary = medium_keys.boundary;
+  SceneTable table = boundary.table(file);
+  if (boundary.given(file) && !boundary.in(file).is_table("boundary"))
+    boundary.fail(file,
+                  fmt::format("a table of sides is expected, for example boundary.{} = \"fixed\", found {}",
+                              names.empty() ? "left" : names.front(), boundary.in(file).found("boundary")));
   for (auto const& key : table.keys())
     if (std::find(names.begin(), names.end(), key) == names.end())
       table.fail(
@@ -200,7 +200,7 @@ media::BodyMesh MediumMesh::make() const {
 
 MediumMesh read_medium_mesh(SceneFile const& file) {
   std::vector<std::string> const shapes{"box", "disc", "annulus", "ball", "shell", "file"};
-  SceneTable mesh = file.section("system.mesh");
+  SceneTable mesh = medium_keys.mesh.table(file);
   if (!mesh.has("shape")) {
     if (mesh.keys().empty())
       throw SceneError(file.section("system").place(),
@@ -222,25 +222,31 @@ MediumMesh read_medium_mesh(SceneFile const& file) {
   return out;
 }
 
+std::string MediumKeys::euclidean(SceneTable const& system, std::string const& name) {
+  if (system.is_text(name) && system.text(name) == "euclidean") return "euclidean";
+  system.fail(name, "metric: media move in Euclidean space, \"euclidean\"; curved spaces are not there");
+}
+
+std::string MediumKeys::formula_or_positive(SceneTable system, std::string const& name) {
+  if (!system.is_text(name)) system.set(name, fmt::format("{}", system.positive(name)));
+  return system.text(name);
+}
+
 MediumStart read_medium_start(SceneFile const& file, int dimension) {
-  SceneTable system = file.section("system"), initial = file.section("initial");
-  auto const d = static_cast<long>(dimension);
-  std::vector<std::string> const identity(axes().begin(), axes().begin() + d),
-      rest(static_cast<std::size_t>(d), "0");
-  if (!system.has("density")) system.set("density", "1");
-  if (!system.is_text("density")) {
-    double const number = system.positive("density");
-    system.set("density", fmt::format("{}", number));
-  }
-  MediumStart out{PlaceFormula(initial, "placement", identity), PlaceFormula(initial, "velocity", rest),
-                  PlaceFormula(system.text("density"), dimension, system.text_place("density"))};
+  auto const& [density, placement, velocity] =
+      std::tie(medium_keys.density, medium_start_keys.placement, medium_start_keys.velocity);
+  std::string const mass = density.read_or(file, "1");
+  std::vector<std::string> const identity(axes().begin(), axes().begin() + dimension),
+      rest(identity.size(), "0");
+  MediumStart out{PlaceFormula(placement.in(file), placement.name(), identity),
+                  PlaceFormula(velocity.in(file), velocity.name(), rest),
+                  PlaceFormula(mass, dimension, density.in(file).text_place(density.name()))};
   out.uniform = out.density.is_constant();
   if (!out.uniform) return out;
   double rho = 0;
   out.density(std::array<double, 3>{}, &rho);
   if (!(rho > 0))
-    system.fail("density",
-                fmt::format("density: a positive mass per reference volume is expected, found {}", rho));
+    density.fail(file, fmt::format("a positive mass per reference volume is expected, found {}", rho));
   return out;
 }
 

@@ -1,7 +1,6 @@
 // What a scene says of a medium besides its material: its cells, its sides, and how it begins.
 #pragma once
 
-#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,8 +8,8 @@
 
 #include "actio/meshes/body_mesh.hpp"
 #include "actio/meshes/side.hpp"
-#include "program/document/schedule.hpp"
 #include "program/registry/system.hpp"
+#include "program/systems/media/keys.hpp"
 #include "program/systems/media/place_formula.hpp"
 
 namespace actio::scene {
@@ -38,10 +37,6 @@ struct MediumMesh {
 /// Reads them, and writes defaults back. A file is read; of the others nothing is made.
 /// @throws SceneError  where they are none
 MediumMesh read_medium_mesh(SceneFile const& file);
-
-/// The records of the keys of [system] and [initial] of a medium.
-/// @param fluid  whether they are those of a fluid
-std::vector<Parameter> medium_parameters(bool fluid);
 
 /// A medium at the start, as formulas.
 struct MediumStart {

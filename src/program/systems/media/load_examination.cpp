@@ -14,7 +14,7 @@ namespace {
 template <int d>
 std::vector<std::pair<SceneTable, std::string>> keys_of_potentials(SceneFile const& file) {
   std::vector<std::pair<SceneTable, std::string>> out;
-  SceneTable const load = file.section("system.load"), obstacle = file.section("system.obstacle");
+  SceneTable const load = medium_keys.load.table(file), obstacle = medium_keys.obstacle.table(file);
   if (load.has("gravity")) out.emplace_back(load, "gravity");
   if (obstacle.has("potential")) out.emplace_back(obstacle, "potential");
   return out;
@@ -62,7 +62,7 @@ void examine_forces(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
     auto const found = loads.sides.find(side);
     return found == loads.sides.end() ? Side::free : found->second.kind;
   };
-  SceneTable const load = file.section("system.load");
+  SceneTable const load = medium_keys.load.table(file);
   for (auto const& [side, traction] : loads.loads.tractions)
     if (Side const how = does(side); how == Side::fixed || how == Side::moved)
       load.inside("traction")
@@ -94,11 +94,7 @@ class MotionExamination {
  public:
   MotionExamination(SceneFile const& file, media::BodyMesh const& body, MediumLoads<d> const& loads,
                     ExaminedStart<d> const& start, double until)
-      : motion_(file.section("system.load").has("motion") ? file.section("system.load").inside("motion")
-                                                          : file.section("system.load")),
-        body_(body),
-        start_(start),
-        until_(until) {
+      : motion_(medium_keys.load.table(file).inside("motion")), body_(body), start_(start), until_(until) {
     for (auto const& [name, side] : loads.sides) {
       if (side.kind != media::Side::moved && side.kind != media::Side::fixed) continue;
       for (auto const& facet : body.sides.at(name))

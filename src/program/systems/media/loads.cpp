@@ -106,7 +106,7 @@ media::PrescribedMotion<d> read_motion(SceneTable const& table, std::string cons
 /// The table of sides that a key of [system.load] is.
 /// @throws SceneError  where it is something else, with an example
 SceneTable table_of_sides(SceneFile const& file, std::string const& key, std::string const& example) {
-  SceneTable const load = file.section("system.load");
+  SceneTable const load = medium_keys.load.table(file);
   if (load.has(key) && !load.is_table(key))
     load.fail(key, fmt::format("{0}: a table with a side is expected, for example {0}.{1}, found {2}", key,
                                example, load.found(key)));
@@ -134,7 +134,7 @@ void read_tractions(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d
 /// Numbers, or formulas in t.
 template <int d>
 void read_pressures(SceneFile const& file, MediumMesh const& mesh, MediumLoads<d>& out) {
-  SceneTable const load = file.section("system.load");
+  SceneTable const load = medium_keys.load.table(file);
   if (!load.has("pressure") || !load.is_table("pressure")) return;
   SceneTable const table = load.inside("pressure");
   for (auto const& side : table.keys()) {
@@ -214,7 +214,7 @@ double frequency_of(std::vector<LoadInTime> const& loads, std::vector<std::array
 }
 
 bool has_loads(SceneFile const& file) {
-  return !file.section("system.load").keys().empty() || !file.section("system.obstacle").keys().empty();
+  return !medium_keys.load.table(file).keys().empty() || !medium_keys.obstacle.table(file).keys().empty();
 }
 
 template <int d>
@@ -223,7 +223,7 @@ MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh) 
   for (auto const& [name, does] : mesh.sides) {
     if (does != media::Side::free) out.sides[name] = {does, {}};
   }
-  SceneTable const load = file.section("system.load"), obstacle = file.section("system.obstacle");
+  SceneTable const load = medium_keys.load.table(file), obstacle = medium_keys.obstacle.table(file);
   load.allow({"gravity", "pressure", "traction", "motion"});
   obstacle.allow({"potential"});
   if (load.has("gravity")) out.loads.potentials.push_back(read_potential<d>(load, "gravity"));
@@ -240,20 +240,5 @@ template MediumLoads<1> read_medium_loads<1>(SceneFile const&, MediumMesh const&
 template MediumLoads<2> read_medium_loads<2>(SceneFile const&, MediumMesh const&);
 /// In space.
 template MediumLoads<3> read_medium_loads<3>(SceneFile const&, MediumMesh const&);
-
-std::vector<Parameter> load_parameters() {
-  return {
-      {"system.load", "a table", "no loads",
-       "What acts on the body. gravity: a potential per mass as a formula in x, y, z, whose force is "
-       "minus its gradient, so that 9.81*y pulls down along y, and -9.81*y up. pressure: that of the "
-       "outside; or pressure.SIDE, a number or a formula in t, on one side alone, which it follows. "
-       "traction.SIDE: the force per reference area on a side, which keeps its direction. motion.SIDE: "
-       "formulas in X, Y, Z and t of where that side is.",
-       "", "{ gravity = \"0.1*y\" }"},
-      {"system.obstacle", "a table", "none",
-       "An obstacle as a potential per mass that rises towards its inside: potential, a formula in x, y, z.",
-       "", "{ potential = \"exp(5*(cos(2*pi*x) + cos(2*pi*y) - 2))\" }"},
-  };
-}
 
 }  // namespace actio::scene

@@ -43,7 +43,4 @@ double frequency_of(std::vector<LoadInTime> const& loads, std::vector<std::array
 template <int d>
 MediumLoads<d> read_medium_loads(SceneFile const& file, MediumMesh const& mesh);
 
-/// The records of their keys.
-std::vector<Parameter> load_parameters();
-
 }  // namespace actio::scene

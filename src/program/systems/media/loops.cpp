@@ -172,10 +172,10 @@ MaterialLoop<d> loop_of_box(SceneTable const& loops, std::string const& key, Med
 
 }  // namespace
 
-std::vector<std::string> loop_names(SceneFile const& file) { return file.section("system.loops").keys(); }
+std::vector<std::string> loop_names(SceneFile const& file) { return medium_keys.loops.table(file).keys(); }
 
 void require_used_loops(SceneFile const& file, bool circulates) {
-  SceneTable const table = file.section("system.loops");
+  SceneTable const table = medium_keys.loops.table(file);
   if (auto const names = table.keys(); !circulates && !names.empty())
     table.fail(names.front(), fmt::format("loops: nothing uses '{}': it is for 'circulation', which "
                                           "output.quantities does not have",
@@ -185,7 +185,7 @@ void require_used_loops(SceneFile const& file, bool circulates) {
 template <int d>
 std::vector<MaterialLoop<d>> read_loops(SceneFile const& file, MediumCells<d> const& cells,
                                         MediumMesh const& mesh) {
-  SceneTable const table = file.section("system.loops");
+  SceneTable const table = medium_keys.loops.table(file);
   std::vector<MaterialLoop<d>> out;
   for (auto const& name : loop_names(file)) {
     bool const word = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -214,19 +214,5 @@ template std::vector<MaterialLoop<1>> read_loops(SceneFile const&, MediumCells<1
 template std::vector<MaterialLoop<2>> read_loops(SceneFile const&, MediumCells<2> const&, MediumMesh const&);
 /// In space.
 template std::vector<MaterialLoop<3>> read_loops(SceneFile const&, MediumCells<3> const&, MediumMesh const&);
-
-Parameter loops_parameter() {
-  return {
-      "system.loops",
-      "a table by names of one's own",
-      "the outermost closed row of nodes",
-      "Closed rows of nodes by names of one's own, along which the circulation is taken: the name of a "
-      "side that is closed, along which the body is to the left, so that one around a hole goes clockwise; "
-      "in a box in the plane { lower = [X, Y], upper = [X, Y] }, the edge of the rectangle of cells "
-      "nearest to these corners, counterclockwise; in a periodic box { along = \"X\", through = [X, Y] }, "
-      "the row nearest to a point that goes once around it.",
-      "",
-      "{ ring = { lower = [0.25, 0.25], upper = [0.5, 0.5] } }"};
-}
 
 }  // namespace actio::scene

@@ -1,8 +1,8 @@
 // Material loops of a medium of a scene: closed rows of nodes, along which its circulation is taken.
 #pragma once
 
-#include "program/systems/media/input.hpp"
 #include "program/medium_output/motion.hpp"
+#include "program/systems/media/input.hpp"
 
 namespace actio::scene {
 
@@ -31,8 +31,5 @@ void require_used_loops(SceneFile const& file, bool circulates);
 template <int d>
 std::vector<MaterialLoop<d>> read_loops(SceneFile const& file, MediumCells<d> const& cells,
                                         MediumMesh const& mesh);
-
-/// The record of the key.
-Parameter loops_parameter();
 
 }  // namespace actio::scene

@@ -5,8 +5,21 @@
 #include <algorithm>
 
 #include "actio/numbers/nearest_name.hpp"
+#include "program/systems/media/keys.hpp"
 
 namespace actio::scene {
+
+std::string MediumKeys::constants_of_materials(bool fluid) {
+  std::string out;
+  for (auto const& material : library_materials()) {
+    if (material.fluid != fluid) continue;
+    out += (out.empty() ? "" : "; ") + material.name + " with ";
+    for (auto const& constant : material.constants)
+      out += (&constant == &material.constants.front() ? "" : ", ") + constant.name;
+  }
+  return out;
+}
+
 namespace {
 
 template <class M>
@@ -50,9 +63,7 @@ M read(SceneTable const& table, int d) {
 
 /// All of the list.
 template <class... M>
-std::vector<NamedMaterial> materials_of(std::variant<M...> const&) {
-  return {record_of<M>()...};
-}
+std::vector<NamedMaterial> materials_of(std::variant<M...> const&) { return {record_of<M>()...}; }
 /// The one of that name of the list.
 template <class... M>
 Material read_named(std::string const& name, SceneTable const& table, int d, std::variant<M...> out) {
@@ -90,11 +101,13 @@ NamedMaterial const* find_material(std::string const& name) {
 }
 
 Material read_material(SceneTable const& system, bool fluid, int d) {
-  if (!system.has("material"))
-    system.fail("material", fmt::format("[system.material] is needed, with a name, one of {}, and its "
-                                        "constants (actio list materials)",
-                                        listed(names_of(fluid))));
-  SceneTable table = system.inside("material");
+  AnyKey const& material = medium_keys.material;
+  if (!material.given(system))
+    throw SceneError(system.place(),
+                     fmt::format("[system.material] is needed, with a name, one of {}, and its "
+                                 "constants (actio list materials)",
+                                 listed(names_of(fluid))));
+  SceneTable table = material.table(system);
   if (!fluid && !table.has("name") && table.has("energy")) table.set("name", materials::EnergyFormula::name);
   if (!table.has("name"))
     table.fail("name", fmt::format("[system.material] needs 'name', one of {}", listed(names_of(fluid))));

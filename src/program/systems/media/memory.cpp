@@ -95,7 +95,7 @@ double bytes_on_plain_way(Counted const& body, MediumMesh const& mesh, Request c
   bool const implicit =
                  method.has("conserve") && method.is_text("conserve") && method.text("conserve") == "energy",
              viscous = method.has("viscosity"),
-             walls = !request.file.section("system.obstacle").keys().empty();
+             walls = !medium_keys.obstacle.table(request.file).keys().empty();
   double held = 0;
   for (auto const& [name, does] : mesh.sides)
     held += (does != media::Side::free ? 1 : 0) / std::max(1.0, static_cast<double>(mesh.sides.size()));

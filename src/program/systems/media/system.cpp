@@ -22,7 +22,7 @@ namespace {
 /// The memory that it takes, refused before anything of that size is touched.
 double checked_memory(SceneFile const& file, MediumMesh const& mesh, bool fast, Request const& request) {
   double const cells = mesh.cell_count(), needed = bytes_for_medium(mesh, fast, request);
-  require_memory(needed, file.section("system.mesh").place("cells"),
+  require_memory(needed, medium_keys.mesh.table(file).place("cells"),
                  fmt::format("cells: {:.0f} cells", cells), [&](double there) {
                    return fmt::format("about {:.0f} would do", std::floor(0.9 * cells * there / needed));
                  });
@@ -156,9 +156,9 @@ std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, GenericMedium<
   try {
     return generic.motion();
   } catch (media::BentSide const& error) {
-    file.section("system.boundary").fail(error.side, std::string("boundary: ") + error.what());
+    medium_keys.boundary.table(file).fail(error.side, std::string("boundary: ") + error.what());
   } catch (media::NotADensity const& error) {
-    file.section("system").fail("density", error.what());
+    medium_keys.density.in(file).fail("density", error.what());
   }
 }
 
@@ -194,13 +194,6 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
             {generic.loads, std::move(features)});
 }
 
-/// Media move in Euclidean space.
-void require_euclidean(SceneTable system) {
-  if (!system.has("metric")) system.set("metric", "euclidean");
-  if (system.is_text("metric") && system.text("metric") == "euclidean") return;
-  system.fail("metric", "metric: media move in Euclidean space, \"euclidean\"; curved spaces are not there");
-}
-
 /// The quantities of a scene: a circulation for each of its loops.
 std::vector<Quantity> quantities_of(bool fluid, SceneFile const& file) {
   auto all = medium_quantities(fluid);
@@ -209,14 +202,14 @@ std::vector<Quantity> quantities_of(bool fluid, SceneFile const& file) {
   return all;
 }
 
-}  // namespace
-
-Simulation prepare_medium(bool fluid, Request const& request) {
-  SceneTable system = request.file.section("system");
+/// The motion that a scene asks for.
+/// @throws SceneError  where a key is refused: at its place, with the value and the bound
+template <bool fluid>
+Simulation prepare_medium(Request const& request) {
   MediumMethod const method = read_medium_method(request.file);
-  require_euclidean(system);
+  medium_keys.metric.read(request.file);
   MediumMesh const mesh = read_medium_mesh(request.file);
-  Material const material = read_material(system, fluid, mesh.dimension);
+  Material const material = read_material(request.file.section("system"), fluid, mesh.dimension);
   auto const start = std::make_shared<MediumStart>(read_medium_start(request.file, mesh.dimension));
 
   int const d = mesh.dimension;
@@ -242,9 +235,23 @@ Simulation prepare_medium(bool fluid, Request const& request) {
   return simulation;
 }
 
-std::vector<Parameter> medium_scene_parameters(bool fluid) {
-  return records_of({medium_parameters(fluid), load_parameters(), std::vector{loops_parameter()},
-                     medium_method_parameters()});
+}  // namespace
+
+System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
+                     std::string example) {
+  return {std::move(name),
+          std::move(title),
+          std::move(meaning),
+          "chapter 10",
+          records_of({MediumKeys{{"system"}, fluid}, medium_start_keys, medium_method_parameters()}),
+          medium_methods(),
+          medium_quantities(fluid),
+          fluid ? &prepare_medium<true> : &prepare_medium<false>,
+          std::move(example),
+          nullptr,
+          {},
+          nullptr,
+          medium_snapshots(fluid)};
 }
 
 }  // namespace actio::scene

@@ -6,10 +6,9 @@
 
 namespace actio::scene {
 
-/// All keys of [system], [loads] and [method] of a fluid, or of an elastic body.
-std::vector<Parameter> medium_scene_parameters(bool fluid);
-/// The motion that a scene asks for: by fused steps where its box allows them, else on a mesh.
-/// @throws SceneError  where a key is refused: at its place, with the value and the bound
-Simulation prepare_medium(bool fluid, Request const& request);
+/// A system of media, by its name, title, meaning and example: a fluid, or an elastic body. Its motion is
+/// made by fused steps where the box of a scene allows them, else on a mesh.
+System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
+                     std::string example);
 
 }  // namespace actio::scene

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "actio/numbers/nearest_name.hpp"
 #include "program/registry/common_keys.hpp"
