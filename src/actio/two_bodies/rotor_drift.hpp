@@ -1,0 +1,93 @@
+// A free body over a part of a step, as changes of momentum and attitude: exact, or by Moser and Veselov.
+//
+// As in short_step.hpp the time runs from 0 to 2 and the momentum is a pure number, p = hM/(2 I) with some
+// unit I of inertia.
+#pragma once
+
+#include "actio/fast_body/space/exact_flow.hpp"
+#include "actio/fast_body/space/explicit_moser_veselov.hpp"
+#include "actio/fast_body/space/short_step.hpp"
+#include "actio/numbers/errors.hpp"
+
+namespace actio::bodies {
+
+/// What a drift does to a body.
+template <class T>
+struct RotorMotion {
+  Three<T> change;  ///< of the momentum
+  Four<T> turn;     ///< \f$e-1\f$ for the rotation e, after which the attitude is \f$qe\f$
+};
+
+namespace detail {
+
+/// e - 1 of a unit quaternion, without the cancellation.
+template <class T>
+[[gnu::always_inline]] inline Four<T> less_one(Four<T> const& e) {
+  T const across = e[1] * e[1] + e[2] * e[2] + e[3] * e[3];
+  return {e[0] > T{} ? T(-across / (1.0 + e[0])) : T(e[0] - 1.0), e[1], e[2], e[3]};
+}
+/// From the parameters of a half turn, for a momentum of the size `size` along u.
+template <class T>
+RotorMotion<T> motion_of(StepParameters<T> const& parameters, Three<T> const& u, T const& size) {
+  FrameState<T> moved{u, {T{} + 1.0, T{}, T{}, T{}}};
+  HalfTurn<T>(parameters).leap(moved);
+  Three<T> const d = minus(moved.direction, u);
+  return {{size * d[0], size * d[1], size * d[2]}, less_one(moved.attitude)};
+}
+/// Magnitude and direction of a momentum, or zero.
+template <class T>
+T size_of(Three<T> const& p, Three<T>& u) {
+  using std::sqrt;
+  T const size = sqrt(dot(p, p));
+  if (!is_finite(base_value(size))) throw NotFinite("two bodies: momentum of a body, in the course of the motion");
+  u = {p[0] / size, p[1] / size, p[2] / size};
+  return size;
+}
+/// The exact motion of any length.
+template <class T>
+[[gnu::noinline]] RotorMotion<T> long_rotor(InverseMoments<T> const& body, Three<T> const& p) {
+  if (base_value(dot(p, p)) == Base<T>(0)) return {};
+  Three<T> u;
+  T const size = size_of(p, u);
+  return motion_of<T>(exact_flow<T>(body, u, size), u, size);
+}
+
+}  // namespace detail
+
+/// The exact motion of a free body.
+/// @param body   inverse moments times the part of the step, in that unit
+/// @param terms  5 or 8, as many terms of the series as the last step needed; in, out
+template <class T>
+[[gnu::always_inline]] inline RotorMotion<T> exact_rotor(InverseMoments<T> const& body, Three<T> const& p,
+                                                         int& terms) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (terms == 5) {
+      auto const short_one = short_motion(StepTable<5>::get(), body, p);
+      if (all_within<5>(short_one.reach)) [[likely]]
+        return {short_one.change, detail::less_one(short_one.turn)};
+    }
+    auto const longer = short_motion(StepTable<8>::get(), body, p);
+    terms = longer.reach.turn <= short_reach<5> / 2 && longer.reach.twist <= short_twist<5> / 2 ? 5 : 8;
+    if (all_within<8>(longer.reach)) return {longer.change, detail::less_one(longer.turn)};
+  }
+  return detail::long_rotor<T>(body, p);
+}
+
+/// The same by the scheme of Moser and Veselov.
+/// @throws StepTooLong  where it has no solution
+template <class T>
+RotorMotion<T> moser_veselov_rotor(InverseMoments<T> const& body, Three<T> const& p) {
+  if (base_value(dot(p, p)) == Base<T>(0)) return {};
+  Three<T> u;
+  T const size = detail::size_of(p, u);
+  bool found = true;
+  auto const parameters = moser_veselov_parameters<T>(
+      {{size * body.J[0], size * body.J[1], size * body.J[2]}, size * body.d12, size * body.d23}, u, found);
+  if (!found)
+    throw OutsideDomain("Moser-Veselov rotor",
+                        "the step is too long for the scheme to have a solution; half the angle that a body turns in it",
+                        to_double(base_value(T(size * body.J[1]))), 0.5);
+  return detail::motion_of<T>(parameters, u, size);
+}
+
+}  // namespace actio::bodies
