@@ -16,7 +16,7 @@ struct Moments {
   Polynomial<S> series;
 
   /// All zero.
-  explicit Moments(int order) : series(order) {}
+  explicit Moments(int order = 0) : series(order) {}
   explicit Moments(Polynomial<S> of) : series(std::move(of)) {}
   int order() const { return series.degree; }
   /// \f$A_{ijl}=\int x^iy^jz^l\,dm\f$.

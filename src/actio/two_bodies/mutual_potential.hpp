@@ -11,9 +11,9 @@
 // V is invariant under rotations, t_1 + t_2 + r x F = 0, to rounding and not only to the order of the series.
 #pragma once
 
-#include "actio/fast_body/space/half_turn.hpp"
 #include "actio/numbers/square_root.hpp"
 #include "actio/two_bodies/moments.hpp"
+#include "actio/two_bodies/rotor_drift.hpp"
 
 namespace actio::bodies {
 
@@ -25,12 +25,6 @@ struct Interaction {
   Three<S> torque_1;  ///< on the first body about its centre of mass
   Three<S> torque_2;  ///< on the second body about its centre of mass
 };
-
-/// The product of vectors.
-template <class T>
-[[gnu::always_inline]] inline Three<T> cross_product(Three<T> const& a, Three<T> const& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// All derivatives \f$\partial^k(1/r)\f$ up to a degree, by
 /// \f$|k|\,r^2D_k = -(2|k|-1)\sum_ik_ix_iD_{k-e_i} - (|k|-1)\sum_ik_i(k_i-1)D_{k-2e_i}\f$.
@@ -63,7 +57,7 @@ class MutualPotential {
   /// @param G             constant of gravitation
   /// @throws OutsideDomain  where the order is negative or above that of the moments
   MutualPotential(Moments<S> const& first, Moments<S> const& second, int order, S const& G)
-      : order_(order), G_(G), first_(first.series.reflected()), second_(second.series) {
+      : order_(order), G_(G), first_(first.series.cut(order).reflected()), second_(second.series.cut(order)) {
     int const known = first.order() < second.order() ? first.order() : second.order();
     if (order < 0 || order > known)
       throw OutsideDomain("mutual potential", "the order must lie between 0 and that of the moments", order,

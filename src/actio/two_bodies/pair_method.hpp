@@ -28,11 +28,12 @@ struct PairMethod {
 /// @throws OutsideDomain  for another order
 PairMethod pair_splitting(int order = 2);
 
-/// Order (8, 4) of Blanes and others \cite blanes_2013, drift first: where the kicks are small, of size
-/// epsilon, the error of a step of length h is epsilon h^8 + epsilon^2 h^4. Seven kicks a step.
-Splitting aba_84_splitting();
+/// The method ABA(8,6,4) of Blanes and others \cite blanes_2013, drift first: where the kicks are small, of size
+/// \f$\epsilon\f$, the error of a step of length h is \f$\epsilon h^8+\epsilon^2h^6+\epsilon^3h^4\f$.
+/// Seven kicks a step.
+Splitting aba_864_splitting();
 
-/// Kepler's orbits and exact rotors as drifts, composed by \ref aba_84_splitting. Between real binaries the
+/// Kepler's orbits and exact rotors as drifts, composed by \ref aba_864_splitting. Between real binaries the
 /// rest of the potential is a small part: steps may be as long as a quarter of a radian of the orbit.
 PairMethod kepler_splitting();
 

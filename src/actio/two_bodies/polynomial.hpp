@@ -39,6 +39,12 @@ struct Polynomial {
   S& operator()(int i, int j, int l) { return coefficients[place_of(i, j, l)]; }
   S const& operator()(int i, int j, int l) const { return coefficients[place_of(i, j, l)]; }
 
+  /// Without what exceeds a degree.
+  Polynomial cut(int to) const {
+    Polynomial p = *this;
+    if (to < degree) p.degree = to, p.coefficients.resize(coefficients_to(to));
+    return p;
+  }
   /// \f$p(-s)\f$.
   Polynomial reflected() const {
     Polynomial r = *this;

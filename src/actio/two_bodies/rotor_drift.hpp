@@ -18,6 +18,12 @@ struct RotorMotion {
   Four<T> turn;     ///< \f$e-1\f$ for the rotation e, after which the attitude is \f$qe\f$
 };
 
+/// The product of vectors.
+template <class T>
+[[gnu::always_inline]] inline Three<T> cross_product(Three<T> const& a, Three<T> const& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 namespace detail {
 
 /// e - 1 of a unit quaternion, without the cancellation.
@@ -26,13 +32,25 @@ template <class T>
   T const across = e[1] * e[1] + e[2] * e[2] + e[3] * e[3];
   return {e[0] > T{} ? T(-across / (1.0 + e[0])) : T(e[0] - 1.0), e[1], e[2], e[3]};
 }
-/// From the parameters of a half turn, for a momentum of the size `size` along u.
+/// From the parameters of a half turn, for a momentum of the size `size` along u: as in
+/// compensated_half_turn.hpp, u' - u = 2 (u x v) x v/(v.v), and u x v by the small part of v where there is one.
 template <class T>
 RotorMotion<T> motion_of(StepParameters<T> const& parameters, Three<T> const& u, T const& size) {
-  FrameState<T> moved{u, {T{} + 1.0, T{}, T{}, T{}}};
-  HalfTurn<T>(parameters).leap(moved);
-  Three<T> const d = minus(moved.direction, u);
-  return {{size * d[0], size * d[1], size * d[2]}, less_one(moved.attitude)};
+  using std::sqrt;
+  auto const& delta = parameters.delta;
+  Three<T> v, excess;
+  for (int i = 0; i < 3; ++i) {
+    int const j = (i + 1) % 3, k = (i + 2) % 3;
+    T const shear = parameters.gap[i] * (u[j] * u[k]);
+    v[i] = parameters.stretch[i] * u[i] + shear, excess[i] = delta[j] * delta[k] * u[i] + shear;
+  }
+  bool const is_short = base_value(dot(delta, delta)) < Base<T>(0.1);
+  Three<T> const across = cross_product(u, is_short ? excess : v), change = cross_product(across, v);
+  T const inverse = 1.0 / dot(v, v), root = sqrt(inverse), twice = 2.0 * inverse * size,
+          s = parameters.sin_twist * root, c = parameters.cos_twist * root;
+  return {{twice * change[0], twice * change[1], twice * change[2]},
+          less_one(Four<T>{c * dot(u, v), s * v[0] - c * across[0], s * v[1] - c * across[1],
+                           s * v[2] - c * across[2]})};
 }
 /// Magnitude and direction of a momentum, or zero.
 template <class T>
