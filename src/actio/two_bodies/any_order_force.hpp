@@ -21,26 +21,30 @@ template <class T>
 }
 
 /// The interaction of any order.
+template <class T = double>
 class AnyOrderForce {
  public:
   /// @throws OutsideDomain  where the order is negative or above that of the moments
   AnyOrderForce(ExtendedBody const& first, ExtendedBody const& second, int order, double G)
-      : potential_(first.moments, second.moments, order, G), strength_(G * first.mass() * second.mass()) {}
+      : potential_(first.moments.over<T>(), second.moments.over<T>(), order, T(G)),
+        strength_(G * first.mass() * second.mass()) {}
 
   /// @param X      from the first centre of mass to the second, in space
   /// @param q1,q2  unit quaternions, bodies to space
-  Kick<double> operator()(Three<double> const& X, Four<double> const& q1, Four<double> const& q2) const {
-    Three<double> const r = seen_by(q1, X);
-    Four<double> const q = relative_attitude(q1, q2);
+  Kick<T> operator()(Three<T> const& X, Four<T> const& q1, Four<T> const& q2) const {
+    using std::sqrt;
+    Three<T> const r = seen_by(q1, X);
+    Four<T> const q = relative_attitude(q1, q2);
     auto const all = potential_(r, rotation_rows(q));
-    double const rho = 1 / std::sqrt(dot(r, r)), monopole = strength_ * rho * rho * rho;
-    Three<double> rest = all.force;
+    T const rho = 1.0 / sqrt(dot(r, r)), monopole = strength_ * (rho * rho * rho);
+    Three<T> rest = all.force;
     for (int i = 0; i < 3; ++i) rest[i] += monopole * r[i];
-    return {all.potential + strength_ * rho, rho, turned_by(q1, rest), all.torque_1, seen_by(q, all.torque_2)};
+    return {all.potential + strength_ * rho, rho, turned_by(q1, rest), all.torque_1,
+            seen_by(q, all.torque_2)};
   }
 
  private:
-  MutualPotential<double> potential_;
+  MutualPotential<T> potential_;
   double strength_;
 };
 

@@ -5,7 +5,8 @@
 namespace actio::bodies {
 namespace {
 
-/// The principal axes with the middle moment in the middle, as near to those of the frame as the count allows.
+/// The principal axes with the middle moment in the middle, as near to those of the frame as the count
+/// allows.
 Eigen::Matrix3d principal_axes_of(Eigen::Matrix3d const& tensor) {
   double const off = std::max({std::abs(tensor(0, 1)), std::abs(tensor(1, 2)), std::abs(tensor(2, 0))});
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -37,10 +38,11 @@ void require_mass(Moments<double> const& moments, double length) {
   auto const values = symmetric_eigen(products).values;
   double const bound = -64 * epsilon<double>() * size * values.maxCoeff();
   if (values.minCoeff() < bound)
-    throw OutsideDomain("moments of a body",
-                        "no distribution of mass has them: there is a polynomial whose square has a negative integral; "
-                        "least eigenvalue of the matrix of moments",
-                        values.minCoeff(), bound);
+    throw OutsideDomain(
+        "moments of a body",
+        "no distribution of mass has them: there is a polynomial whose square has a negative integral; "
+        "least eigenvalue of the matrix of moments",
+        values.minCoeff(), bound);
 }
 
 void require_sound(Moments<double> const& moments, double radius) {
@@ -89,7 +91,8 @@ ExtendedBody polyhedron_body(Polyhedron<double> const& shape, double density, in
   Eigen::Vector3d const centre = given.centre();
   Polyhedron<double> moved = shape;
   for (auto& x : moved.vertices) x -= centre;
-  Eigen::Matrix3d const axes = principal_axes_of(polyhedron_moments<double>(moved, density, 2).inertia_tensor());
+  Eigen::Matrix3d const axes =
+      principal_axes_of(polyhedron_moments<double>(moved, density, 2).inertia_tensor());
   double radius = 0;
   for (auto& x : moved.vertices) {
     x = (axes.transpose() * x).eval();

@@ -11,11 +11,11 @@ namespace actio::bodies {
 /// A rigid body that attracts others. Made by \ref extended_body, \ref sphere_body, \ref ellipsoid_body or
 /// \ref polyhedron_body, which check it.
 struct ExtendedBody {
-  Moments<double> moments;      ///< in its principal axes, about the centre of mass
-  Three<double> inertia;        ///< along these axes, mass x length^2
-  double radius;                ///< no part is farther from the centre of mass, length
-  Eigen::Matrix3d axes;         ///< the principal axes as columns, in the frame in which the body was given
-  Eigen::Vector3d centre;       ///< of mass, in the frame in which the body was given
+  Moments<double> moments;  ///< in its principal axes, about the centre of mass
+  Three<double> inertia;    ///< along these axes, mass x length^2
+  double radius;            ///< no part is farther from the centre of mass, length
+  Eigen::Matrix3d axes;     ///< the principal axes as columns, in the frame in which the body was given
+  Eigen::Vector3d centre;   ///< of mass, in the frame in which the body was given
 
   double mass() const { return moments.mass(); }
 };
@@ -26,8 +26,8 @@ struct ExtendedBody {
 /// @param radius   no part of the body is farther from the origin, m
 /// @throws NotFinite          where a number is none
 /// @throws OutsideDomain      where the order is less than 2, mass or radius is not positive, or no
-///                            distribution of mass has such moments: the matrix of the A_{a+b}, with exponents a
-///                            and b up to half the order, has a negative eigenvalue
+///                            distribution of mass has such moments: the matrix of the A_{a+b}, with
+///                            exponents a and b up to half the order, has a negative eigenvalue
 /// @throws UnphysicalInertia  where the moments of inertia are those of no body
 ExtendedBody extended_body(Moments<double> const& moments, double radius);
 

@@ -126,7 +126,8 @@ class FourthOrderForce {
       if constexpr (!symmetric) {
         auto const z = form(2);
         Harmonic<1, T> rest, across;
-        add_multiple(rest, p.with_z[0], x), add_multiple(rest, p.with_z[1], y), add_multiple(across, p.plain[1], y);
+        add_multiple(rest, p.with_z[0], x), add_multiple(rest, p.with_z[1], y),
+            add_multiple(across, p.plain[1], y);
         add_multiple(result, T{} + 1.0, times(rest, z)), add_multiple(result, T{} + 1.0, times(across, x));
       }
     } else if constexpr (n == 3) {

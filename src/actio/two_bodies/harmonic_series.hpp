@@ -20,7 +20,8 @@ template <int n, class F>
 [[gnu::always_inline]] constexpr void unrolled(F&& f) {
   [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
     (f(std::integral_constant<int, I>{}), ...);
-  }(std::make_integer_sequence<int, n>{});
+  }
+  (std::make_integer_sequence<int, n>{});
 }
 #define ACTIO_UNROLLED(k) [&](auto k) __attribute__((always_inline))
 
@@ -73,7 +74,8 @@ struct Derivatives : Harmonic<n, T> {
   /// The form on a polynomial.
   [[gnu::always_inline]] T on(Harmonic<n, T> const& p) const {
     T a = p.plain[0] * this->plain[0], b{};
-    unrolled<n>(ACTIO_UNROLLED(j) { a += p.plain[j + 1] * this->plain[j + 1], b += p.with_z[j] * this->with_z[j]; });
+    unrolled<n>(
+        ACTIO_UNROLLED(j) { a += p.plain[j + 1] * this->plain[j + 1], b += p.with_z[j] * this->with_z[j]; });
     return a + b;
   }
 };
@@ -98,7 +100,8 @@ template <int n, class T>
     g[0] += p.plain[j] * D.plain[j], g[1] += p.plain[j] * D.plain[j + 1], g[2] += p.plain[j] * D.with_z[j];
   });
   unrolled<n>(ACTIO_UNROLLED(j) {
-    g[0] += p.with_z[j] * D.with_z[j], g[1] += p.with_z[j] * D.with_z[j + 1], g[2] += p.with_z[j] * D.twice_z(j);
+    g[0] += p.with_z[j] * D.with_z[j], g[1] += p.with_z[j] * D.with_z[j + 1],
+        g[2] += p.with_z[j] * D.twice_z(j);
   });
   return g;
 }

@@ -147,12 +147,13 @@ template <Real S>
 [[gnu::always_inline]] inline PointMotion<S> kepler_drift(Three<S> const& x, Three<S> const& v, S const& mu,
                                                           S const& t) {
   using std::sqrt;
-  S const r0 = sqrt(dot(x, x)), inverse = S(1) / r0, eta = dot(x, v), beta = mu * inverse * Base<S>(2) - dot(v, v),
-          zeta = mu - beta * r0;
+  S const r0 = sqrt(dot(x, x)), inverse = S(1) / r0, eta = dot(x, v),
+          beta = mu * inverse * Base<S>(2) - dot(v, v), zeta = mu - beta * r0;
   using B = Base<S>;
   S rest = t;
   if (base_value(beta) > B(0) && base_value(t * t * beta * beta * beta) > base_value(S(mu * mu)) * B(39))
-    [[unlikely]] rest = detail::without_whole_periods<S>(t, beta, mu);
+      [[unlikely]]
+    rest = detail::without_whole_periods<S>(t, beta, mu);
   detail::TimeEquation<B> const equation{base_value(r0), base_value(eta), base_value(beta), base_value(zeta),
                                          base_value(rest)};
   auto const [s, last] = equation.solution();
@@ -161,7 +162,8 @@ template <Real S>
   if constexpr (std::is_same_v<S, double>) {
     // The last step is so small that its square is all that is needed for G_n at the end of it.
     double const g0 = 1 - beta * s.g2, half = last * last / 2;
-    g = {s.g1 - last * g0 - half * beta * s.g1, s.g2 - last * s.g1 + half * g0, s.g3 - last * s.g2 + half * s.g1};
+    g = {s.g1 - last * g0 - half * beta * s.g1, s.g2 - last * s.g1 + half * g0,
+         s.g3 - last * s.g2 + half * s.g1};
     radius = r0 + eta * g.g1 + zeta * g.g2;
   } else {
     // One step of Newton's method in the scalar itself: its derivatives are those of the solution.
@@ -172,7 +174,8 @@ template <Real S>
     radius = r0 + eta * g.g1 + zeta * g.g2;
   }
   // [kepler_drift]
-  S const f = -mu * g.g2 * inverse, h = rest - mu * g.g3, df = -mu * g.g1 * inverse / radius, dh = -mu * g.g2 / radius;
+  S const f = -mu * g.g2 * inverse, h = rest - mu * g.g3, df = -mu * g.g1 * inverse / radius,
+          dh = -mu * g.g2 / radius;
   return {{f * x[0] + h * v[0], f * x[1] + h * v[1], f * x[2] + h * v[2]},
           {df * x[0] + dh * v[0], df * x[1] + dh * v[1], df * x[2] + dh * v[2]}};
   // [kepler_drift]

@@ -1,4 +1,5 @@
-// Moments of the mass of a body, A_{ijl} = integral of x^i y^j z^l over its mass: what its gravity depends on.
+// Moments of the mass of a body, A_{ijl} = integral of x^i y^j z^l over its mass: what its gravity depends
+// on.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,6 +20,9 @@ struct Moments {
   explicit Moments(int order = 0) : series(order) {}
   explicit Moments(Polynomial<S> of) : series(std::move(of)) {}
   int order() const { return series.degree; }
+  /// The same over another scalar.
+  template <Scalar T>
+  Moments<T> over() const { return Moments<T>(series.template over<T>()); }
   /// \f$A_{ijl}=\int x^iy^jz^l\,dm\f$.
   S operator()(int i, int j, int l) const { return series(i, j, l) * S(factorials(i, j, l)); }
   /// Sets \f$A_{ijl}\f$.
@@ -48,7 +52,9 @@ struct Moments {
     over_exponents(1, order(), [&](int i, int j, int l) {
       int const axis = i > 0 ? 0 : j > 0 ? 1 : 2;
       shift(i, j, l) = -shift(i - (axis == 0), j - (axis == 1), l - (axis == 2)) * c[axis] /
-                       S(axis == 0 ? i : axis == 1 ? j : l);
+                       S(axis == 0   ? i
+                         : axis == 1 ? j
+                                     : l);
     });
     return Moments(Polynomial<S>::product(series, shift, order()));
   }
@@ -70,7 +76,8 @@ struct Moments {
 /// @throws OutsideDomain  where the mass or a half axis is not positive, or the order negative
 template <Scalar S>
 Moments<S> ellipsoid_moments(S const& mass, std::array<S, 3> const& half_axes, int order) {
-  if (!(mass > S(0))) throw OutsideDomain("moments of an ellipsoid", "the mass must be positive", to_double(mass), 0);
+  if (!(mass > S(0)))
+    throw OutsideDomain("moments of an ellipsoid", "the mass must be positive", to_double(mass), 0);
   for (S const& a : half_axes)
     if (!(a > S(0)))
       throw OutsideDomain("moments of an ellipsoid", "a half axis must be positive", to_double(a), 0);
@@ -90,9 +97,9 @@ Moments<S> ellipsoid_moments(S const& mass, std::array<S, 3> const& half_axes, i
     if (i % 2 || j % 2 || l % 2) return;
     int const n = (i + j + l) / 2;
     moments.set(i, j, l,
-                S(3) * mass / S(2 * n + 3) * odd_factorial(i / 2) * odd_factorial(j / 2) * odd_factorial(l / 2) /
-                    odd_factorial(n + 1) * power(half_axes[0], i) * power(half_axes[1], j) *
-                    power(half_axes[2], l));
+                S(3) * mass / S(2 * n + 3) * odd_factorial(i / 2) * odd_factorial(j / 2) *
+                    odd_factorial(l / 2) / odd_factorial(n + 1) * power(half_axes[0], i) *
+                    power(half_axes[1], j) * power(half_axes[2], l));
   });
   return moments;
 }

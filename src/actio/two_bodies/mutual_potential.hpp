@@ -6,9 +6,10 @@
 //     T(s) = A(-s) B'(s),       B'(s) = B(R^T s) the second body seen from the first,
 //     V = -G sum_k T_k D_k,     D_k = d^k (1/r),
 //
-// cut after total degree N. With E_c = sum_a (-1)^|a| A_a D_{a+c}, which is V's derivative by B'_c, the torque
-// on the second body follows from the rotation of its series, -s x grad B'. The first body has what is left:
-// V is invariant under rotations, t_1 + t_2 + r x F = 0, to rounding and not only to the order of the series.
+// cut after total degree N. With E_c = sum_a (-1)^|a| A_a D_{a+c}, which is V's derivative by B'_c, the
+// torque on the second body follows from the rotation of its series, -s x grad B'. The first body has what is
+// left: V is invariant under rotations, t_1 + t_2 + r x F = 0, to rounding and not only to the order of the
+// series.
 #pragma once
 
 #include "actio/numbers/square_root.hpp"
@@ -85,9 +86,10 @@ class MutualPotential {
     });
     // [difference_body]
     Three<S> const force{G_ * slope[0], G_ * slope[1], G_ * slope[2]}, torque_2 = torque(second, D),
-                   turned = cross_product(r, force);
+                                                                       turned = cross_product(r, force);
     // [torque_by_invariance]
-    Three<S> const torque_1{-(turned[0] + torque_2[0]), -(turned[1] + torque_2[1]), -(turned[2] + torque_2[2])};
+    Three<S> const torque_1{-(turned[0] + torque_2[0]), -(turned[1] + torque_2[1]),
+                            -(turned[2] + torque_2[2])};
     // [torque_by_invariance]
     return {-(G_ * sum), force, torque_1, torque_2};
   }

@@ -19,10 +19,12 @@ int corner(std::string const& word, int vertices, int line) {
   } catch (std::exception const&) {
     used = 0;
   }
-  if (used == 0 || (used < word.size() && word[used] != '/')) refuse(line, "'" + word + "' is no vertex of a face");
+  if (used == 0 || (used < word.size() && word[used] != '/'))
+    refuse(line, "'" + word + "' is no vertex of a face");
   long const place = index < 0 ? vertices + index : index - 1;
   if (index == 0 || place < 0 || place >= vertices)
-    refuse(line, "vertex " + std::to_string(index) + " is named, and there are " + std::to_string(vertices) + " so far");
+    refuse(line, "vertex " + std::to_string(index) + " is named, and there are " + std::to_string(vertices) +
+                     " so far");
   return static_cast<int>(place);
 }
 
@@ -47,7 +49,8 @@ Polyhedron<double> parse_obj(std::string_view text, double length_unit) {
       std::vector<int> corners;
       while (words >> word) corners.push_back(corner(word, static_cast<int>(body.vertices.size()), number));
       if (corners.size() < 3) refuse(number, "a face has at least three vertices");
-      for (std::size_t k = 2; k < corners.size(); ++k) body.faces.push_back({corners[0], corners[k - 1], corners[k]});
+      for (std::size_t k = 2; k < corners.size(); ++k)
+        body.faces.push_back({corners[0], corners[k - 1], corners[k]});
     }
   }
   if (body.faces.empty()) throw ShapeError("shape: there is no face");

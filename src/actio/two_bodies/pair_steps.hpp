@@ -28,8 +28,8 @@ struct Summed {
 /// for each.
 template <class T>
 struct PairState {
-  Summed<T, 3> place;      ///< of the second from the first, in space
-  Summed<T, 3> momentum;   ///< reduced mass times velocity
+  Summed<T, 3> place;                   ///< of the second from the first, in space
+  Summed<T, 3> momentum;                ///< reduced mass times velocity
   Summed<T, 3> body_1, body_2;          ///< momenta p in the bodies' axes
   Summed<T, 4> attitude_1, attitude_2;  ///< unit quaternions, bodies to space
 };
@@ -37,8 +37,8 @@ struct PairState {
 /// A drift and the kick after it, by their parts of a step.
 template <class T>
 struct PairStage {
-  double time;                      ///< by which drift and time go on
-  double kick;                      ///< time of the kick
+  double time;                       ///< by which drift and time go on
+  double kick;                       ///< time of the kick
   InverseMoments<T> body_1, body_2;  ///< inverse moments times the part of the step
 };
 
@@ -68,7 +68,8 @@ template <class T>
 template <class T, class Force>
 struct PairSteps {
   PairSetting const& setting;
-  std::vector<PairStage<T>> const& stages;  ///< of a step, and one more: the last drift with the first of the next
+  std::vector<PairStage<T>> const&
+      stages;  ///< of a step, and one more: the last drift with the first of the next
   double first_kick, last_kick;
   Force const& force;
   double h, start;
@@ -88,7 +89,8 @@ struct PairSteps {
     at.body_1.add({c1 * k.torque_1[0], c1 * k.torque_1[1], c1 * k.torque_1[2]});
     at.body_2.add({c2 * k.torque_2[0], c2 * k.torque_2[1], c2 * k.torque_2[2]});
   }
-  [[gnu::always_inline]] void drift(PairStage<T> const& stage, PairState<T>& at, int& terms_of_1, int& terms_of_2) const {
+  [[gnu::always_inline]] void drift(PairStage<T> const& stage, PairState<T>& at, int& terms_of_1,
+                                    int& terms_of_2) const {
     T const inverse = T{} + 1.0 / setting.reduced_mass;
     Three<T> const& P = at.momentum.value;
     Three<T> const v{inverse * P[0], inverse * P[1], inverse * P[2]};
@@ -127,7 +129,9 @@ struct PairSteps {
           drift(stage, at, t1, t2);
           reached += stages[k].time;
         }
-        double const part = !end ? stages[k].kick : joined && !drift_first ? first_kick + last_kick : last_kick;
+        double const part = !end                     ? stages[k].kick
+                            : joined && !drift_first ? first_kick + last_kick
+                                                     : last_kick;
         if (part != 0) kick(part, start + (end ? double(from + n + 1) * h : reached), at);
       }
       if ((from + n) % 64 == 63) tidy(at.attitude_1), tidy(at.attitude_2);

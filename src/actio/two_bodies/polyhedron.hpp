@@ -1,9 +1,9 @@
 // Moments of homogeneous polyhedra, exactly: sums over the tetrahedra from the origin to the triangles of the
 // surface, with the sign of their orientation.
 //
-// For a tetrahedron (0, p, q, w) of volume V the integral of (s.x)^n is 6 V n!/(n+3)! h_n(s.p, s.q, s.w), with
-// the complete symmetric polynomial h_n, and h_n(a, b, c) = a h_{n-1}(a, b, c) + h_n(b, c) makes the series
-// degree by degree. There is no root and no quadrature: over the rationals there is no error.
+// For a tetrahedron (0, p, q, w) of volume V the integral of (s.x)^n is 6 V n!/(n+3)! h_n(s.p, s.q, s.w),
+// with the complete symmetric polynomial h_n, and h_n(a, b, c) = a h_{n-1}(a, b, c) + h_n(b, c) makes the
+// series degree by degree. There is no root and no quadrature: over the rationals there is no error.
 #pragma once
 
 #include "actio/two_bodies/moments.hpp"
@@ -13,7 +13,7 @@ namespace actio::bodies {
 /// A closed surface of triangles, counter-clockwise as seen from outside.
 template <Scalar S = double>
 struct Polyhedron {
-  std::vector<Matrix<S, 3, 1>> vertices;   ///< length
+  std::vector<Matrix<S, 3, 1>> vertices;  ///< length
   std::vector<std::array<int, 3>> faces;  ///< vertices of each triangle, counted from 0
 };
 
@@ -55,9 +55,10 @@ Moments<S> polyhedron_moments(Polyhedron<S> const& body, S const& density, int o
     }
   }
   if (!(sum(0, 0, 0) > S(0)))
-    throw OutsideDomain("moments of a polyhedron",
-                        "the volume must be positive: triangles are to be counter-clockwise seen from outside; volume",
-                        to_double(S(sum(0, 0, 0) / density)), 0);
+    throw OutsideDomain(
+        "moments of a polyhedron",
+        "the volume must be positive: triangles are to be counter-clockwise seen from outside; volume",
+        to_double(S(sum(0, 0, 0) / density)), 0);
   return Moments<S>(sum);
 }
 

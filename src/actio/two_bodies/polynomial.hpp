@@ -1,5 +1,5 @@
-// Polynomials in three variables up to a total degree, dense: the series of moments of a body, and products and
-// substitutions of them.
+// Polynomials in three variables up to a total degree, dense: the series of moments of a body, and products
+// and substitutions of them.
 //
 // Coefficients stand degree by degree, and in a degree n by falling powers of x, then of y: n = 2 is xx, xy,
 // xz, yy, yz, zz.
@@ -35,10 +35,18 @@ struct Polynomial {
   std::vector<S> coefficients{S(0)};
 
   /// Zero, up to a degree.
-  explicit Polynomial(int degree_of = 0) : degree(degree_of), coefficients(coefficients_to(degree_of), S(0)) {}
+  explicit Polynomial(int degree_of = 0)
+      : degree(degree_of), coefficients(coefficients_to(degree_of), S(0)) {}
   S& operator()(int i, int j, int l) { return coefficients[place_of(i, j, l)]; }
   S const& operator()(int i, int j, int l) const { return coefficients[place_of(i, j, l)]; }
 
+  /// The same over another scalar.
+  template <Scalar T>
+  Polynomial<T> over() const {
+    Polynomial<T> p(degree);
+    for (std::size_t k = 0; k < coefficients.size(); ++k) p.coefficients[k] = T(coefficients[k]);
+    return p;
+  }
   /// Without what exceeds a degree.
   Polynomial cut(int to) const {
     Polynomial p = *this;
@@ -80,7 +88,8 @@ struct Polynomial {
         Form const part = inner(n - m, m, powers, rows[1]);
         for (std::size_t k = 0; k < part.c.size(); ++k) whole.c[k] += part.c[k];
       }
-      for (std::size_t k = 0; k < whole.c.size(); ++k) result.coefficients[coefficients_to(n - 1) + k] = whole.c[k];
+      for (std::size_t k = 0; k < whole.c.size(); ++k)
+        result.coefficients[coefficients_to(n - 1) + k] = whole.c[k];
     }
     return result;
   }

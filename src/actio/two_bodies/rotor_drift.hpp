@@ -33,7 +33,8 @@ template <class T>
   return {e[0] > T{} ? T(-across / (1.0 + e[0])) : T(e[0] - 1.0), e[1], e[2], e[3]};
 }
 /// From the parameters of a half turn, for a momentum of the size `size` along u: as in
-/// compensated_half_turn.hpp, u' - u = 2 (u x v) x v/(v.v), and u x v by the small part of v where there is one.
+/// compensated_half_turn.hpp, u' - u = 2 (u x v) x v/(v.v), and u x v by the small part of v where there is
+/// one.
 template <class T>
 RotorMotion<T> motion_of(StepParameters<T> const& parameters, Three<T> const& u, T const& size) {
   using std::sqrt;
@@ -57,17 +58,31 @@ template <class T>
 T size_of(Three<T> const& p, Three<T>& u) {
   using std::sqrt;
   T const size = sqrt(dot(p, p));
-  if (!is_finite(base_value(size))) throw NotFinite("two bodies: momentum of a body, in the course of the motion");
+  if (!is_finite(base_value(size)))
+    throw NotFinite("two bodies: momentum of a body, in the course of the motion");
   u = {p[0] / size, p[1] / size, p[2] / size};
   return size;
 }
-/// The exact motion of any length.
+/// The exact motion of any length. Over dual numbers, which elliptic functions are not written for, it is
+/// composed of equal parts that are short enough for the series.
 template <class T>
 [[gnu::noinline]] RotorMotion<T> long_rotor(InverseMoments<T> const& body, Three<T> const& p) {
-  if (base_value(dot(p, p)) == Base<T>(0)) return {};
+  if (base_value(dot(p, p)) == Base<T>(0))
+    return {{}, {T{}, body.J[0] * p[0], body.J[1] * p[1], body.J[2] * p[2]}};
   Three<T> u;
   T const size = size_of(p, u);
-  return motion_of<T>(exact_flow<T>(body, u, size), u, size);
+  if constexpr (is_dual<T>) {
+    Orbit<T> const orbit(body, u);
+    int const parts = 1 + static_cast<int>(to_double(base_value(sqrt(orbit.s1 * size * size + 1e-300))) /
+                                           std::sqrt(short_enough));
+    FrameState<T> moved{u, {T{} + 1.0, T{}, T{}, T{}}};
+    HalfTurn<T> const part(flow_by_series<T>(body, orbit, size / double(parts)));
+    for (int k = 0; k < parts; ++k) part.step(moved);
+    Three<T> const d = minus(moved.direction, u);
+    return {{size * d[0], size * d[1], size * d[2]}, less_one(moved.attitude)};
+  } else {
+    return motion_of<T>(exact_flow<T>(body, u, size), u, size);
+  }
 }
 
 }  // namespace detail
@@ -102,9 +117,10 @@ RotorMotion<T> moser_veselov_rotor(InverseMoments<T> const& body, Three<T> const
   auto const parameters = moser_veselov_parameters<T>(
       {{size * body.J[0], size * body.J[1], size * body.J[2]}, size * body.d12, size * body.d23}, u, found);
   if (!found)
-    throw OutsideDomain("Moser-Veselov rotor",
-                        "the step is too long for the scheme to have a solution; half the angle that a body turns in it",
-                        to_double(base_value(T(size * body.J[1]))), 0.5);
+    throw OutsideDomain(
+        "Moser-Veselov rotor",
+        "the step is too long for the scheme to have a solution; half the angle that a body turns in it",
+        to_double(base_value(T(size * body.J[1]))), 0.5);
   return detail::motion_of<T>(parameters, u, size);
 }
 

@@ -1,7 +1,7 @@
 // The mutual potential of order 2 in closed form, as a kick: masses and moments of inertia are all it depends
 // on.
 //
-//     V = -G [m1 m2/r + 1/(2 r^3) (m2 (tr I1 - 3 u.I1 u) + m1 (tr I2 - 3 w.I2 w))],     u = R1^T n, w = R2^T n,
+//     V = -G [m1 m2/r + 1/(2 r^3) (m2 (tr I1 - 3 u.I1 u) + m1 (tr I2 - 3 w.I2 w))], u = R1^T n, w = R2^T n,
 //
 // with the direction n from the first body to the second. The torques are those of two gravity gradients,
 // (3 G m2/r^3) u x I1 u and (3 G m1/r^3) w x I2 w.
@@ -28,7 +28,7 @@ struct Kick {
 template <class T>
 [[gnu::always_inline]] inline Three<T> turned_by(Four<T> const& q, Three<T> const& v) {
   Three<T> const a{q[1], q[2], q[3]}, t = cross_product(a, Three<T>{v[0] + v[0], v[1] + v[1], v[2] + v[2]}),
-                 c = cross_product(a, t);
+                                      c = cross_product(a, t);
   return {(v[0] + q[0] * t[0]) + c[0], (v[1] + q[0] * t[1]) + c[1], (v[2] + q[0] * t[2]) + c[2]};
 }
 /// \f$R^Tv\f$: a vector of space, in the axes of a body with the attitude q.
@@ -41,7 +41,8 @@ template <class T>
 class SecondOrderForce {
  public:
   SecondOrderForce(ExtendedBody const& first, ExtendedBody const& second, double G)
-      : strength_1_(scaled(first.inertia, G * second.mass())), strength_2_(scaled(second.inertia, G * first.mass())) {}
+      : strength_1_(scaled(first.inertia, G * second.mass())),
+        strength_2_(scaled(second.inertia, G * first.mass())) {}
 
   /// @param X      from the first centre of mass to the second, in space
   /// @param q1,q2  unit quaternions, bodies to space
@@ -67,7 +68,8 @@ class SecondOrderForce {
  private:
   static Three<double> scaled(Three<double> const& I, double c) { return {c * I[0], c * I[1], c * I[2]}; }
   Three<double> strength_1_, strength_2_;  ///< G m2 I1 and G m1 I2
-  double trace_ = strength_1_[0] + strength_1_[1] + strength_1_[2] + strength_2_[0] + strength_2_[1] + strength_2_[2];
+  double trace_ =
+      strength_1_[0] + strength_1_[1] + strength_1_[2] + strength_2_[0] + strength_2_[1] + strength_2_[2];
 };
 
 }  // namespace actio::bodies

@@ -14,8 +14,8 @@ double unit_of(ExtendedBody const& body) {
 }
 InverseMoments<double> inverse_moments(ExtendedBody const& body, double part) {
   double const unit = unit_of(body);
-  return detail::scaled(InverseMoments<double>({body.inertia[0] / unit, body.inertia[1] / unit, body.inertia[2] / unit}),
-                        part);
+  return detail::scaled(
+      InverseMoments<double>({body.inertia[0] / unit, body.inertia[1] / unit, body.inertia[2] / unit}), part);
 }
 Eigen::Quaterniond axes_of(ExtendedBody const& body) { return Eigen::Quaterniond(body.axes).normalized(); }
 Eigen::Quaterniond quaternion(Four<double> const& q) { return {q[0], q[1], q[2], q[3]}; }
@@ -57,13 +57,17 @@ FreeState left(ExtendedBody const& body, Summed<double, 3> const& p, Summed<doub
   return {{SO<3>{}, M}, {SU2{}, Eigen::Vector4d(attitude.w(), attitude.x(), attitude.y(), attitude.z())}};
 }
 
-/// A force that does not depend on the time.
+/// A force with what a third body adds to it.
 template <class Force>
-struct Steady {
+struct InTime {
   Force const& force;
+  ThirdBodyForce const* third;
   [[gnu::always_inline]] Kick<double> operator()(Three<double> const& X, Four<double> const& q1,
-                                                 Four<double> const& q2, double) const {
-    return force(X, q1, q2);
+                                                 Four<double> const& q2, double time) const {
+    auto kick = force(X, q1, q2);
+    if (third) [[unlikely]]
+      third->add_to(kick, X, q1, q2, time);
+    return kick;
   }
 };
 
@@ -78,7 +82,8 @@ bool has_planes_of_symmetry(ExtendedBody const& body) {
   return symmetric;
 }
 
-TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const& start, TwoBodyOptions options)
+TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const& start,
+                     TwoBodyOptions options)
     : first_(std::move(first)),
       second_(std::move(second)),
       options_(std::move(options)),
@@ -86,17 +91,25 @@ TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const
   double const h = options_.step, m1 = first_.mass(), m2 = second_.mass(), G = options_.G;
   if (!is_finite(h) || !is_finite(options_.start)) throw NotFinite("two bodies: step or time at the start");
   if (h == 0) throw OutsideDomain("two bodies", "the step must differ from zero", 0, 0);
-  if (!(G > 0) || !is_finite(G)) throw OutsideDomain("two bodies", "the constant of gravitation must be positive", G, 0);
-  if (!is_finite(start.position) || !is_finite(start.momentum)) throw NotFinite("two bodies: position or momentum");
-  setting_ = {m1 / (m1 + m2) * m2,        G * (m1 + m2),           G * m1 * m2,
-              h / 2 / unit_of(first_),    h / 2 / unit_of(second_), options_.method.kepler,
+  if (!(G > 0) || !is_finite(G))
+    throw OutsideDomain("two bodies", "the constant of gravitation must be positive", G, 0);
+  if (!is_finite(start.position) || !is_finite(start.momentum))
+    throw NotFinite("two bodies: position or momentum");
+  setting_ = {m1 / (m1 + m2) * m2,
+              G * (m1 + m2),
+              G * m1 * m2,
+              h / 2 / unit_of(first_),
+              h / 2 / unit_of(second_),
+              options_.method.kepler,
               options_.method.rotor == Rotor::moser_veselov};
   if (options_.order == 4 && has_planes_of_symmetry(first_) && has_planes_of_symmetry(second_))
     force_ = FourthOrderForce<true>(first_, second_, G);
   else if (options_.order == 4)
     force_ = FourthOrderForce<false>(first_, second_, G);
   else if (options_.order != 2)
-    force_ = AnyOrderForce(first_, second_, options_.order, G);
+    force_ = AnyOrderForce<>(first_, second_, options_.order, G);
+  if (options_.third) third_.emplace(*options_.third, first_, second_, G);
+  if (options_.tides) tides_.emplace((*options_.tides)[0], (*options_.tides)[1], first_, second_, G);
   stages_ = stages_of(options_.method.splitting, first_, second_, h);
   auto const one = entered(first_, start.first, h), two = entered(second_, start.second, h);
   state_ = {{three(start.position), {}}, {three(start.momentum), {}}, one.p, two.p, one.q, two.q};
@@ -105,26 +118,39 @@ TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const
 
 void TwoBodies::step(long count) {
   if (count < 0)
-    throw OutsideDomain("two bodies", "the number of steps must not be negative", static_cast<double>(count), 0);
+    throw OutsideDomain("two bodies", "the number of steps must not be negative", static_cast<double>(count),
+                        0);
   if (count == 0) return;
   PairState<double> const before = state_;
+  long const steps_before = steps_;
+  try {
+    if (!tides_) take(count);
+    double const half = options_.step / 2;
+    for (long k = 0; tides_ && k < count; ++k) {
+      tides_->kick(state_, setting_, half);
+      take(1);
+      tides_->kick(state_, setting_, half);
+    }
+    require_apart("in the course of the motion");
+  } catch (...) {
+    state_ = before, steps_ = steps_before;
+    throw;
+  }
+}
+
+void TwoBodies::take(long count) {
   auto const& kicks = options_.method.splitting.kicks;
+  double const h = options_.step;
   std::visit(
       [&]<class F>(F const& force) {
-        Steady<F> const steady{force};
-        detail::PairSteps<double, Steady<F>> steps{setting_, stages_,  kicks.front() * options_.step,
-                                                   kicks.back() * options_.step, steady, options_.step,
-                                                   options_.start, steps_, count, state_, terms_1_, terms_2_};
+        InTime<F> const in_time{force, third_ ? &*third_ : nullptr};
+        detail::PairSteps<double, InTime<F>> steps{setting_, stages_, kicks.front() * h, kicks.back() * h,
+                                                   in_time,  h,       options_.start,    steps_,
+                                                   count,    state_,  terms_1_,          terms_2_};
         run_on_best_machine(steps);
         state_ = steps.state, terms_1_ = steps.terms_1, terms_2_ = steps.terms_2;
       },
       force_);
-  try {
-    require_apart("in the course of the motion");
-  } catch (...) {
-    state_ = before;
-    throw;
-  }
   steps_ += count;
 }
 
@@ -152,35 +178,43 @@ double TwoBodies::energy() const {
     return twice / 2 / (unit * unit);
   };
   return dot(state_.momentum.value, state_.momentum.value) / (2 * setting_.reduced_mass) +
-         turning(state_.body_1, first_, setting_.unit_1) + turning(state_.body_2, second_, setting_.unit_2) + potential();
+         turning(state_.body_1, first_, setting_.unit_1) + turning(state_.body_2, second_, setting_.unit_2) +
+         potential();
 }
 Eigen::Vector3d TwoBodies::angular_momentum() const {
   Eigen::Vector3d const X = vector(state_.place.value), P = vector(state_.momentum.value);
   return X.cross(P) + vector(turned_by(state_.attitude_1.value, state_.body_1.value)) / setting_.unit_1 +
          vector(turned_by(state_.attitude_2.value, state_.body_2.value)) / setting_.unit_2;
 }
-double TwoBodies::nearness() const { return (first_.radius + second_.radius) / vector(state_.place.value).norm(); }
+double TwoBodies::nearness() const {
+  return (first_.radius + second_.radius) / vector(state_.place.value).norm();
+}
 
 void TwoBodies::require_apart(char const* when) const {
   double const near = nearness();
-  if (!is_finite(near) || !is_finite(state_.momentum.value[0])) throw NotFinite(std::string("two bodies, ") + when);
+  if (!is_finite(near) || !is_finite(state_.momentum.value[0]))
+    throw NotFinite(std::string("two bodies, ") + when);
   if (near >= 1)
-    throw OutsideDomain(std::string("two bodies, ") + when,
-                        "the spheres about the bodies must not meet, or the series of their potential need not "
-                        "converge; sum of the radii over the distance",
-                        near, 1);
+    throw OutsideDomain(
+        std::string("two bodies, ") + when,
+        "the spheres about the bodies must not meet, or the series of their potential need not "
+        "converge; sum of the radii over the distance",
+        near, 1);
 }
 
-TwoBodyState state_of_velocities(ExtendedBody const& first, ExtendedBody const& second, Eigen::Vector3d const& position,
-                                 Eigen::Vector3d const& velocity, Element<SU2, double> const& attitude_1,
-                                 Eigen::Vector3d const& omega_1, Element<SU2, double> const& attitude_2,
-                                 Eigen::Vector3d const& omega_2) {
+TwoBodyState state_of_velocities(ExtendedBody const& first, ExtendedBody const& second,
+                                 Eigen::Vector3d const& position, Eigen::Vector3d const& velocity,
+                                 Element<SU2, double> const& attitude_1, Eigen::Vector3d const& omega_1,
+                                 Element<SU2, double> const& attitude_2, Eigen::Vector3d const& omega_2) {
   auto const momentum = [](ExtendedBody const& body, Eigen::Vector3d const& omega) {
     Eigen::Vector3d const along = body.axes.transpose() * omega;
     return Momentum<SO<3>, double>{SO<3>{}, body.axes * along.cwiseProduct(vector(body.inertia))};
   };
   double const m = first.mass() / (first.mass() + second.mass()) * second.mass();
-  return {position, m * velocity, {momentum(first, omega_1), attitude_1}, {momentum(second, omega_2), attitude_2}};
+  return {position,
+          m * velocity,
+          {momentum(first, omega_1), attitude_1},
+          {momentum(second, omega_2), attitude_2}};
 }
 
 }  // namespace actio::bodies

@@ -69,7 +69,7 @@ template <int terms>
 
 /// What a free motion over the time 2 does.
 struct ShortMotion {
-  Four<double> turn;     ///< the rotation from the attitude after it to that before it, in the axes of the body
+  Four<double> turn;  ///< the rotation from the attitude after it to that before it, in the axes of the body
   Three<double> change;  ///< of the momentum
   Reach reach;           ///< whether that was a short step; if not, the others have no meaning
 };
