@@ -23,9 +23,13 @@ std::array<Three<S>, 3> rows(M const& R) {
   return a;
 }
 template <class S>
-Matrix<S, 3, 1> vector(Three<S> const& x) { return {x[0], x[1], x[2]}; }
+Matrix<S, 3, 1> vector(Three<S> const& x) {
+  return {x[0], x[1], x[2]};
+}
 template <class M>
-auto three(M const& x) { return Three<typename M::Scalar>{x[0], x[1], x[2]}; }
+auto three(M const& x) {
+  return Three<typename M::Scalar>{x[0], x[1], x[2]};
+}
 
 /// Point masses, and their moments.
 struct Points {

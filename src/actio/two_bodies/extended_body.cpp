@@ -77,6 +77,15 @@ ExtendedBody extended_body(Moments<double> const& moments, double radius) {
   return along(centred, radius + centre.norm(), principal_axes_of(centred.inertia_tensor()), centre);
 }
 
+bool has_planes_of_symmetry(ExtendedBody const& body) {
+  bool symmetric = true;
+  auto const& series = body.moments.series;
+  over_exponents(0, series.degree, [&](int i, int j, int l) {
+    if ((i % 2 || j % 2 || l % 2) && series(i, j, l) != 0) symmetric = false;
+  });
+  return symmetric;
+}
+
 ExtendedBody sphere_body(double mass, double radius, int order) {
   return ellipsoid_body(mass, {radius, radius, radius}, order);
 }

@@ -38,4 +38,7 @@ ExtendedBody ellipsoid_body(double mass, std::array<double, 3> const& half_axes,
 /// A homogeneous polyhedron. Its moments are integrated again in the principal axes, where nothing cancels.
 ExtendedBody polyhedron_body(Polyhedron<double> const& shape, double density, int order);
 
+/// Whether all moments with an odd exponent vanish, as those of an ellipsoid.
+bool has_planes_of_symmetry(ExtendedBody const& body);
+
 }  // namespace actio::bodies

@@ -22,7 +22,9 @@ struct Moments {
   int order() const { return series.degree; }
   /// The same over another scalar.
   template <Scalar T>
-  Moments<T> over() const { return Moments<T>(series.template over<T>()); }
+  Moments<T> over() const {
+    return Moments<T>(series.template over<T>());
+  }
   /// \f$A_{ijl}=\int x^iy^jz^l\,dm\f$.
   S operator()(int i, int j, int l) const { return series(i, j, l) * S(factorials(i, j, l)); }
   /// Sets \f$A_{ijl}\f$.

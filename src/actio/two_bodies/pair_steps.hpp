@@ -114,25 +114,22 @@ struct PairSteps {
   [[gnu::always_inline]] void operator()() {
     PairState<T> at = state;
     int t1 = terms_1, t2 = terms_2;
-    std::size_t const size = stages.size() - 1;
+    int const size = static_cast<int>(stages.size()) - 1;
     bool const drift_first = first_kick == 0;
-    if (!drift_first) kick(first_kick, start + double(from) * h, at);
     for (long n = 0; n < count; ++n) {
-      double reached = double(from + n) * h;
+      double reached = start + double(from + n) * h;
       bool const last = n + 1 == count;
-      for (std::size_t k = 0; k < size; ++k) {
+      // Before the first step its kick, without a drift.
+      for (int k = n == 0 && !drift_first ? -1 : 0; k < size; ++k) {
         bool const end = k + 1 == size, joined = end && !last;
-        if (drift_first && k == 0 && n > 0) {
-          reached += stages[0].time;
-        } else {
-          PairStage<T> const& stage = drift_first && joined ? stages[size] : stages[k];
-          drift(stage, at, t1, t2);
-          reached += stages[k].time;
+        double part = first_kick;
+        if (k >= 0) {
+          if (!drift_first || k > 0 || n == 0)
+            drift(drift_first && joined ? stages[size] : stages[k], at, t1, t2);
+          reached = end ? start + double(from + n + 1) * h : reached + stages[k].time;
+          part = !end ? stages[k].kick : joined && !drift_first ? first_kick + last_kick : last_kick;
         }
-        double const part = !end                     ? stages[k].kick
-                            : joined && !drift_first ? first_kick + last_kick
-                                                     : last_kick;
-        if (part != 0) kick(part, start + (end ? double(from + n + 1) * h : reached), at);
+        if (part != 0) kick(part, reached, at);
       }
       if ((from + n) % 64 == 63) tidy(at.attitude_1), tidy(at.attitude_2);
     }

@@ -106,6 +106,25 @@ template <class T>
   return detail::long_rotor<T>(body, p);
 }
 
+namespace detail {
+/// The parameters of a step of Moser and Veselov; over dual numbers by those of the values and one step of
+/// Newton's method.
+template <class T>
+StepParameters<T> parameters_of_scheme(HalfStep<T> const& step, Three<T> const& u, bool& found) {
+  if constexpr (is_dual<T>) {
+    HalfStep<Base<T>> const values{
+        {step.j[0].value, step.j[1].value, step.j[2].value}, step.d12.value, step.d23.value};
+    auto const of_values =
+        moser_veselov_parameters<Base<T>>(values, {u[0].value, u[1].value, u[2].value}, found);
+    T const kappa(of_values.sin_twist / of_values.cos_twist);
+    TwistFromMiddle<T> const equation(step, u);
+    return equation.parameters(kappa - equation.residual(kappa) / equation.slope(kappa));
+  } else {
+    return moser_veselov_parameters<T>(step, u, found);
+  }
+}
+}  // namespace detail
+
 /// The same by the scheme of Moser and Veselov.
 /// @throws StepTooLong  where it has no solution
 template <class T>
@@ -114,7 +133,7 @@ RotorMotion<T> moser_veselov_rotor(InverseMoments<T> const& body, Three<T> const
   Three<T> u;
   T const size = detail::size_of(p, u);
   bool found = true;
-  auto const parameters = moser_veselov_parameters<T>(
+  auto const parameters = detail::parameters_of_scheme<T>(
       {{size * body.J[0], size * body.J[1], size * body.J[2]}, size * body.d12, size * body.d23}, u, found);
   if (!found)
     throw OutsideDomain(

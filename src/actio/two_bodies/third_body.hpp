@@ -1,7 +1,7 @@
 // A third body on a given orbit: the sun, or a planet that passes by, as a point.
 //
-// It is at R(t) from the barycentre, which is at -m2/M X from... the first body at -(m2/M) X and the second
-// at (m1/M) X. With d_i from body i to it, b_i = d_i/|d_i|, its potential on body i is
+// It is at R(t) from the barycentre, the first body at -(m2/M) X from there and the second at (m1/M) X. With
+// d_i from body i to the third, and b_i = d_i/|d_i|, its potential on body i is
 //
 //     -G m3 [m_i/d_i + (tr I_i - 3 b_i.I_i b_i)/(2 d_i^3)].
 //
@@ -95,5 +95,21 @@ class ThirdBodyForce {
   Three<double> first_, second_;
   double m1_, m2_, strength_;
 };
+
+namespace detail {
+/// A force with what a third body adds to it, where there is one.
+template <class T, class Force>
+struct InTime {
+  Force const& force;
+  ThirdBodyForce const* third;
+  [[gnu::always_inline]] Kick<T> operator()(Three<T> const& X, Four<T> const& q1, Four<T> const& q2,
+                                            double time) const {
+    Kick<T> kick = force(X, q1, q2);
+    if (third) [[unlikely]]
+      third->add_to(kick, X, q1, q2, time);
+    return kick;
+  }
+};
+}  // namespace detail
 
 }  // namespace actio::bodies

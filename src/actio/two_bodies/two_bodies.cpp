@@ -1,3 +1,5 @@
+// Two bodies and the kernel of their steps.
+// In a unit of its own
 #include "actio/two_bodies/two_bodies.hpp"
 
 #include <Eigen/Geometry>
@@ -22,7 +24,9 @@ Eigen::Quaterniond quaternion(Four<double> const& q) { return {q[0], q[1], q[2],
 Four<double> four(Eigen::Quaterniond const& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 Three<double> three(Eigen::Vector3d const& v) { return {v[0], v[1], v[2]}; }
 template <class V>
-Eigen::Vector3d vector(V const& v) { return {v[0], v[1], v[2]}; }
+Eigen::Vector3d vector(V const& v) {
+  return {v[0], v[1], v[2]};
+}
 
 std::vector<PairStage<double>> stages_of(Splitting const& splitting, ExtendedBody const& first,
                                          ExtendedBody const& second, double h) {
@@ -57,30 +61,7 @@ FreeState left(ExtendedBody const& body, Summed<double, 3> const& p, Summed<doub
   return {{SO<3>{}, M}, {SU2{}, Eigen::Vector4d(attitude.w(), attitude.x(), attitude.y(), attitude.z())}};
 }
 
-/// A force with what a third body adds to it.
-template <class Force>
-struct InTime {
-  Force const& force;
-  ThirdBodyForce const* third;
-  [[gnu::always_inline]] Kick<double> operator()(Three<double> const& X, Four<double> const& q1,
-                                                 Four<double> const& q2, double time) const {
-    auto kick = force(X, q1, q2);
-    if (third) [[unlikely]]
-      third->add_to(kick, X, q1, q2, time);
-    return kick;
-  }
-};
-
 }  // namespace
-
-bool has_planes_of_symmetry(ExtendedBody const& body) {
-  bool symmetric = true;
-  auto const& series = body.moments.series;
-  over_exponents(0, series.degree, [&](int i, int j, int l) {
-    if ((i % 2 || j % 2 || l % 2) && series(i, j, l) != 0) symmetric = false;
-  });
-  return symmetric;
-}
 
 TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const& start,
                      TwoBodyOptions options)
@@ -143,10 +124,10 @@ void TwoBodies::take(long count) {
   double const h = options_.step;
   std::visit(
       [&]<class F>(F const& force) {
-        InTime<F> const in_time{force, third_ ? &*third_ : nullptr};
-        detail::PairSteps<double, InTime<F>> steps{setting_, stages_, kicks.front() * h, kicks.back() * h,
-                                                   in_time,  h,       options_.start,    steps_,
-                                                   count,    state_,  terms_1_,          terms_2_};
+        detail::InTime<double, F> const in_time{force, third_ ? &*third_ : nullptr};
+        detail::PairSteps<double, detail::InTime<double, F>> steps{
+            setting_, stages_, kicks.front() * h, kicks.back() * h, in_time, h, options_.start, steps_,
+            count,    state_,  terms_1_,          terms_2_};
         run_on_best_machine(steps);
         state_ = steps.state, terms_1_ = steps.terms_1, terms_2_ = steps.terms_2;
       },

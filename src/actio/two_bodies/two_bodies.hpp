@@ -86,7 +86,9 @@ class TwoBodies {
 
   /// Saves, or restores, what the next step depends on besides bodies and options.
   template <class Memory>
-  void remember(Memory& memory) { memory(state_, terms_1_, terms_2_, steps_); }
+  void remember(Memory& memory) {
+    memory(state_, terms_1_, terms_2_, steps_);
+  }
 
  private:
   using Force =
@@ -95,8 +97,7 @@ class TwoBodies {
   void require_apart(char const* when) const;
   Kick<double> interaction() const;
   void take(long count);
-  template <class T>
-  PairState<T> moved(PairState<T> const& from, long first, long count) const;
+  PairState<Dual<double>> moved(PairState<Dual<double>> const& from, long first, long count) const;
 
   ExtendedBody first_, second_;
   TwoBodyOptions options_;
@@ -109,9 +110,6 @@ class TwoBodies {
   int terms_1_ = 5, terms_2_ = 5;
   long steps_ = 0;
 };
-
-/// Whether all moments with an odd exponent vanish, as those of an ellipsoid.
-bool has_planes_of_symmetry(ExtendedBody const& body);
 
 /// The state of given velocities.
 /// @param velocity  of the second body from the first, in space
