@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(methods_agree_on_the_motion_with_a_passing_body) {
 
 BOOST_AUTO_TEST_CASE(tides_leave_the_momentum_and_take_energy) {
   Didymos const d(2);
-  std::array<Tide, 2> const tides{Tide{0.1, 0.3, 400, 2170}, Tide{0.1, 0.3, 80, 2400}};
+  std::array<Tide, 2> const tides{Tide{0.01, 0.3, 400, 2170}, Tide{0.01, 0.3, 80, 2400}};
   double const time = 3 * d.radian;
   auto const at = [&](int steps) {
     auto pair = with(d, time / steps, kepler_splitting(), {}, tides);
@@ -125,10 +125,11 @@ BOOST_AUTO_TEST_CASE(tides_leave_the_momentum_and_take_energy) {
   auto const fine = at(1600);
   BOOST_TEST((fine.angular_momentum() - start.angular_momentum()).norm() <=
              1e-14 * start.angular_momentum().norm());
-  BOOST_TEST(fine.energy() < start.energy() - 1e-12 * std::abs(start.energy()));
+  BOOST_TEST(fine.energy() < start.energy() - 1e-9 * std::abs(start.energy()));
   std::vector<double> steps, errors;
-  auto const truth = at(6400).state();
-  for (int count = 50; count <= 400; count *= 2) {
+  auto const truth = at(12800).state();
+  // From where the error of the splitting itself is below that of the tides.
+  for (int count = 200; count <= 1600; count *= 2) {
     auto const s = at(count).state();
     steps.push_back(time / count);
     errors.push_back((Didymos::place(s) - Didymos::place(truth)).norm() +
@@ -137,7 +138,7 @@ BOOST_AUTO_TEST_CASE(tides_leave_the_momentum_and_take_energy) {
   auto const fit = testing::fit_order(steps, errors);
   BOOST_TEST_MESSAGE("tides: order " << fit.slope << ", errors " << errors.front() << " to "
                                      << errors.back());
-  BOOST_TEST(std::abs(fit.slope - 2) < 0.15);
+  BOOST_TEST(std::abs(fit.slope - 2) < 0.1);
 }
 
 BOOST_AUTO_TEST_CASE(the_tidal_torque_has_the_size_that_is_said) {

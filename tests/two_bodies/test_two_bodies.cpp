@@ -80,9 +80,9 @@ BOOST_AUTO_TEST_CASE(orders_two_and_four_are_measured) {
   for (auto const& [method, first] : {std::pair{pair_splitting(), 64},
                                       {moser_veselov_pair(), 256},
                                       {kepler_strang(), 64},
-                                      {pair_splitting(4), 12}}) {
+                                      {pair_splitting(4), 48}}) {
     std::vector<double> steps, errors;
-    for (int count = first; count <= 8 * first; count *= 2) {
+    for (int count = first; count <= 4 * first; count *= 2) {
       auto pair = d.pair(time / count, method);
       pair.step(count);
       steps.push_back(time / count);
@@ -228,9 +228,12 @@ BOOST_AUTO_TEST_CASE(motions_that_there_are_not_are_refused) {
   CHECK_REFUSED(pair.step(-1), OutsideDomain);
   // Without its speed the moon falls.
   auto falling = with([](auto& s, auto&) { s.momentum.setZero(); });
-  CHECK_REFUSED(falling.step(100), OutsideDomain);
-  BOOST_TEST(falling.time() == 0);
-  BOOST_TEST((falling.state().position - d.start.position).norm() == 0);
+  auto const fall = [&] {
+    while (falling.time() < d.radian) falling.step();
+  };
+  CHECK_REFUSED(fall(), OutsideDomain);
+  BOOST_TEST(falling.nearness() < 1);  // the state before the step that is refused
+  BOOST_TEST(falling.nearness() > 0.8);
   // A step in which the primary turns by more than half a turn is beyond the scheme of Moser and Veselov.
   auto too_long = d.pair(5000, moser_veselov_pair());
   CHECK_REFUSED(too_long.step(), OutsideDomain);

@@ -24,6 +24,8 @@ template <class T>
 template <class T = double>
 class AnyOrderForce {
  public:
+  /// @param order  N
+  /// @param G      constant of gravitation
   /// @throws OutsideDomain  where the order is negative or above that of the moments
   AnyOrderForce(ExtendedBody const& first, ExtendedBody const& second, int order, double G)
       : potential_(first.moments.over<T>(), second.moments.over<T>(), order, T(G)),

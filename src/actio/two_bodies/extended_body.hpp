@@ -17,6 +17,7 @@ struct ExtendedBody {
   Eigen::Matrix3d axes;     ///< the principal axes as columns, in the frame in which the body was given
   Eigen::Vector3d centre;   ///< of mass, in the frame in which the body was given
 
+  /// Mass.
   double mass() const { return moments.mass(); }
 };
 

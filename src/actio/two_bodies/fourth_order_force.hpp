@@ -13,6 +13,8 @@ namespace actio::bodies {
 template <bool symmetric>
 class FourthOrderForce {
  public:
+  /// @param first,second  with moments of order 4 at least
+  /// @param G             constant of gravitation
   FourthOrderForce(ExtendedBody const& first, ExtendedBody const& second, double G)
       : mass_1_(first.mass()), mass_2_(G * second.mass()) {
     take(first.moments.series.reflected(), 1, first_2_, first_3_, first_4_);

@@ -91,13 +91,17 @@ struct TimeEquation {
   /// From a series in t; it needs two evaluations or three for steps of a part of a radian.
   [[gnu::always_inline]] Solution solution() const {
     S const inverse = S(1) / r, q = t * inverse, tilt = q * inverse * eta, bend = q * q * inverse * zeta;
+    if (!(magnitude(tilt) < S(1) && magnitude(bend) < S(1))) return by_bounds();
     S s = q * (S(1) - tilt * S(0.5) + tilt * tilt * S(0.5) - bend * (S(1) / S(6)));
     // The error of the next step is the cube of this, or less.
     S const enough = std::is_same_v<S, double> ? S(4e-6) : S(pow_of_epsilon());
+    S last = std::numeric_limits<S>::infinity();
     for (int round = 0; round < 8; ++round) {
       Solution const found = halley(s);
-      if (magnitude(found.step) <= enough * magnitude(s)) return found;
-      s -= found.step;
+      S const size = magnitude(found.step);
+      if (size <= enough * magnitude(s)) return found;
+      if (!(size < last)) break;
+      s -= found.step, last = size;
     }
     return by_bounds();
   }
@@ -113,11 +117,14 @@ struct TimeEquation {
       auto const g = universal_functions<S>(beta, s);
       return S(ahead.r * s + ahead.eta * g.g2 + ahead.zeta * g.g3 - ahead.t);
     };
+    // Not more than a radian of the orbit at first, where functions of long ones would overflow.
+    using std::sqrt;
     S low(0), high = ahead.t / r;
+    if (S const turn = high * high * magnitude(beta); turn > S(1)) high = high / S(sqrt(turn));
     for (int round = 0; round < 200 && miss(high) < S(0); ++round) low = high, high += high;
-    S s = (low + high) * S(0.5);
+    S s = (low + high) * S(0.5), last = high - low;
     std::vector<double> steps;
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < 400; ++round) {
       Solution const found = ahead.halley(s);
       S const size = magnitude(found.step);
       if (size <= S(64) * epsilon<S>() * magnitude(s)) {
@@ -127,9 +134,11 @@ struct TimeEquation {
       }
       steps.push_back(to_double(size));
       (miss(s) > S(0) ? high : low) = s;
+      // Halved where a step leaves the bounds, or is not half of the last one.
       S const next = s - found.step;
-      s = next > low && next < high ? next : S((low + high) * S(0.5));
-      if (!(low < high)) break;
+      bool const good = next > low && next < high && size + size <= last;
+      last = good ? size : S((high - low) * S(0.5));
+      s = good ? next : S((low + high) * S(0.5));
     }
     throw NotConverged("Kepler's equation", steps, to_double(S(64) * epsilon<S>() * magnitude(s)));
   }

@@ -18,7 +18,9 @@ struct Moments {
 
   /// All zero.
   explicit Moments(int order = 0) : series(order) {}
+  /// Of this series.
   explicit Moments(Polynomial<S> of) : series(std::move(of)) {}
+  /// Up to which total degree there are moments.
   int order() const { return series.degree; }
   /// The same over another scalar.
   template <Scalar T>
@@ -30,6 +32,7 @@ struct Moments {
   /// Sets \f$A_{ijl}\f$.
   void set(int i, int j, int l, S const& value) { series(i, j, l) = value / S(factorials(i, j, l)); }
 
+  /// \f$A_{000}\f$.
   S const& mass() const { return series.coefficients[0]; }
   /// The centre of mass, length.
   Matrix<S, 3, 1> centre() const {

@@ -64,6 +64,7 @@ class MutualPotential {
       throw OutsideDomain("mutual potential", "the order must lie between 0 and that of the moments", order,
                           order < 0 ? 0 : known);
   }
+  /// N.
   int order() const { return order_; }
 
   /// Potential, force and torques.

@@ -14,7 +14,9 @@ namespace actio::bodies {
 /// A vector as a sum of very many changes, with the rounding error of the sum so far (Kahan).
 template <class T, std::size_t N>
 struct Summed {
-  std::array<T, N> value{}, rest{};
+  std::array<T, N> value{};  ///< the sum, rounded
+  std::array<T, N> rest{};   ///< what is to be added to it
+  /// Adds a small change.
   [[gnu::always_inline]] void add(std::array<T, N> const& change) {
     for (std::size_t i = 0; i < N; ++i) {
       T const y = change[i] + rest[i], next = value[i] + y;
@@ -28,25 +30,32 @@ struct Summed {
 /// for each.
 template <class T>
 struct PairState {
-  Summed<T, 3> place;                   ///< of the second from the first, in space
-  Summed<T, 3> momentum;                ///< reduced mass times velocity
-  Summed<T, 3> body_1, body_2;          ///< momenta p in the bodies' axes
-  Summed<T, 4> attitude_1, attitude_2;  ///< unit quaternions, bodies to space
+  Summed<T, 3> place;       ///< of the second from the first, in space
+  Summed<T, 3> momentum;    ///< reduced mass times velocity
+  Summed<T, 3> body_1;      ///< p of the first body, in its axes
+  Summed<T, 3> body_2;      ///< p of the second body, in its axes
+  Summed<T, 4> attitude_1;  ///< unit quaternion, first body to space
+  Summed<T, 4> attitude_2;  ///< unit quaternion, second body to space
 };
 
 /// A drift and the kick after it, by their parts of a step.
 template <class T>
 struct PairStage {
-  double time;                       ///< by which drift and time go on
-  double kick;                       ///< time of the kick
-  InverseMoments<T> body_1, body_2;  ///< inverse moments times the part of the step
+  double time;               ///< by which drift and time go on
+  double kick;               ///< time of the kick
+  InverseMoments<T> body_1;  ///< inverse moments of the first body times the part of the step
+  InverseMoments<T> body_2;  ///< inverse moments of the second body times the part of the step
 };
 
 /// What all stages share.
 struct PairSetting {
-  double reduced_mass, mu, strength;  ///< m, G(m1 + m2), G m1 m2
-  double unit_1, unit_2;              ///< a torque times a time times these is a change of p
-  bool kepler, moser_veselov;
+  double reduced_mass;  ///< \f$m_1m_2/(m_1+m_2)\f$
+  double mu;            ///< \f$G(m_1+m_2)\f$
+  double strength;      ///< \f$Gm_1m_2\f$
+  double unit_1;        ///< a torque times a time times this is a change of p of the first body
+  double unit_2;        ///< the same of the second body
+  bool kepler;          ///< whether drifts follow Kepler's orbits
+  bool moser_veselov;   ///< whether bodies turn by the scheme of Moser and Veselov
 };
 
 namespace detail {

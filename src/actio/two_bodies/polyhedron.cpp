@@ -15,13 +15,15 @@ void require_closed(std::vector<std::array<int, 3>> const& faces, int vertices) 
       ++edges[std::minmax(from, to)][from < to ? 0 : 1];
     }
   for (auto const& [edge, met] : edges)
-    if (met[0] != 1 || met[1] != 1)
-      throw OutsideDomain(
-          "polyhedron",
-          "each edge must be met by two triangles, once in each direction; the edge of the vertices " +
-              std::to_string(edge.first) + " and " + std::to_string(edge.second) + " is met " +
-              std::to_string(met[0]) + " times in one direction and in the other",
-          met[1], 1);
+    for (int way : {0, 1})
+      if (met[way] != 1)
+        throw OutsideDomain(
+            "polyhedron",
+            "each edge must be met by two triangles, once in each direction; number of triangles with "
+            "the edge from vertex " +
+                std::to_string(way == 0 ? edge.first : edge.second) + " to vertex " +
+                std::to_string(way == 0 ? edge.second : edge.first),
+            met[way], 1);
 }
 
 }  // namespace actio::bodies

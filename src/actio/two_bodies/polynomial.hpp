@@ -31,8 +31,8 @@ constexpr long factorials(int i, int j, int l) { return factorial(i) * factorial
 /// A polynomial in three variables.
 template <Scalar S>
 struct Polynomial {
-  int degree = 0;
-  std::vector<S> coefficients{S(0)};
+  int degree = 0;                     ///< the largest total degree
+  std::vector<S> coefficients{S(0)};  ///< in the order of \ref place_of
 
   /// Zero, up to a degree.
   explicit Polynomial(int degree_of = 0)

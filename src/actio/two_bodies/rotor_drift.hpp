@@ -126,7 +126,7 @@ StepParameters<T> parameters_of_scheme(HalfStep<T> const& step, Three<T> const& 
 }  // namespace detail
 
 /// The same by the scheme of Moser and Veselov.
-/// @throws StepTooLong  where it has no solution
+/// @throws OutsideDomain  where it has no solution
 template <class T>
 RotorMotion<T> moser_veselov_rotor(InverseMoments<T> const& body, Three<T> const& p) {
   if (base_value(dot(p, p)) == Base<T>(0)) return {};

@@ -40,6 +40,7 @@ template <class T>
 /// The interaction of order 2 of two bodies.
 class SecondOrderForce {
  public:
+  /// @param G  constant of gravitation
   SecondOrderForce(ExtendedBody const& first, ExtendedBody const& second, double G)
       : strength_1_(scaled(first.inertia, G * second.mass())),
         strength_2_(scaled(second.inertia, G * first.mass())) {}

@@ -25,6 +25,7 @@ struct OrbitElements {
   double time = 0;         ///< of the passage through the pericentre
 };
 /// Place and velocity in the pericentre.
+/// @param mu  of the orbit, length^3/time^2
 /// @throws NotFinite, OutsideDomain  where a number is none, e negative, or the signs of a and 1 - e differ
 PointMotion<double> at_pericentre(OrbitElements const& orbit, double mu);
 
@@ -35,6 +36,8 @@ struct ThirdBody {
   double epoch;               ///< time
   double mu;                  ///< of its orbit, length^3/time^2
 };
+/// A third body from the elements of its orbit.
+/// @param mass   of the third body
 /// @param inner  the mass of the two bodies
 /// @throws NotFinite, OutsideDomain  where a number is none, or the mass not positive
 ThirdBody third_body(double mass, OrbitElements const& orbit, double inner, double G);
@@ -42,6 +45,9 @@ ThirdBody third_body(double mass, OrbitElements const& orbit, double inner, doub
 /// What a third body adds to kicks.
 class ThirdBodyForce {
  public:
+  /// @param third         which moves on its orbit
+  /// @param first,second  on which it acts
+  /// @param G             constant of gravitation
   ThirdBodyForce(ThirdBody const& third, ExtendedBody const& first, ExtendedBody const& second, double G)
       : third_(third),
         first_(first.inertia),

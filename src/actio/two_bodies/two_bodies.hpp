@@ -25,7 +25,8 @@ struct TwoBodyState {
   Eigen::Vector3d
       position;  ///< from the centre of mass of the first body to that of the second, in space; length
   Eigen::Vector3d momentum;  ///< reduced mass times velocity, in space; mass x length/time
-  FreeState first, second;   ///< body momenta and attitudes
+  FreeState first;           ///< body momentum and attitude of the first body
+  FreeState second;          ///< body momentum and attitude of the second body
 };
 
 /// What is asked of a motion of two bodies.
@@ -54,13 +55,18 @@ class TwoBodies {
   ///                        the state is the one before then
   /// @throws NotFinite, NotConverged  where the motion has no numbers any more
   void step(long count = 1);
+  /// The state now.
   TwoBodyState state() const;
   /// The time reached.
   double time() const { return options_.start + static_cast<double>(steps_) * options_.step; }
 
+  /// The first body.
   ExtendedBody const& first() const { return first_; }
+  /// The second body.
   ExtendedBody const& second() const { return second_; }
+  /// What was asked of the motion.
   TwoBodyOptions const& options() const { return options_; }
+  /// \f$m_1m_2/(m_1+m_2)\f$.
   double reduced_mass() const { return setting_.reduced_mass; }
 
   /// Kinetic and potential energy; a third body is not in it.
