@@ -183,6 +183,7 @@ BOOST_AUTO_TEST_CASE(orbits_and_tides_that_there_are_not_are_refused) {
   CHECK_REFUSED(tides({0.1, 0.1, 0, 2000}), OutsideDomain);
   CHECK_REFUSED(tides({-0.1, 0.1, 400, 2000}), OutsideDomain);
   CHECK_REFUSED(tides({0.1, 0.1, 400, 2000}).tangent_map(1), OutsideDomain);
+  CHECK_REFUSED(d.pair(60).lyapunov_exponent(0), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -23,6 +23,7 @@ template <int n, class F>
   }
   (std::make_integer_sequence<int, n>{});
 }
+/// The body of a loop that is unrolled, as a callable of the constant k.
 #define ACTIO_UNROLLED(k) [&](auto k) __attribute__((always_inline))
 
 /// A homogeneous polynomial of degree n modulo \f$|s|^2\f$: `plain[j]` belongs to \f$s_x^{n-j}s_y^j\f$ and

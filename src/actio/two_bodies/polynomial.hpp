@@ -32,7 +32,7 @@ constexpr long factorials(int i, int j, int l) { return factorial(i) * factorial
 template <Scalar S>
 struct Polynomial {
   int degree = 0;                     ///< the largest total degree
-  std::vector<S> coefficients{S(0)};  ///< in the order of \ref place_of
+  std::vector<S> coefficients{S(0)};  ///< in the order of `place_of`
 
   /// Zero, up to a degree.
   explicit Polynomial(int degree_of = 0)

@@ -76,7 +76,12 @@ template <class T>
     int const parts = 1 + static_cast<int>(to_double(base_value(sqrt(orbit.s1 * size * size + 1e-300))) /
                                            std::sqrt(short_enough));
     FrameState<T> moved{u, {T{} + 1.0, T{}, T{}, T{}}};
-    HalfTurn<T> const part(flow_by_series<T>(body, orbit, size / double(parts)));
+    T const t = size / double(parts);
+    auto const flow = base_value(T(orbit.s1 * t * t)) <= short_reach<5>
+                          ? ShortFlow<T>::template at<5>(body, orbit, t)
+                          : ShortFlow<T>::template at<8>(body, orbit, t);
+    HalfTurn<T> const part(
+        parameters_from<T>(body, orbit, flow.lever, flow.square, cos(flow.twist), sin(flow.twist)));
     for (int k = 0; k < parts; ++k) part.step(moved);
     Three<T> const d = minus(moved.direction, u);
     return {{size * d[0], size * d[1], size * d[2]}, less_one(moved.attitude)};

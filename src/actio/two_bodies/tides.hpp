@@ -1,4 +1,4 @@
-// Tides with a constant lag, of Murray and Dermott \cite murray_dermott_1999: each body raises a bulge on the
+// Tides with a constant lag \cite murray_dermott_1999 on two bodies. Each of them raises a bulge on the
 // other, which is carried ahead by the spin and turned back by gravity.
 //
 // With gamma_i the part across r of the rate at which body i turns against the orbit, omega_i - r x v/r^2,
