@@ -134,7 +134,8 @@ class FourthOrderForce {
       }
     } else if constexpr (n == 3) {
       // x (p0 xx + p1 xy + p2 yy) + p3 y yy + z (q0 xx + q1 xy + q2 yy)
-      auto const z = form(2), xy = times(x, y);
+      auto const z = form(2);
+      auto const xy = times(x, y);
       auto const quadratic = [&](T const& a, T const& b, T const& c) __attribute__((always_inline)) {
         Harmonic<2, T> q;
         add_multiple(q, a, xx), add_multiple(q, b, xy), add_multiple(q, c, yy);
@@ -149,7 +150,8 @@ class FourthOrderForce {
       Harmonic<2, T> a, b;  // xx a + yy b
       add_multiple(a, p.plain[0], xx), add_multiple(a, p.plain[2], yy), add_multiple(b, p.plain[4], yy);
       if constexpr (!symmetric) {
-        auto const z = form(2), xy = times(x, y);
+        auto const z = form(2);
+        auto const xy = times(x, y);
         Harmonic<2, T> c;  // xz (q0 xx + q1 xy + q2 yy) + yz q3 yy
         add_multiple(a, p.plain[1], xy), add_multiple(b, p.plain[3], xy);
         add_multiple(c, p.with_z[0], xx), add_multiple(c, p.with_z[1], xy), add_multiple(c, p.with_z[2], yy);

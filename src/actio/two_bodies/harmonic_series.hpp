@@ -111,7 +111,7 @@ template <int n, class T>
 template <int n, class T>
 [[gnu::always_inline]] inline std::array<Harmonic<n, T>, 3> rotation_rates(Harmonic<n, T> const& p) {
   std::array<Harmonic<n, T>, 3> L;
-  auto& [x, y, z] = L;
+  auto &x = L[0], &y = L[1], &z = L[2];
   unrolled<n + 1>(ACTIO_UNROLLED(j) {
     if constexpr (j < n) z.plain[j] += double(j + 1) * p.plain[j + 1];
     if constexpr (j > 0) z.plain[j] -= double(n - j + 1) * p.plain[j - 1];
