@@ -1,4 +1,4 @@
-// Examples of the modules variational, rigid_body, fast_body and bodies.
+// Examples of the modules variational, rigid_body, fast_body, two_bodies and bodies.
 #include "actio/bodies/body_catalogue.hpp"
 #include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 #include "actio/fast_body/any_dimension/natural_chart_n.hpp"
@@ -11,6 +11,7 @@
 #include "actio/rigid_body/heavy_top.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
+#include "actio/two_bodies/two_bodies.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/euler_poincare.hpp"
 #include "actio/variational/legendre.hpp"
@@ -178,7 +179,7 @@ BOOST_AUTO_TEST_CASE(torque_of_a_potential) {
 BOOST_AUTO_TEST_CASE(bodies_of_n_dimensions) {
   // [moser_veselov_n]
   auto const body = inertia_from_lambda<Dynamic, double>(Eigen::VectorXd::LinSpaced(8, 1.0, 2.0).eval());
-  Eigen::VectorXd const M = Eigen::VectorXd::LinSpaced(28, -0.3, 0.4);                             // n(n-1)/2
+  Eigen::VectorXd const M = Eigen::VectorXd::LinSpaced(28, -0.3, 0.4);  // n(n-1)/2
   FastMoserVeselov const scheme(body, 0.05);
   auto moving = scheme.release(momentum(SO<Eigen::Dynamic>{8}, M));
   for (int k = 0; k < 1000; ++k) scheme.step_with_attitude(moving);
@@ -186,6 +187,25 @@ BOOST_AUTO_TEST_CASE(bodies_of_n_dimensions) {
   Eigen::MatrixXd const g = moving.attitude().value;
   assert((g * g.transpose() - Eigen::MatrixXd::Identity(8, 8)).norm() < 1e-12);
   // [moser_veselov_n]
+}
+
+// ---- two_bodies
+
+BOOST_AUTO_TEST_CASE(a_binary_asteroid) {
+  // [two_bodies]
+  auto const primary =
+      ellipsoid_body(5.26e11, {394, 394, 290}, 4);  // mass in kg, half axes in m, order of moments
+  auto const moon = ellipsoid_body(4.9e9, {96, 75, 60}, 4);
+  Element<SU2, double> const upright = identity<double>(SU2{});
+  auto const start = state_of_velocities(primary, moon, {1189, 0, 0}, {0, 0.172, 0},  // position and velocity
+                                         upright, {0, 0, 7.7e-4}, upright, {0, 0, 1.46e-4});
+  TwoBodies pair(primary, moon, start, {.order = 4, .step = 1200});
+  auto const momentum = pair.angular_momentum();
+  double const energy = pair.energy();
+  pair.step(7200);  // a hundred days
+  assert((pair.angular_momentum() - momentum).norm() < 1e-14 * momentum.norm());
+  assert(std::abs(pair.energy() / energy - 1) < 1e-9);
+  // [two_bodies]
 }
 
 // ---- bodies

@@ -67,18 +67,22 @@ template <int terms>
   return turn && twist;
 }
 
-/// Momentum and attitude after a free motion over the time 2.
-///
+/// What a free motion over the time 2 does.
+struct ShortMotion {
+  Four<double> turn;  ///< the rotation from the attitude after it to that before it, in the axes of the body
+  Three<double> change;  ///< of the momentum
+  Reach reach;           ///< whether that was a short step; if not, the others have no meaning
+};
+
+/// A free motion over the time 2: how much momentum and attitude change.
 /// @param  table  of the series, with 5 or 8 terms
 /// @param  body   inverse moments; those of a step by a part c of the whole are c times as large, c may be
 ///                negative
-/// @param  p      momentum, a pure number; in, out
-/// @param  q      unit quaternion, body to space; in, out
-/// @return        whether that was a short step; if not, p and q have no meaning
+/// @param  p      momentum, a pure number
 template <int terms>
-[[gnu::always_inline]] inline Reach short_step(StepTable<terms> const& table,
-                                               InverseMoments<double> const& body, Three<double>& p,
-                                               Four<double>& q) {
+[[gnu::always_inline]] inline ShortMotion short_motion(StepTable<terms> const& table,
+                                                       InverseMoments<double> const& body,
+                                                       Three<double> const& p) {
   double const tiny = 1e-140;  // so that a body at rest has a direction; its inverse has a square
   double const x = p[0] * p[0], y = p[1] * p[1], z = p[2] * p[2], pp = x + y + (z + tiny), inverse = 1.0 / pp;
   double const A = body.d12 * y + body.d13 * z, B = body.d13 * x + body.d23 * y,
@@ -108,12 +112,27 @@ template <int terms>
   double const cosine = detail::power_sum<StepTable<terms>::sines>(table.cosine.data(), powers),
                sine = pp * rate * detail::power_sum<StepTable<terms>::sines>(table.sinc.data(), powers);
   double const n1 = w1 * root, n2 = w2 * root, n3 = w3 * root, twice = 2.0 * pp * along * (root * root);
-  q = compose(q, Four<double>{cosine * root, (sine + cosine * D1) * n1, (sine + cosine * D2) * n2,
-                              (sine + cosine * D3) * n3});
-  // What is added, since p x V = -(D_i V_i): the rounding of a step is that of a small number.
-  p = {p[0] - twice * (g2 * w3 - g3 * w2), p[1] - twice * (g3 * w1 - g1 * w3),
-       p[2] - twice * (g1 * w2 - g2 * w1)};
-  return {X + off, square};
+  // The change of the momentum, since p x V = -(D_i V_i): the rounding of a step is that of a small number.
+  return {{cosine * root, (sine + cosine * D1) * n1, (sine + cosine * D2) * n2, (sine + cosine * D3) * n3},
+          {-twice * (g2 * w3 - g3 * w2), -twice * (g3 * w1 - g1 * w3), -twice * (g1 * w2 - g2 * w1)},
+          {X + off, square}};
+}
+
+/// Momentum and attitude after a free motion over the time 2.
+///
+/// @param  table  of the series, with 5 or 8 terms
+/// @param  body   inverse moments, as in \ref short_motion
+/// @param  p      momentum, a pure number; in, out
+/// @param  q      unit quaternion, body to space; in, out
+/// @return        whether that was a short step; if not, p and q have no meaning
+template <int terms>
+[[gnu::always_inline]] inline Reach short_step(StepTable<terms> const& table,
+                                               InverseMoments<double> const& body, Three<double>& p,
+                                               Four<double>& q) {
+  auto const [turn, change, reach] = short_motion(table, body, p);
+  q = compose(q, turn);
+  p = plus(p, change);
+  return reach;
 }
 
 }  // namespace actio::bodies
