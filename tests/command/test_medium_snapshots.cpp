@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(frames_in_hdf5_are_the_tables_one_after_the_other) {
   std::string const path = folder / "out/snapshots/frames.h5";
   std::vector<unsigned long long> extent;
   BOOST_TEST((read_hdf5_numbers(path, "time", &extent) == std::vector<double>{0, 0.1, 0.2}));
-  auto const place = read_hdf5_numbers(path, "place", &extent);
+  auto const place = read_hdf5_numbers(path, "position", &extent);
   BOOST_TEST((extent == std::vector<unsigned long long>{3, 32, 2}));
   auto const velocity = read_hdf5_numbers(path, "velocity"), jacobian = read_hdf5_numbers(path, "jacobian"),
              stress = read_hdf5_numbers(path, "stress", &extent);
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(frames_of_a_run_that_was_killed_are_those_of_an_unbroken_on
   std::string const file = folder.write("medium.toml", scene.text()), whole = folder / "whole",
                     out = folder / "out", frames = out + "/snapshots/frames.h5";
   BOOST_REQUIRE(actio({"run", file, "--out", whole, "--quiet"}).status == 0);
-  auto const all = read_hdf5_numbers(whole + "/snapshots/frames.h5", "place");
+  auto const all = read_hdf5_numbers(whole + "/snapshots/frames.h5", "position");
   BOOST_REQUIRE(all.size() == 601u * 32 * 2);
   // Killed when it has so many snapshots; the frames that are there are whole, and the beginning of all.
   std::size_t left = 0;
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(frames_of_a_run_that_was_killed_are_those_of_an_unbroken_on
     shell("export ACTIO_CHECKPOINT_SECONDS=0.001; $ACTIO " + begin + " --quiet & run=$!; while [ $(cat " +
           out + "/snapshots/times.csv 2>/dev/null | wc -l) -lt " + std::to_string(kill_at) + " -o ! -e " +
           frames + " ] && kill -0 $run; do sleep 0.002; done; kill -9 $run; wait $run");
-    auto const time = read_hdf5_numbers(frames, "time"), place = read_hdf5_numbers(frames, "place");
+    auto const time = read_hdf5_numbers(frames, "time"), place = read_hdf5_numbers(frames, "position");
     BOOST_TEST(time.size() >= left);
     BOOST_TEST(place.size() == 64 * time.size());
     BOOST_TEST((std::equal(place.begin(), place.end(), all.begin())));

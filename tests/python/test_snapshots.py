@@ -98,11 +98,11 @@ class Fields(unittest.TestCase):
             loaded = actio.load(out)
             for run in (actio.run(text=GAS), loaded):
                 fields = run.snapshots
-                self.assertEqual(list(fields), ["place", "velocity", "pressure", "density"])
+                self.assertEqual(list(fields), ["position", "velocity", "pressure", "density"])
                 self.equal(fields.t, numpy.array([0, 0.1, 0.3]))
                 for k in range(3):
                     rows = table(f"{out}/snapshots/{k:06}.csv")
-                    for name, letters in (("place", "xy"), ("velocity", "uv")):
+                    for name, letters in (("position", "xy"), ("velocity", "uv")):
                         for i, letter in enumerate(letters):
                             self.equal(fields[name][k, :, i], rows[letter])
                     for i, letter in enumerate("XY"):
@@ -112,13 +112,13 @@ class Fields(unittest.TestCase):
                 self.assertEqual(fields.coordinates["cells"].shape, (24, 4))
                 self.assertEqual(fields.coordinates["cells"].dtype, numpy.int64)
                 self.equal(fields.coordinates["periods"], numpy.array([1.0, 0.0]))
-                self.assertEqual(fields.axes("place"), ("time", "node", "axis"))
+                self.assertEqual(fields.axes("position"), ("time", "node", "axis"))
                 self.assertEqual(fields.axes("cells"), ("cell", "corner"))
                 self.assertEqual(fields.units["velocity"], "m/s")
                 self.assertEqual(fields.units["density"], "kg/m^2")
                 self.assertEqual(fields.units["pressure"], "J/m^2")
                 self.assertFalse(fields["pressure"].flags.writeable)
-            self.equal(loaded.snapshots["place"], actio.run(text=GAS).snapshots["place"])
+            self.equal(loaded.snapshots["position"], actio.run(text=GAS).snapshots["position"])
 
     def test_frames_in_hdf5_are_read_as_well(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -155,7 +155,7 @@ class Fields(unittest.TestCase):
 
     def test_a_key_that_is_set_is_heeded(self):
         run = actio.run(text=GAS, set={"output.snapshots": ["jacobian"], "output.snapshot_at": [0.2]})
-        self.assertEqual(list(run.snapshots), ["place", "velocity", "jacobian"])
+        self.assertEqual(list(run.snapshots), ["position", "velocity", "jacobian"])
         self.equal(run.snapshots.t, numpy.array([0.2]))
 
     def test_who_asks_for_none_has_none(self):
@@ -175,8 +175,8 @@ class Fields(unittest.TestCase):
     def test_they_are_copied_and_pickled_with_the_run(self):
         run = actio.run(text=GAS)
         for other in (copy.copy(run), pickle.loads(pickle.dumps(run)), copy.deepcopy(run)):
-            self.equal(other.snapshots["place"], run.snapshots["place"])
-        self.equal(pickle.loads(pickle.dumps(run.snapshots))["place"], run.snapshots["place"])
+            self.equal(other.snapshots["position"], run.snapshots["position"])
+        self.equal(pickle.loads(pickle.dumps(run.snapshots))["position"], run.snapshots["position"])
 
     def test_one_that_is_gone_is_named(self):
         with tempfile.TemporaryDirectory() as folder:

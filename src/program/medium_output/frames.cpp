@@ -50,7 +50,7 @@ std::vector<SnapshotArray> MediumFrames<d>::fields(MediumCells<d> const& cells, 
     one.axes = {"node"}, one.shape = {nodes};
     return std::ref(one);
   };
-  for (auto const& [name, unit] : {std::pair("place", "length"), {"velocity", "length/time"}}) {
+  for (auto const& [name, unit] : {std::pair("position", "length"), {"velocity", "length/time"}}) {
     SnapshotArray& one = add(name, "of the nodes", unit);
     one.axes.emplace_back("axis"), one.shape.push_back(d);
   }

@@ -1,6 +1,6 @@
 // The snapshots of a medium in one HDF5 file, `snapshots/frames.h5`:
 //
-//     time (T)    place, velocity (T, nodes, d)    what was asked for (T, nodes)    stress (T, nodes, ...)
+//     time (T)    position, velocity (T, nodes, d)    what was asked for (T, nodes)    stress (T, nodes, ...)
 //     reference (nodes, d)    cells (cells, corners)
 //
 // and of a periodic box `periods` (d) and `beyond` (cells, corners, d), the number of periods by which a

@@ -251,7 +251,7 @@ SnapshotKind medium_snapshots(bool fluid) {
                    {{"vtu",
                      "grids for ParaView in snapshots/000000.vtu, ... with the fields in each cell, and "
                      "snapshots/series.pvd, which lists them with their times"}},
-                   "all of them in one file snapshots/frames.h5, with time, place, velocity and what was "
+                   "all of them in one file snapshots/frames.h5, with time, position, velocity and what was "
                    "asked for of each frame and node, and reference and cells"};
   for (auto const& field : medium_fields<3>())
     if (!(fluid && field.of_solids)) out.columns.push_back({field.name, field.meaning});

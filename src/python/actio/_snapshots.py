@@ -1,4 +1,4 @@
-"""Snapshots of a field: arrays over places and times."""
+"""Snapshots of a field: arrays over positions and times."""
 
 import difflib
 from collections.abc import Iterator, Mapping
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 class Snapshots(Mapping[str, NDArray[Any]]):
     """The snapshots of a run: a mapping of the names of its fields to arrays, the first axis of which is that
-    of the times `t`. `coordinates` holds the places to which the numbers belong; `axes(name)` names the axes.
+    of the times `t`. `coordinates` holds the positions to which the numbers belong; `axes(name)` names the axes.
 
         run = actio.run(scene)                  # [output] snapshots = ["pressure"]
-        x, y = run.snapshots["place"][-1].T     # of the nodes, at the last time
+        x, y = run.snapshots["position"][-1].T     # of the nodes, at the last time
         run.snapshots["pressure"][-1]           # a number for each node
         run.snapshots.to_xarray()               # a Dataset, where xarray is installed
 
-    Of a medium: place, velocity and what was asked for, at the nodes, whose points in the reference are the
+    Of a medium: position, velocity and what was asked for, at the nodes, whose points in the reference are the
     coordinate "reference"; "cells" holds the nodes at the corners of each cell, in the order of VTK. Of a
     flow on the sphere: vorticity and what was asked for over latitude and longitude in radians, and the
     coefficients harmonics_re and harmonics_im of degree l and order m. The numbers are those of the tables,
@@ -57,7 +57,7 @@ class Snapshots(Mapping[str, NDArray[Any]]):
 
     @property
     def coordinates(self) -> dict[str, NDArray[Any]]:
-        """What is the same for all snapshots: the places to which the numbers belong."""
+        """What is the same for all snapshots: the positions to which the numbers belong."""
         return {one["name"]: one["numbers"] for one in self._held["coordinates"]}
 
     def __getitem__(self, name: str) -> NDArray[Any]:
