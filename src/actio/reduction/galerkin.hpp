@@ -9,6 +9,8 @@
 // and the momentum of the symmetry are preserved exactly, and the order is 2s.
 #pragma once
 
+#include <optional>
+
 #include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/reduction/polynomial_path.hpp"
@@ -79,6 +81,14 @@ S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& grou
   return sum;
 }
 
+/// What a Lagrangian gives at a node: its momentum, and what a vector that the motion advects adds to the
+/// rate at which that changes over the step; empty where there is none.
+template <Group G, Scalar S>
+struct AtNode {
+  Momentum<G, S> momentum;
+  std::optional<Momentum<G, S>> torque = std::nullopt;
+};
+
 /// The differential of that action in \f$\xi_1, \dots, \xi_s\f$, written out with the variation of a reduced
 /// velocity, \f$\delta\xi = \dot\vartheta \mp [\xi, \vartheta]\f$ with
 /// \f$\vartheta = \mathrm{iex}(\pm\mathrm{ad}_\eta)\,\delta\eta\f$.
@@ -86,16 +96,20 @@ S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& grou
 /// With \f$p = \partial l/\partial\xi\f$ it is \f$\sum_i
 /// b_i\,(\lambda_\nu'(c_i)\,q_i + \lambda_\nu(c_i)\,\dot q_i)\f$, where
 /// \f$q = \mathrm{iex}(\pm\mathrm{ad}_\eta)^T p\f$ changes along the path while p changes at the rate
-/// \f$\mp\mathrm{ad}^*_\xi\,p\f$. One dual number carries both.
-template <int side, Group G, Scalar S, class F>
-Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> const& path, G const& group,
-                                            Base<S> const& h, Matrix<S, Dynamic, 1> const& xi) {
+/// \f$\mp\mathrm{ad}^*_\xi\,p\f$, and by the torque. One dual number carries both.
+/// @param at_node  (i, eta, velocity) -> `AtNode`
+template <int side, Group G, Scalar S, class At>
+Matrix<S, Dynamic, 1> galerkin_differential(At const& at_node, PolynomialPath<Base<S>> const& path,
+                                            G const& group, Base<S> const& h,
+                                            Matrix<S, Dynamic, 1> const& xi) {
   int const n = group.dimension(), s = path.degree();
   Matrix<S, Dynamic, 1> differential = Matrix<S, Dynamic, 1>::Zero(s * n);
   for (int i = 0; i < s; ++i) {
     auto const eta = path_at_node(path, group, xi, i);
     auto const velocity = velocity_of_path<side>(eta);
-    auto const p = gradient(l, velocity / S(h)), along = ad_star(velocity, p);
+    auto const [p, torque] = at_node(i, eta, velocity / S(h));
+    auto along = ad_star(velocity, p);
+    if (torque) along = along - *torque;
     Coordinates<G, Dual<S>> moving(n);
     for (int a = 0; a < n; ++a)
       moving[a].value = p.components[a],
@@ -114,17 +128,53 @@ Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> 
 /// The s dim G numbers that vanish for the path that leaves with a given momentum: the differential of the
 /// action, less the momentum read in the chart, \f$\mathrm{iex}(\mp\mathrm{ad}_{\xi_s})^T\mu_0\f$, in its
 /// last block.
-template <int side, Group G, Scalar S, class F>
-Matrix<S, Dynamic, 1> galerkin_residual(F const& l, PolynomialPath<Base<S>> const& path,
+/// @param mu  momentum at the start; with an advected vector it may change with the path by `at_node`, which
+///            is called before it is read
+template <int side, Group G, Scalar S, class At>
+Matrix<S, Dynamic, 1> galerkin_residual(At const& at_node, PolynomialPath<Base<S>> const& path,
                                         Momentum<G, S> const& mu, Base<S> const& h,
                                         Matrix<S, Dynamic, 1> const& xi) {
   int const n = mu.group.dimension();
-  auto left = galerkin_differential<side>(l, path, mu.group, h, xi);
+  auto left = galerkin_differential<side>(at_node, path, mu.group, h, xi);
   Velocity<G, S> const last{mu.group, xi.tail(n)};
   // [galerkin_momentum]
   left.tail(n) -= iex_times(ad_matrix(side > 0 ? -last : last).transpose().eval(), mu.components);
   // [galerkin_momentum]
   return left;
+}
+
+/// The nodes of the path of a step, one below the other, by a solver that remembers those of the last step.
+/// @param residual  (path over any scalar R) -> its s dim G numbers
+template <Group G, Real S, class Residual>
+Matrix<S, Dynamic, 1> solve_galerkin(RememberedSolutions const& remembered, Velocity<G, S> const& from,
+                                     Base<S> const& h, int s, Residual const& residual, int& evaluations) {
+  int const n = from.group.dimension();
+  // The initial guess repeats the last step: a line in the chart.
+  Element<Translations<Dynamic>, S> start{{s * n}, {}};
+  start.value.resize(s * n);
+  for (int nu = 0; nu < s; ++nu)
+    start.value.segment(nu * n, n) = from.coordinates * S(h * Base<S>(nu + 1) / Base<S>(s));
+  auto& solver = remembered.template solver<Translations<Dynamic>>(from, h);
+  auto const xi = solver.solve(
+      [&]<class R>(Element<Translations<Dynamic>, R> const& x) {
+        return Momentum<Translations<Dynamic>, R>{x.group, residual(x.value)};
+      },
+      start);
+  evaluations += solver.report().evaluations;
+  return xi.value;
+}
+
+/// The velocity at the end of a path, where the next step starts its search.
+template <int side, Group G, Real S>
+Velocity<G, S> velocity_at_end(PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h,
+                               Matrix<S, Dynamic, 1> const& xi) {
+  int const n = group.dimension(), s = path.degree();
+  Velocity<G, Dual<S>> end{group, Coordinates<G, Dual<S>>::Zero(n)};
+  for (int a = 0; a < n; ++a) {
+    end.coordinates[a].value = xi[(s - 1) * n + a];
+    for (int nu = 0; nu < s; ++nu) end.coordinates[a].part[0] += xi[nu * n + a] * path.final_slope[nu];
+  }
+  return velocity_of_path<side>(end) / S(h);
 }
 
 /// A Galerkin step; side: +1 right, -1 left.
@@ -138,32 +188,23 @@ struct GalerkinStep {
   MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<B> const& h) const {
     require_steppable(from, h);
     auto const& mu = from.momentum;
-    int const n = mu.group.dimension(), s = path.degree();
-    // The initial guess repeats the last step: a line in the chart.
-    Element<Translations<Dynamic>, S> start{{s * n}, {}};  // the nodes, one below the other
-    start.value.resize(s * n);
-    for (int nu = 0; nu < s; ++nu)
-      start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));
-    auto& solver = remembered.template solver<Translations<Dynamic>>(from.velocity, h);
-    auto const xi = solver.solve(
-        [&]<class R>(Element<Translations<Dynamic>, R> const& x) {
-          return Momentum<Translations<Dynamic>, R>{
-              x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
+    int const n = mu.group.dimension();
+    int evaluations = 0;
+    auto const at_node = [&]<class R>(int, auto const&, Velocity<G, R> const& velocity) {
+      return AtNode<G, R>{gradient(l, velocity)};
+    };
+    auto const xi = solve_galerkin(
+        remembered, from.velocity, h, path.degree(),
+        [&]<class R>(Matrix<R, Dynamic, 1> const& x) {
+          return galerkin_residual<side>(at_node, path, over<R>(mu), h, x);
         },
-        start);
-
-    // The relative motion points backwards. The velocity at the end is where the next step starts its search.
-    Velocity<G, Dual<S>> end{mu.group, Coordinates<G, Dual<S>>::Zero(n)};
-    for (int a = 0; a < n; ++a) {
-      end.coordinates[a].value = xi.value[(s - 1) * n + a];
-      for (int nu = 0; nu < s; ++nu)
-        end.coordinates[a].part[0] += xi.value[nu * n + a] * path.final_slope[nu];
-    }
-    auto const f = exp(Velocity<G, S>{mu.group, -xi.value.tail(n)});
+        evaluations);
+    // The relative motion points backwards.
+    auto const f = exp(Velocity<G, S>{mu.group, -xi.tail(n)});
     using Invariance = std::conditional_t<(side > 0), RightInvariant, LeftInvariant>;
     return {f,
-            {Invariance::lie_poisson_update(f, mu), velocity_of_path<side>(end) / S(h)},
-            solver.report().evaluations};
+            {Invariance::lie_poisson_update(f, mu), velocity_at_end<side>(path, mu.group, h, xi)},
+            evaluations};
   }
 };
 }  // namespace detail

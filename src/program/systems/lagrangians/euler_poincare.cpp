@@ -42,7 +42,7 @@ std::vector<Method> methods() {
       {"galerkin",
        {"4", "2", "6", "8", "10", "12", "14", "16"},
        "Galerkin's method with s nodes of Gauss, order 2s: paths are polynomials in the natural chart. It "
-       "preserves and conserves what the natural chart does. Without carried vectors.",
+       "preserves and conserves what the natural chart does.",
        "eq_3_20"},
       {"momentum_level",
        {"8"},
@@ -65,8 +65,6 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
   MethodChoice const choice = read_method(method, methods());
   int const order = choice.number();
   bool const galerkin = choice.name == "galerkin";
-  if (galerkin && !scene.carried.empty())
-    method.fail("name", "galerkin: it takes no carried vectors; natural_chart does");
   bool const left = scene.system->side == systems::Side::left;
   return {scene.system, galerkin ? order / 2 : 0,
           choice.name == "momentum_level" ? std::vector<double>{}

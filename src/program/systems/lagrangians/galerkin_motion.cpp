@@ -2,28 +2,42 @@
 
 #include "program/systems/lagrangians/galerkin_motion.hpp"
 
-#include "actio/any_group/span_of_matrices.hpp"
-#include "actio/any_group/tape_lagrangian.hpp"
-#include "actio/reduction/galerkin.hpp"
+#include "actio/any_group/level_integrator.hpp"
+#include "actio/reduction/advected_galerkin.hpp"
 
 namespace actio::scene {
 namespace {
 
 using G = systems::SpanOfMatrices;
 using Algebra = std::shared_ptr<systems::MatrixAlgebra const>;
+using State = AdvectedMomentumState<G, double, Dynamic>;
 
 Coordinates<G, double> coordinates(std::vector<double> const& list) {
   return Eigen::Map<Eigen::VectorXd const>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 std::vector<double> list_of(Coordinates<G, double> const& x) { return {x.data(), x.data() + x.size()}; }
 
-/// One step, whatever the side: (state, h) -> MomentumStep.
-using Step = std::function<MomentumStep<G, double>(MomentumState<G, double> const&, double)>;
+/// One step, whatever the side.
+using Step = std::function<AdvectedMomentumStep<G, double, Dynamic>(State const&, double)>;
 
+/// Without vectors the equations are shorter.
 Step step_of(ReducedScheme const& scheme) {
   systems::TapeLagrangian const l(scheme.system);
-  if (scheme.system->side == systems::Side::left) return galerkin_step_left<double>(l, scheme.stages);
-  return galerkin_step_right<double>(l, scheme.stages);
+  bool const left = scheme.system->side == systems::Side::left;
+  int const s = scheme.stages;
+  if (scheme.system->vectors > 0) {
+    if (left) return advected_galerkin_step_left<double>(l, s, systems::EachVector{});
+    return advected_galerkin_step_right<double>(l, s, systems::EachVector{});
+  }
+  auto const plain = [](auto const& step) {
+    return [step](State const& from, double h) -> AdvectedMomentumStep<G, double, Dynamic> {
+      auto const done = step(MomentumState<G, double>{from.momentum, from.velocity}, h);
+      return {
+          done.relative_motion, {done.state.momentum, from.vector, done.state.velocity}, done.evaluations};
+    };
+  };
+  if (left) return plain(galerkin_step_left<double>(l, s));
+  return plain(galerkin_step_right<double>(l, s));
 }
 
 class GalerkinMotion : public ReducedMotion {
@@ -33,7 +47,9 @@ class GalerkinMotion : public ReducedMotion {
       : scheme_(std::move(scheme)),
         group_(scheme_.system->algebra),
         length_(step),
-        last_{{group_, coordinates(start.momentum)}, {group_, coordinates(velocity)}},
+        last_{{group_, coordinates(start.momentum)},
+              coordinates(start.vectors),
+              {group_, coordinates(velocity)}},
         configuration_(scheme_.with_configuration ? configuration : Eigen::MatrixXd()) {
     step_of(scheme_)(last_, length_);
     show(last_, configuration_);
@@ -42,7 +58,7 @@ class GalerkinMotion : public ReducedMotion {
     try {
       advance_plainly(count);
     } catch (Error const& error) {
-      scheme_.fail(error, length_, {list_of(last_.momentum.components), {}},
+      scheme_.fail(error, length_, {list_of(last_.momentum.components), list_of(last_.vector)},
                    list_of(last_.velocity.coordinates));
     }
   }
@@ -68,7 +84,8 @@ class GalerkinMotion : public ReducedMotion {
       std::span<double> all(matrix.data(), static_cast<std::size_t>(matrix.size()));
       stream(all);
     };
-    numbers(last_.momentum.components), numbers(last_.velocity.coordinates), numbers(configuration_);
+    numbers(last_.momentum.components), numbers(last_.vector), numbers(last_.velocity.coordinates),
+        numbers(configuration_);
     show(last_, configuration_);
   }
   systems::ReducedPoint const& point() const override { return point_; }
@@ -76,7 +93,7 @@ class GalerkinMotion : public ReducedMotion {
   std::vector<double> const& velocity() const override { return velocity_; }
 
  private:
-  void take(MomentumState<G, double>& state, Eigen::MatrixXd& g, double h) const {
+  void take(State& state, Eigen::MatrixXd& g, double h) const {
     auto const done = step_of(scheme_)(state, h);
     if (g.size()) {
       Eigen::MatrixXd const back = inverse(done.relative_motion).value;
@@ -84,8 +101,8 @@ class GalerkinMotion : public ReducedMotion {
     }
     state = done.state;
   }
-  void show(MomentumState<G, double> const& state, Eigen::MatrixXd const& g) {
-    point_.momentum = list_of(state.momentum.components);
+  void show(State const& state, Eigen::MatrixXd const& g) {
+    point_ = {list_of(state.momentum.components), list_of(state.vector)};
     velocity_ = list_of(state.velocity.coordinates);
     shown_ = g;
   }
@@ -93,7 +110,7 @@ class GalerkinMotion : public ReducedMotion {
   ReducedScheme scheme_;
   G group_;
   double length_;
-  MomentumState<G, double> last_;
+  State last_;
   Eigen::MatrixXd configuration_, shown_;
   systems::ReducedPoint point_;
   std::vector<double> velocity_;

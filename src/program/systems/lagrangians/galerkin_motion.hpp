@@ -8,7 +8,7 @@
 
 namespace actio::scene {
 
-/// Steps of order 2 s, s the number of stages of the scheme. There are no carried vectors.
+/// Steps of order 2 s, s the number of stages of the scheme.
 /// @throws Error  where the first step cannot be made
 std::unique_ptr<ReducedMotion> galerkin_motion(ReducedScheme const& scheme, double step,
                                                systems::ReducedPoint const& start,

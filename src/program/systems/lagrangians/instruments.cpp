@@ -7,8 +7,7 @@
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/instruments/symplectic_defect.hpp"
-#include "actio/reduction/advected_momentum_level.hpp"
-#include "actio/reduction/galerkin.hpp"
+#include "actio/reduction/advected_galerkin.hpp"
 
 namespace actio::scene {
 namespace {
@@ -52,27 +51,32 @@ class StepMap {
   template <class S>
   StepDone<S> by_galerkin(double h, systems::ReducedPointOver<S> const& from) const {
     systems::TapeLagrangian const l(scheme_.system);
+    bool const left = scheme_.system->side == systems::Side::left;
+    if (scheme_.system->vectors > 0)
+      return left ? with_vectors(advected_galerkin_step_left<double>(l, scheme_.stages, each_), h, from)
+                  : with_vectors(advected_galerkin_step_right<double>(l, scheme_.stages, each_), h, from);
     MomentumState<G, S> const state{{group_, column<S>(from.momentum)}, {group_, column<S>(velocity_)}};
-    auto const done = scheme_.system->side == systems::Side::left
-                          ? galerkin_step_left<double>(l, scheme_.stages)(state, h)
-                          : galerkin_step_right<double>(l, scheme_.stages)(state, h);
+    auto const done = left ? galerkin_step_left<double>(l, scheme_.stages)(state, h)
+                           : galerkin_step_right<double>(l, scheme_.stages)(state, h);
     auto const& p = done.state.momentum.components;
     return {{{p.data(), p.data() + p.size()}, {}}, inverse(done.relative_motion)};
   }
   template <class S>
   StepDone<S> by_level(double h, systems::ReducedPointOver<S> const& from) const {
-    AdvectedMomentumState<G, S, Dynamic> const state{
-        {group_, column<S>(from.momentum)}, column<S>(from.vectors), {group_, column<S>(velocity_)}};
-    auto const step = [&](auto const& level) -> StepDone<S> {
-      auto const done = level(state, h);
-      auto const &p = done.state.momentum.components, &a = done.state.vector;
-      return {{{p.data(), p.data() + p.size()}, {a.data(), a.data() + a.size()}},
-              inverse(done.relative_motion)};
-    };
     systems::TapeLagrangian const l(scheme_.system);
-    if (scheme_.system->side == systems::Side::left)
-      return step(advected_momentum_level_step_left<double>(l, systems::EachVector{}));
-    return step(advected_momentum_level_step_right<double>(l, systems::EachVector{}));
+    return scheme_.system->side == systems::Side::left
+               ? with_vectors(advected_momentum_level_step_left<double>(l, each_), h, from)
+               : with_vectors(advected_momentum_level_step_right<double>(l, each_), h, from);
+  }
+  template <class Step, class S>
+  StepDone<S> with_vectors(Step const& step, double h, systems::ReducedPointOver<S> const& from) const {
+    auto const done = step(
+        AdvectedMomentumState<G, S, Dynamic>{
+            {group_, column<S>(from.momentum)}, column<S>(from.vectors), {group_, column<S>(velocity_)}},
+        h);
+    auto const &p = done.state.momentum.components, &a = done.state.vector;
+    return {{{p.data(), p.data() + p.size()}, {a.data(), a.data() + a.size()}},
+            inverse(done.relative_motion)};
   }
   template <class S, class List>
   static Matrix<S, Dynamic, 1> column(List const& list) {
@@ -84,6 +88,7 @@ class StepMap {
   ReducedScheme scheme_;
   G group_;
   std::vector<double> velocity_;
+  systems::EachVector each_;
 };
 
 /// Momentum and vectors as one element of the dual of the algebra in which they move.
