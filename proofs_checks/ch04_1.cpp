@@ -29,7 +29,8 @@ Matrix<S> commutators_with(SpannedGroup const& group, int a) {
   return c;
 }
 /// What bracket and anchor are known to be: those of right-invariant vector fields on G, where the bracket is
-/// minus the commutator; of the algebra; of the algebra with its action on vectors; of both.
+/// minus the commutator; of the algebra; of the algebra with its action on vectors; of both. Of
+/// copies it is the bracket of the algebra for each of them.
 template <class S>
 Matrix<S> known_bracket(Pairs const& gamma, int a) {
   return -commutators_with<S>(gamma.group, a);
@@ -53,6 +54,13 @@ Matrix<S> known_bracket(Gauge const& gamma, int a) {
   if (a >= gamma.base) c.bottomRightCorner(k, k) = commutators_with<S>(gamma.group, a - gamma.base);
   return c;
 }
+template <class S>
+Matrix<S> known_bracket(TwoCopies const& gamma, int a) {
+  int const d = gamma.group.dimension(), first = a < d ? 0 : d;
+  Matrix<S> c = Matrix<S>::Zero(2 * d, 2 * d);
+  c.block(first, first, d, d) = commutators_with<S>(gamma.group, a - first);
+  return c;
+}
 template <class S, class A>
 Matrix<S> known_anchor(Pairs const& gamma, A const&) {
   return Matrix<S>::Identity(gamma.dimension(), gamma.dimension());
@@ -72,6 +80,19 @@ Matrix<S> known_anchor(Carrying const& gamma, A const& g) {
 template <class S, class A>
 Matrix<S> known_anchor(Gauge const& gamma, A const&) {
   return Matrix<S>::Identity(gamma.base, gamma.dimension());
+}
+/// The second copy as seen from the first, \f$x = g_1^{-1}g_2\f$, moves by \f$-v_1 + xv_2x^{-1}\f$.
+template <class S, class A>
+Matrix<S> known_anchor(TwoCopies const& gamma, A const& g) {
+  int const d = gamma.group.dimension();
+  Matrix<S> const x = g.to[0].value, back = inverse_matrix(x);
+  Matrix<S> rho(d, 2 * d);
+  for (int a = 0; a < d; ++a) {
+    rho.col(a) = -Vector<S>(Vector<S>::Unit(d, a));
+    Matrix<S> const e = gamma.group.hat(Vector<S>(Vector<S>::Unit(d, a)));
+    rho.col(d + a) = gamma.group.vee(Matrix<S>(x * (e * back)));
+  }
+  return rho;
 }
 
 }  // namespace

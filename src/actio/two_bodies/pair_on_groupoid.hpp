@@ -58,12 +58,12 @@ class PairOnGroupoid {
   /// The discrete Lagrangian of steps h, on arrows of \ref TwoPlaces and on pairs of configurations,
   /// \f[ L_d=\sum_i\Big[\frac{m_i|\Delta x_i|^2}{2h}+\frac{\mathrm{tr}((1-F_i)J_i)}h\Big]-\frac h2(V_0+V_1). \f]
   auto lagrangian(double h) const {
-    return [this, h]<class A>(A const& arrow) {
+    return [pair = *this, h]<class A>(A const& arrow) {
       using T = typename A::Scalar;
       // [pair_lagrangian]
-      auto const reduced = on_arrows(arrow);
-      return T(kinetic(0, reduced.motion(0), h) + kinetic(1, reduced.motion(1), h) -
-               (interaction(reduced.from[0]).potential + interaction(reduced.to[0]).potential) * T(h / 2));
+      auto const a = on_arrows(arrow);
+      auto const V_0 = pair.interaction(a.from[0]).potential, V_1 = pair.interaction(a.to[0]).potential;
+      return T(pair.kinetic(0, a.motion(0), h) + pair.kinetic(1, a.motion(1), h) - (V_0 + V_1) * T(h / 2));
       // [pair_lagrangian]
     };
   }
