@@ -5,6 +5,7 @@
 // one configuration at a time; the groupoid takes no part in them.
 #include "actio/groupoid/lagrange_equations.hpp"
 #include "models/groupoids.hpp"
+#include "models/sequences.hpp"
 #include "statement.hpp"
 
 using namespace actio;
