@@ -1,8 +1,8 @@
 // Between mechanics on pairs and mechanics on a quotient of them: M = K^n, several copies of a group, modulo
 // the motions K of all copies together, with the groupoid (M x M)/K of diagonal_quotient.hpp.
 //
-// The Lagrangian on pairs is the random function of arrows, pulled back. Derivatives on pairs are taken by moving
-// one configuration at a time; the groupoid takes no part in them.
+// The Lagrangian on pairs is the random function of arrows, pulled back. Derivatives on pairs are taken by
+// moving one configuration at a time; the groupoid takes no part in them.
 #include "actio/groupoid/lagrange_equations.hpp"
 #include "models/groupoids.hpp"
 #include "models/sequences.hpp"
@@ -57,9 +57,10 @@ S common_rate(std::array<GroupElement<S>, n> const& g, Vector<S> const& zeta, F 
 
 STATEMENT(bridge_reduced_copies, "Lagrange equations on $(M\\times M)/K$ and on $M\\times M$, $M = K^n$") {
   claim.holds(
-      "For any function of arrows and its pull-back to pairs, at any three configurations: the residuals are equal "
-      "in the frames in which each copy sees its own motion. So the one is stationary exactly if the other is, and "
-      "configurations are found again from arrows. The momentum of $K$ changes by what the residuals leave of it.");
+      "For any function of arrows and its pull-back to pairs, at any three configurations: the residuals are "
+      "equal in the frames in which each copy sees its own motion. So the one is stationary exactly if the "
+      "other is, and configurations are found again from arrows. The momentum of $K$ changes by what the "
+      "residuals leave of it.");
   auto const in_copies = [&]<int n>(SpannedGroup const& group) {
     using Gamma = DiagonalQuotient<SpannedGroup, n>;
     Gamma const gamma{group};
@@ -72,7 +73,9 @@ STATEMENT(bridge_reduced_copies, "Lagrange equations on $(M\\times M)/K$ and on 
     auto const on_pairs = [&](auto const& g, auto const& h) { return l(Gamma::reduced(g, h)); };
 
     auto const k = draw.template element<S>(group);
-    auto const pushed = [&](bool left) { return on_pairs(moved_together(a, k, left), moved_together(b, k, left)); };
+    auto const pushed = [&](bool left) {
+      return on_pairs(moved_together(a, k, left), moved_together(b, k, left));
+    };
     // Condition: configurations are inverted.
     claim.equal("the pull-back is invariant", model, pushed(true), on_pairs(a, b), 100);
     claim.differs("moved from the other side", model, pushed(false), on_pairs(a, b));
@@ -111,29 +114,33 @@ STATEMENT(bridge_reduced_copies, "Lagrange equations on $(M\\times M)/K$ and on 
     // Configurations from arrows: the first copy by the elements, the others from it.
     auto const first = a[0] * ab.element * bc.element;
     for (int i = 0; i < n; ++i)
-      claim.equal("configurations from arrows", model, (i == 0 ? first : first * bc.to[i - 1]).value, c[i].value, 10);
-    claim.differs("the elements on the other side", model, (bc.element * ab.element * a[0]).value, c[0].value);
+      claim.equal("configurations from arrows", model, (i == 0 ? first : first * bc.to[i - 1]).value,
+                  c[i].value, 10);
+    claim.differs("the elements on the other side", model, (bc.element * ab.element * a[0]).value,
+                  c[0].value);
 
     // The momentum of K, from D_2 of the first step less -D_1 of the second, is the residual along K.
     Vector<S> const zeta = draw_vector<S>(draw, d);
     auto const momentum_after = [&](auto const& from, auto const& to) {
-      return common_rate(to, zeta, [&](auto const& moved) { return Dual<S>(on_pairs(constant(from), moved)); });
+      return common_rate(to, zeta,
+                         [&](auto const& moved) { return Dual<S>(on_pairs(constant(from), moved)); });
     };
     auto const momentum_before = [&](auto const& from, auto const& to) {
-      return S(-common_rate(from, zeta, [&](auto const& moved) { return Dual<S>(on_pairs(moved, constant(to))); }));
+      return S(-common_rate(from, zeta,
+                            [&](auto const& moved) { return Dual<S>(on_pairs(moved, constant(to))); }));
     };
     S along(0);
     for (int i = 0; i < n; ++i)
       along += Vector<S>(Ad(inverse(b[i]), velocity(group, zeta)).coordinates).dot(reduced.segment(i * d, d));
     S const size = S(magnitude(zeta) * scale * S(Base<S>(n)) + S(1));
-    claim.zero("the momentum of K is one along a step", model, S(momentum_after(a, b) - momentum_before(a, b)), size,
-               100);
+    claim.zero("the momentum of K is one along a step", model,
+               S(momentum_after(a, b) - momentum_before(a, b)), size, 100);
     claim.zero("from step to step it changes by the residual along K", model,
                S(momentum_after(a, b) - momentum_after(b, c) - along), size, 100);
     claim.refutes("by the residual of the first copy alone", model, several([&] {
                     auto const other = draw_vector<S>(draw, d);
-                    S const one = Vector<S>(Ad(inverse(b[0]), velocity(group, other)).coordinates)
-                                      .dot(reduced.head(d));
+                    S const one =
+                        Vector<S>(Ad(inverse(b[0]), velocity(group, other)).coordinates).dot(reduced.head(d));
                     return S(momentum_after(a, b) - momentum_after(b, c) - one);
                   }),
                   size);

@@ -32,21 +32,15 @@ Matrix<S> commutators_with(SpannedGroup const& group, int a) {
 /// minus the commutator; of the algebra; of the algebra with its action on vectors; of both. Of
 /// copies it is the bracket of the algebra for each of them.
 template <class S>
-Matrix<S> known_bracket(Pairs const& gamma, int a) {
-  return -commutators_with<S>(gamma.group, a);
-}
+Matrix<S> known_bracket(Pairs const& gamma, int a) { return -commutators_with<S>(gamma.group, a); }
 template <class S>
-Matrix<S> known_bracket(Alone const& gamma, int a) {
-  return commutators_with<S>(gamma.group, a);
-}
+Matrix<S> known_bracket(Alone const& gamma, int a) { return commutators_with<S>(gamma.group, a); }
 template <class S>
 Matrix<S> known_bracket(Opposite<Alone> const& gamma, int a) {
   return -commutators_with<S>(gamma.of.group, a);
 }
 template <class S>
-Matrix<S> known_bracket(Carrying const& gamma, int a) {
-  return commutators_with<S>(gamma.group, a);
-}
+Matrix<S> known_bracket(Carrying const& gamma, int a) { return commutators_with<S>(gamma.group, a); }
 template <class S>
 Matrix<S> known_bracket(Gauge const& gamma, int a) {
   Matrix<S> c = Matrix<S>::Zero(gamma.dimension(), gamma.dimension());
@@ -67,9 +61,7 @@ Matrix<S> known_anchor(Pairs const& gamma, A const&) {
 }
 template <class S, class Gamma, class A>
   requires std::same_as<Point<Gamma, S>, SinglePoint<S>>
-Matrix<S> known_anchor(Gamma const& gamma, A const&) {
-  return Matrix<S>(0, gamma.dimension());
-}
+Matrix<S> known_anchor(Gamma const& gamma, A const&) { return Matrix<S>(0, gamma.dimension()); }
 template <class S, class A>
 Matrix<S> known_anchor(Carrying const& gamma, A const& g) {
   Matrix<S> rho(gamma.base_dimension(), gamma.dimension());
@@ -194,9 +186,7 @@ S rate_along(Gamma const& gamma, X const& point, Vector<S> const& v, F const& f)
 }
 /// The target of an arrow, as a constant of dual numbers.
 template <class S, class Gamma, class A>
-auto constant_target(Gamma const& gamma, A const& g) {
-  return gamma.target(gamma.template over<Dual<S>>(g));
-}
+auto constant_target(Gamma const& gamma, A const& g) { return gamma.target(gamma.template over<Dual<S>>(g)); }
 
 }  // namespace
 
@@ -499,8 +489,8 @@ STATEMENT(claim_4_1_cotangent_groupoid,
 STATEMENT(claim_4_1_legendre_intertwines,
           "the Legendre maps take the mapping on the groupoid to the mapping on the dual") {
   claim.holds(
-      "Both of them, on pairs, groups, their opposites, a group with a vector, gauge groupoids and copies of a group: "
-      "$F\\circ\\Sigma = \\Lambda\\circ F$, and both pull the same Poisson structure back.");
+      "Both of them, on pairs, groups, their opposites, a group with a vector, gauge groupoids and copies of a "
+      "group: $F\\circ\\Sigma = \\Lambda\\circ F$, and both pull the same Poisson structure back.");
   over_groupoids(claim, [&](auto const& gamma, auto const& model) {
     using Gamma = std::decay_t<decltype(gamma)>;
     auto const g = draw_arrows<S>(draw, gamma, 2);

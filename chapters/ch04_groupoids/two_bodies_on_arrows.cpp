@@ -2,15 +2,16 @@
 // (SE(3) x SE(3))^2 / SE(3).
 //
 // What is shown. Two ellipsoids attract each other. The step of the library, half a kick, free motion, half a
-// kick, has no equation for both bodies to solve. The arrows of two hundred of its steps are put into the Lagrange
-// equations of the groupoid of pairs of configurations modulo motions of space, and into those on pairs: what is left
-// is rounding. Newton's iteration on the groupoid, started at a unit, arrives at the same arrow. The motion in space
-// is put together from arrows. Then the step is judged as a map of T*M/SE(3), beside two steps with an error in
-// them. Read first. Section 4.1, and "Testing what a map preserves".
+// kick, has no equation for both bodies to solve. The arrows of two hundred of its steps are put into the
+// Lagrange equations of the groupoid of pairs of configurations modulo motions of space, and into those on
+// pairs: what is left is rounding. Newton's iteration on the groupoid, started at a unit, arrives at the same
+// arrow. The motion in space is put together from arrows. Then the step is judged as a map of T*M/SE(3),
+// beside two steps with an error in them. Read first. Section 4.1, and "Testing what a map preserves".
 //
 //   g_1, g_2     principal axes of the bodies at their centres of mass
-//   x = g_1^-1 g_2, k = g_1^-1 g_1'       the second body as the first sees it, the motion of the first in a step
-//   h            step; the masses are 4/5 and 1/5 and the constant of gravitation 1, lengths are of the order 1
+//   x = g_1^-1 g_2, k = g_1^-1 g_1' the second body as the first sees it, the motion of the first in a step
+//   h            step; the masses are 4/5 and 1/5 and the constant of gravitation 1, lengths are of the order
+//                1
 #include "actio/groupoid/lagrange_equations.hpp"
 #include "actio/instruments/dual_of_algebroid.hpp"
 #include "actio/instruments/leaf_defect.hpp"
@@ -38,10 +39,11 @@ TwoBodies fast_pair() {
     Eigen::Vector4d const q = Eigen::Vector4d(1, a, b, c).normalized();
     return Element<SU2, double>{{}, q};
   };
-  return TwoBodies(large, small,
-                   state_of_velocities(large, small, {1.3, 0.1, -0.1}, {0.05, 0.8, 0.1}, attitude(0.2, -0.1, 0.3),
-                                       {0.3, 0.2, 1.1}, attitude(-0.4, 0.2, 0.1), {0.2, -0.5, 0.9}),
-                   {.order = order, .step = h, .method = moser_veselov_pair(), .G = 1});
+  return TwoBodies(
+      large, small,
+      state_of_velocities(large, small, {1.3, 0.1, -0.1}, {0.05, 0.8, 0.1}, attitude(0.2, -0.1, 0.3),
+                          {0.3, 0.2, 1.1}, attitude(-0.4, 0.2, 0.1), {0.2, -0.5, 0.9}),
+      {.order = order, .step = h, .method = moser_veselov_pair(), .G = 1});
 }
 Places places(TwoBodies const& pair) {
   auto const state = pair.state();
@@ -69,13 +71,15 @@ Residuals put_into_equations(PairOnGroupoid const& pair, std::vector<Places> con
     found.on_arrows = std::max(found.on_arrows, lagrange_equations(groupoid, L, before, after).norm());
     auto const both = [&](std::size_t i) { return element_of_product(g[i][0], g[i][1]); };
     PairArrow<Both, double> const first{both(k - 1), both(k)}, second{both(k), both(k + 1)};
-    found.on_pairs = std::max(found.on_pairs, lagrange_equations(PairGroupoid<Both>{}, L, first, second).norm());
+    found.on_pairs =
+        std::max(found.on_pairs, lagrange_equations(PairGroupoid<Both>{}, L, first, second).norm());
     found.momentum = std::max(found.momentum, legendre_at_target(groupoid, L, before).components.norm());
   }
   return found;
 }
 
-// 3. The first arrow gives momenta, momenta the next arrow; the first body moves by the elements of the arrows.
+// 3. The first arrow gives momenta, momenta the next arrow; the first body moves by the elements of the
+//    arrows.
 double put_together(PairOnGroupoid const& pair, std::vector<Places> const& g) {
   SpaceArrow arrow = TwoPlaces::reduced(g[0], g[1]);
   Places at = g[0];
@@ -89,13 +93,11 @@ double put_together(PairOnGroupoid const& pair, std::vector<Places> const& g) {
   return off;
 }
 
-// 4. Steps to be judged: the right one; one whose torque on the first body comes from a series of its own, cut at
-//    order 2; one that turns the second body from the wrong side.
+// 4. Steps to be judged: the right one; one whose torque on the first body comes from a series of its own,
+//    cut at order 2; one that turns the second body from the wrong side.
 PairOnGroupoid const of_order_two(large, small, 2, 1);
 template <class P, class T>
-auto right_step(PairOnGroupoid const& pair, P const& p, T const& t) {
-  return pair.step(p, t);
-}
+auto right_step(PairOnGroupoid const& pair, P const& p, T const& t) { return pair.step(p, t); }
 template <class P, class T>
 auto own_series(PairOnGroupoid const& pair, P const& p, T const& t) {
   auto const kicked = [&](P at) {
@@ -118,8 +120,8 @@ auto wrong_side(PairOnGroupoid const& pair, P const& p, T const& t) {
   return std::pair{arrow, pair.kicked(end, T(t / T(2)))};
 }
 
-// 5. What is judged: the residual along the motion, the bracket, the leaf, and the total momentum seen from space,
-//    whose square is a Casimir function.
+// 5. What is judged: the residual along the motion, the bracket, the leaf, and the total momentum seen from
+//    space, whose square is a Casimir function.
 struct Verdict {
   double residual = 0, poisson = 0, leaf = 0, momentum = 0;
 };
@@ -142,7 +144,8 @@ Verdict judge(PairOnGroupoid const& pair, Places const& start, Momenta const& p,
   Verdict found;
   found.poisson = poisson_defect(
       space, [&](auto const& x) { return one(x, typename std::decay_t<decltype(x)>::Scalar(h)).second; }, p);
-  found.leaf = leaf_defect(space, [&](auto const& t, auto const& x) { return one(x, t).second; }, h, p);
+  found.leaf = leaf_defect(
+      space, [&](auto const& t, auto const& x) { return one(x, t).second; }, h, p);
   auto [arrow, at] = one(p, h);
   Pose<double> first = start[0] * arrow.element;
   Eigen::Vector3d const J = angular_momentum(start[0], p);
@@ -168,9 +171,10 @@ void draw(book::Program& program, std::vector<Places> const& g) {
   plot.curve(x[0], y[0], "first body, in space", {.colour = 1});
   plot.curve(x[1], y[1], "second body, in space", {.colour = 2});
   plot.curve(x[2], y[2], "the second as the first sees it", {.colour = 3});
-  program.picture("paths", plot.svg(),
-                  "The centres of mass in space, put together from arrows, and the base of the groupoid: where the "
-                  "second body is as the first sees it.");
+  program.picture(
+      "paths", plot.svg(),
+      "The centres of mass in space, put together from arrows, and the base of the groupoid: where the "
+      "second body is as the first sees it.");
 }
 
 int main(int argc, char** argv) {
@@ -206,8 +210,9 @@ int main(int argc, char** argv) {
   judged("kick, rotors, kick", [&](auto const& x, auto const& t) { return right_step(pair, x, t); });
   judged("own series for one torque", [&](auto const& x, auto const& t) { return own_series(pair, x, t); });
   judged("turned from the wrong side", [&](auto const& x, auto const& t) { return wrong_side(pair, x, t); });
-  program.table("steps", {"step", "residual", "Poisson defect", "leaf defect", "change of the angular momentum"}, rows,
-                "Three steps of two bodies. Residual and change of momentum over two hundred steps, defects of one.");
+  program.table(
+      "steps", {"step", "residual", "Poisson defect", "leaf defect", "change of the angular momentum"}, rows,
+      "Three steps of two bodies. Residual and change of momentum over two hundred steps, defects of one.");
   draw(program, g);
 
   using book::measured;
@@ -220,8 +225,10 @@ int main(int argc, char** argv) {
   program.claim(measured(verdicts[0].momentum) < 1e-12, "and conserves the angular momentum");
   program.claim(measured(std::min(verdicts[1].residual, verdicts[2].residual)) > 1e-7,
                 "the steps with an error in them do not solve the equations");
-  program.claim(measured(std::min(verdicts[1].poisson, verdicts[2].poisson)) > 1e-7, "nor preserve the bracket");
+  program.claim(measured(std::min(verdicts[1].poisson, verdicts[2].poisson)) > 1e-7,
+                "nor preserve the bracket");
   program.claim(measured(std::min(verdicts[1].leaf, verdicts[2].leaf)) > 1e-7, "nor stay on the leaf");
-  program.headline("explicit step on (M x M)/SE(3), residual " + book::number(left.on_arrows, 2), left.on_arrows);
+  program.headline("explicit step on (M x M)/SE(3), residual " + book::number(left.on_arrows, 2),
+                   left.on_arrows);
   return program.finish();
 }

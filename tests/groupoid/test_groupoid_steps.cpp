@@ -50,7 +50,9 @@ struct Arrows {
     std::array<std::array<Element<G, double>, n>, 4> g;
     for (auto& configuration : g)
       for (auto& copy : configuration) copy = element();
-    auto const arrow = [&](int k) { return DiagonalQuotient<G, n>::template reduced<double>(g[k], g[k + 1]); };
+    auto const arrow = [&](int k) {
+      return DiagonalQuotient<G, n>::template reduced<double>(g[k], g[k + 1]);
+    };
     return std::array{arrow(0), arrow(1), arrow(2)};
   }
 };

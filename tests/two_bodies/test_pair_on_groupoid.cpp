@@ -1,5 +1,5 @@
-// The step of two bodies as a solution of the Lagrange equations on (SE(3) x SE(3))^2 / SE(3): residuals there and
-// on pairs, Newton's way, reconstruction, brackets and leaves, and steps that are no solutions.
+// The step of two bodies as a solution of the Lagrange equations on (SE(3) x SE(3))^2 / SE(3): residuals
+// there and on pairs, Newton's way, reconstruction, brackets and leaves, and steps that are no solutions.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groupoid/lagrange_equations.hpp"
@@ -70,10 +70,11 @@ TwoBodies fast_pair(int order) {
     Eigen::Vector4d const q = Eigen::Vector4d(1, a, b, c).normalized();
     return Element<SU2, double>{{}, q};
   };
-  return TwoBodies(large(), small(),
-                   state_of_velocities(large(), small(), {1.3, 0.1, -0.1}, {0.05, 0.8, 0.1}, at(0.2, -0.1, 0.3),
-                                       {0.3, 0.2, 1.1}, at(-0.4, 0.2, 0.1), {0.2, -0.5, 0.9}),
-                   {.order = order, .step = h, .method = moser_veselov_pair(), .G = 1});
+  return TwoBodies(
+      large(), small(),
+      state_of_velocities(large(), small(), {1.3, 0.1, -0.1}, {0.05, 0.8, 0.1}, at(0.2, -0.1, 0.3),
+                          {0.3, 0.2, 1.1}, at(-0.4, 0.2, 0.1), {0.2, -0.5, 0.9}),
+      {.order = order, .step = h, .method = moser_veselov_pair(), .G = 1});
 }
 
 }  // namespace
@@ -89,18 +90,20 @@ BOOST_AUTO_TEST_CASE(the_fast_step_solves_the_equations_of_the_groupoid_and_of_p
     for (int k = 0; k < steps; ++k) fast.step(), g.push_back(places(fast));
     double reduced = 0, unreduced = 0, size = 0;
     for (std::size_t k = 1; k + 1 < g.size(); ++k) {
-      auto const before = TwoPlaces::reduced<double>(g[k - 1], g[k]), after = TwoPlaces::reduced<double>(g[k], g[k + 1]);
+      auto const before = TwoPlaces::reduced<double>(g[k - 1], g[k]),
+                 after = TwoPlaces::reduced<double>(g[k], g[k + 1]);
       reduced = std::max(reduced, lagrange_equations(gamma_, L, before, after).norm());
       size = std::max(size, legendre_at_target(gamma_, L, before).components.norm());
       auto const both = [&](std::size_t i) { return element_of_product(g[i][0], g[i][1]); };
       using Pair = PairArrow<Both, double>;
       if (k % 10 == 0)
-        unreduced = std::max(unreduced, lagrange_equations(PairGroupoid<Both>{}, L, Pair{both(k - 1), both(k)},
-                                                           Pair{both(k), both(k + 1)})
-                                            .norm());
+        unreduced =
+            std::max(unreduced, lagrange_equations(PairGroupoid<Both>{}, L, Pair{both(k - 1), both(k)},
+                                                   Pair{both(k), both(k + 1)})
+                                    .norm());
     }
-    BOOST_TEST_MESSAGE("order " << order << ": residual on the groupoid " << reduced << ", on pairs " << unreduced
-                                << ", of momenta " << size);
+    BOOST_TEST_MESSAGE("order " << order << ": residual on the groupoid " << reduced << ", on pairs "
+                                << unreduced << ", of momenta " << size);
     BOOST_TEST(reduced <= 1e-13);
     BOOST_TEST(unreduced <= 1e-13);
     // With moments of the other order it is no solution.
@@ -128,7 +131,8 @@ BOOST_AUTO_TEST_CASE(the_motion_is_put_together_from_arrows) {
   auto fast = fast_pair(4);
   auto g = places(fast);
   fast.step();
-  // The first arrow from the fast step, all others by momenta; then the first body from the elements of arrows.
+  // The first arrow from the fast step, all others by momenta; then the first body from the elements of
+  // arrows.
   auto arrow = TwoPlaces::reduced<double>(g, places(fast));
   for (int k = 1; k <= steps; ++k) {
     Pose<double> const first = g[0] * arrow.element;
@@ -149,7 +153,8 @@ BOOST_AUTO_TEST_CASE(the_step_is_a_poisson_map_and_stays_on_its_leaf) {
   // The torque on the first body from a series of its own, cut one term earlier than that of the potential.
   auto const own_series = [&]<class T, class P>(T const& t, P const& p) {
     auto const kicked = [&](P at) {
-      auto const by = coarse.interaction(at.base.others[0]).torque_1, of = pair.interaction(at.base.others[0]).torque_1;
+      auto const by = coarse.interaction(at.base.others[0]).torque_1,
+                 of = pair.interaction(at.base.others[0]).torque_1;
       at = pair.kicked(at, T(t / T(2)));
       for (int i = 0; i < 3; ++i) at.components[i] += t / T(2) * (by[i] - of[i]);
       return at;
@@ -176,8 +181,8 @@ BOOST_AUTO_TEST_CASE(the_step_is_a_poisson_map_and_stays_on_its_leaf) {
   };
   auto const right = judged(step), cut = judged(own_series), turned = judged(wrong_side);
   for (auto const& [name, found] : {std::pair{"right", right}, {"own series", cut}, {"wrong side", turned}})
-    BOOST_TEST_MESSAGE(name << ": residual " << found[0] << ", Poisson defect " << found[1] << ", leaf defect "
-                            << found[2]);
+    BOOST_TEST_MESSAGE(name << ": residual " << found[0] << ", Poisson defect " << found[1]
+                            << ", leaf defect " << found[2]);
   BOOST_TEST(right[0] <= 1e-13);
   BOOST_TEST(right[1] <= 1e-14);
   BOOST_TEST(right[2] <= 1e-14);

@@ -2,8 +2,8 @@
 // bodies do in a step, as one of them sees it.
 //
 // The copies are g_1, ..., g_n. A point of the base is where the others are as seen from the first, x_i =
-// g_1^-1 g_i for i > 1; an arrow is (x, y, k), from x to y, with the motion k = g_1^-1 g_1' of the first. For n = 1
-// it is the group. Unlike that of gauge_groupoid.hpp its base is no vector space, but K^(n-1).
+// g_1^-1 g_i for i > 1; an arrow is (x, y, k), from x to y, with the motion k = g_1^-1 g_1' of the first. For
+// n = 1 it is the group. Unlike that of gauge_groupoid.hpp its base is no vector space, but K^(n-1).
 #pragma once
 
 #include <array>
@@ -28,16 +28,14 @@ struct QuotientArrow {
   Element<K, S> element;                  ///< k
 
   /// \f$g_i^{-1}g_i' = x_i^{-1}ky_i\f$: how the i-th copy moves, as it sees it itself; i = 0 is the first.
-  Element<K, S> motion(int i) const {
-    return i == 0 ? element : inverse(from[i - 1]) * element * to[i - 1];
-  }
+  Element<K, S> motion(int i) const { return i == 0 ? element : inverse(from[i - 1]) * element * to[i - 1]; }
 };
 
 /// \f$(K^n\times K^n)/K\f$ over \f$K^{n-1}\f$, \f$n \ge 2\f$:
 /// \f$(x, y, k)(y, z, l) = (x, z, kl)\f$.
 ///
-/// A vector of the algebroid is \f$(g_1^{-1}\delta g_1, \dots, g_n^{-1}\delta g_n)\f$, the velocity of each copy as
-/// it sees it itself.
+/// A vector of the algebroid is \f$(g_1^{-1}\delta g_1, \dots, g_n^{-1}\delta g_n)\f$, the velocity of each
+/// copy as it sees it itself.
 template <Group K, int n>
 struct DiagonalQuotient {
   static_assert(n >= 2, "a single copy is GroupAsGroupoid");

@@ -3,7 +3,8 @@
 // An arrow g leads from alpha(g), its source, to beta(g), its target; gh is defined where beta(g) = alpha(h).
 // What is infinitely near the unit of a point x and leaves from x is a vector of the algebroid over x. Pairs
 // of configurations and groups are groupoids, and so are things in between (action_groupoid.hpp,
-// gauge_groupoid.hpp, diagonal_quotient.hpp); mechanics on all of them is one equation (lagrange_equations.hpp).
+// gauge_groupoid.hpp, diagonal_quotient.hpp); mechanics on all of them is one equation
+// (lagrange_equations.hpp).
 #pragma once
 
 #include "actio/groups/differential.hpp"

@@ -1,7 +1,7 @@
 // The dual of the algebroid of several copies of a group, as a space that maps can be judged on.
 //
-// It is T*M/K with M = K^n. Its points are `DualPoint`s of the groupoid of diagonal_quotient.hpp; its bracket is
-// not typed in, but computed from the multiplication of the groupoid (algebroid.hpp).
+// It is T*M/K with M = K^n. Its points are `DualPoint`s of the groupoid of diagonal_quotient.hpp; its bracket
+// is not typed in, but computed from the multiplication of the groupoid (algebroid.hpp).
 #pragma once
 
 #include "actio/groupoid/algebroid.hpp"
@@ -43,8 +43,8 @@ void require_point(DualPoint<DiagonalQuotient<K, n>, S> const& p, char const* wh
 /// \f$T^*M/K\f$, \f$M = K^n\f$, with the bracket of \ref dual_bivector ; coordinates \f$(\delta x_ix_i^{-1},
 /// \delta p)\f$.
 ///
-/// A shift has the size that makes, with the momentum of shifts, what a turn by 1 makes with that of turns; sizes
-/// of momenta are the largest among the copies.
+/// A shift has the size that makes, with the momentum of shifts, what a turn by 1 makes with that of turns;
+/// sizes of momenta are the largest among the copies.
 template <Group K, int n>
 struct DualOfAlgebroid {
   using Gamma = DiagonalQuotient<K, n>;
@@ -86,8 +86,7 @@ struct DualOfAlgebroid {
   detail::AnyVector<Moved<S>> change(DualPoint<Gamma, Moved<S>> const& p) const {
     int const d = group.dimension();
     detail::AnyVector<Moved<S>> all((2 * n - 1) * d);
-    for (int i = 0; i < n - 1; ++i)
-      all.segment(i * d, d) = detail::change_of_element(p.base.others[i]);
+    for (int i = 0; i < n - 1; ++i) all.segment(i * d, d) = detail::change_of_element(p.base.others[i]);
     for (Index a = 0; a < p.components.size(); ++a) all[(n - 1) * d + a] = p.components[a];
     return all;
   }

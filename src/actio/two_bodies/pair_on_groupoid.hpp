@@ -1,11 +1,11 @@
-// Two bodies on the groupoid (SE(3) x SE(3))^2 / SE(3): the discrete Lagrangian of the splitting with rotors of
-// Moser and Veselov, and its step, at every scalar.
+// Two bodies on the groupoid (SE(3) x SE(3))^2 / SE(3): the discrete Lagrangian of the splitting with rotors
+// of Moser and Veselov, and its step, at every scalar.
 //
 // Nothing here is fast: it says what moser_veselov_pair of pair_method.hpp solves, in terms that the Lagrange
-// equations on a groupoid, their Legendre maps and the instruments understand. A configuration is (g_1, g_2), the
-// principal axes of each body at its centre of mass; a point of the base is x = g_1^-1 g_2, the second body as the
-// first sees it. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the angular momentum about its
-// centre of mass and the linear one, in its own axes.
+// equations on a groupoid, their Legendre maps and the instruments understand. A configuration is (g_1, g_2),
+// the principal axes of each body at its centre of mass; a point of the base is x = g_1^-1 g_2, the second
+// body as the first sees it. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the angular
+// momentum about its centre of mass and the linear one, in its own axes.
 #pragma once
 
 #include "actio/groupoid/diagonal_quotient.hpp"
@@ -41,11 +41,12 @@ class PairOnGroupoid {
     Three<T> const r{a(0, 3), a(1, 3), a(2, 3)};
     std::array<Three<T>, 3> R;
     for (int i = 0; i < 3; ++i) R[i] = {a(i, 0), a(i, 1), a(i, 2)};
-    return MutualPotential<T>(bodies_[0].moments.over<T>(), bodies_[1].moments.over<T>(), order_, T(G_))(r, R);
+    return MutualPotential<T>(bodies_[0].moments.over<T>(), bodies_[1].moments.over<T>(), order_, T(G_))(r,
+                                                                                                         R);
   }
 
-  /// \f$m|\Delta x|^2/2h+\mathrm{tr}((1-F)J)/h\f$ of a body that moves by \f$f=(F,\Delta x)\f$ in its own axes, with
-  /// \f$J=\frac12\mathrm{tr}(I)-I\f$; energy x time.
+  /// \f$m|\Delta x|^2/2h+\mathrm{tr}((1-F)J)/h\f$ of a body that moves by \f$f=(F,\Delta x)\f$ in its own
+  /// axes, with \f$J=\frac12\mathrm{tr}(I)-I\f$; energy x time.
   template <class T>
   T kinetic(int body, Pose<T> const& f, double h) const {
     auto const& a = f.value;
@@ -56,7 +57,8 @@ class PairOnGroupoid {
   }
 
   /// The discrete Lagrangian of steps h, on arrows of \ref TwoPlaces and on pairs of configurations,
-  /// \f[ L_d=\sum_i\Big[\frac{m_i|\Delta x_i|^2}{2h}+\frac{\mathrm{tr}((1-F_i)J_i)}h\Big]-\frac h2(V_0+V_1). \f]
+  /// \f[ L_d=\sum_i\Big[\frac{m_i|\Delta x_i|^2}{2h}+\frac{\mathrm{tr}((1-F_i)J_i)}h\Big]-\frac h2(V_0+V_1).
+  ///   \f]
   auto lagrangian(double h) const {
     return [pair = *this, h]<class A>(A const& arrow) {
       using T = typename A::Scalar;
@@ -131,8 +133,8 @@ class PairOnGroupoid {
       }
     return moved;
   }
-  /// The step: half a kick, a drift, half a kick. It solves the Lagrange equations of \ref lagrangian without an
-  /// iteration on the groupoid.
+  /// The step: half a kick, a drift, half a kick. It solves the Lagrange equations of \ref lagrangian without
+  /// an iteration on the groupoid.
   /// @param p  the momentum at the start of the arrow, `legendre_at_source`
   template <class T>
   std::pair<Arrow<TwoPlaces, T>, DualPoint<TwoPlaces, T>> step(DualPoint<TwoPlaces, T> const& p,
@@ -146,9 +148,7 @@ class PairOnGroupoid {
 
  private:
   template <class T>
-  static Arrow<TwoPlaces, T> const& on_arrows(Arrow<TwoPlaces, T> const& arrow) {
-    return arrow;
-  }
+  static Arrow<TwoPlaces, T> const& on_arrows(Arrow<TwoPlaces, T> const& arrow) { return arrow; }
   template <class T>
   static Arrow<TwoPlaces, T> on_arrows(PairArrow<DirectProduct<SE<3>, SE<3>>, T> const& pair) {
     auto const [g1, g2] = factors(pair.first);
