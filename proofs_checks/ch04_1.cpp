@@ -489,8 +489,8 @@ STATEMENT(claim_4_1_cotangent_groupoid,
 STATEMENT(claim_4_1_legendre_intertwines,
           "the Legendre maps take the mapping on the groupoid to the mapping on the dual") {
   claim.holds(
-      "Both of them, on pairs, groups, their opposites, a group with a vector, gauge groupoids and copies of a "
-      "group: $F\\circ\\Sigma = \\Lambda\\circ F$, and both pull the same Poisson structure back.");
+      "Both of them, on pairs, groups, their opposites, a group with a vector, gauge groupoids and copies of "
+      "a group: $F\\circ\\Sigma = \\Lambda\\circ F$, and both pull the same Poisson structure back.");
   over_groupoids(claim, [&](auto const& gamma, auto const& model) {
     using Gamma = std::decay_t<decltype(gamma)>;
     auto const g = draw_arrows<S>(draw, gamma, 2);
