@@ -47,7 +47,7 @@ void require_point(DualPoint<DiagonalQuotient<K, n>, S> const& p, char const* wh
 /// sizes of momenta are the largest among the copies.
 template <Group K, int n>
 struct DualOfAlgebroid {
-  using Gamma = DiagonalQuotient<K, n>;
+  using Gamma = DiagonalQuotient<K, n>;  ///< the groupoid
   [[no_unique_address]] K group;
 
   /// Of the space.
