@@ -10,6 +10,7 @@
 #include "actio/instruments/symplectic_defect.hpp"
 #include "actio/two_bodies/pair_on_groupoid.hpp"
 #include "actio/two_bodies/two_bodies.hpp"
+#include "refused.hpp"
 
 using namespace actio;
 using namespace actio::bodies;
@@ -217,6 +218,23 @@ BOOST_AUTO_TEST_CASE(the_step_on_pairs_of_configurations_is_symplectic) {
   double const defect = symplectic_defect(PairsOfConfigurations{on_pairs}, map, x);
   BOOST_TEST_MESSAGE("symplectic defect " << defect);
   BOOST_TEST(defect <= 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
+  // The moments are known up to order 4.
+  CHECK_REFUSED(pair_of_order(5), OutsideDomain);
+  CHECK_REFUSED(pair_of_order(-1), OutsideDomain);
+  auto const pair = pair_of_order(2);
+  auto const map = [&](auto const& p) { return p; };
+  DualOfAlgebroid<SE<3>, 2> const space;
+  auto momenta = start(), place = start();
+  momenta.components[3] = std::nan(""), place.base.others[0].value(0, 3) = std::nan("");
+  CHECK_REFUSED(poisson_defect(space, map, momenta), NotFinite);
+  CHECK_REFUSED(poisson_defect(space, map, place), NotFinite);
+  // More angular momentum than any turn of the scheme has.
+  auto fast = start();
+  fast.components[0] = 100;
+  CHECK_REFUSED(pair.step(fast, h), Error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
