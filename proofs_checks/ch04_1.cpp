@@ -29,28 +29,30 @@ Matrix<S> commutators_with(SpannedGroup const& group, int a) {
   return c;
 }
 /// What bracket and anchor are known to be: those of right-invariant vector fields on G, where the bracket is
-/// minus the commutator; of the algebra; of the algebra with its action on vectors; of both.
+/// minus the commutator; of the algebra; of the algebra with its action on vectors; of both. Of
+/// copies it is the bracket of the algebra for each of them.
 template <class S>
-Matrix<S> known_bracket(Pairs const& gamma, int a) {
-  return -commutators_with<S>(gamma.group, a);
-}
+Matrix<S> known_bracket(Pairs const& gamma, int a) { return -commutators_with<S>(gamma.group, a); }
 template <class S>
-Matrix<S> known_bracket(Alone const& gamma, int a) {
-  return commutators_with<S>(gamma.group, a);
-}
+Matrix<S> known_bracket(Alone const& gamma, int a) { return commutators_with<S>(gamma.group, a); }
 template <class S>
 Matrix<S> known_bracket(Opposite<Alone> const& gamma, int a) {
   return -commutators_with<S>(gamma.of.group, a);
 }
 template <class S>
-Matrix<S> known_bracket(Carrying const& gamma, int a) {
-  return commutators_with<S>(gamma.group, a);
-}
+Matrix<S> known_bracket(Carrying const& gamma, int a) { return commutators_with<S>(gamma.group, a); }
 template <class S>
 Matrix<S> known_bracket(Gauge const& gamma, int a) {
   Matrix<S> c = Matrix<S>::Zero(gamma.dimension(), gamma.dimension());
   int const k = gamma.group.dimension();
   if (a >= gamma.base) c.bottomRightCorner(k, k) = commutators_with<S>(gamma.group, a - gamma.base);
+  return c;
+}
+template <class S>
+Matrix<S> known_bracket(TwoCopies const& gamma, int a) {
+  int const d = gamma.group.dimension(), first = a < d ? 0 : d;
+  Matrix<S> c = Matrix<S>::Zero(2 * d, 2 * d);
+  c.block(first, first, d, d) = commutators_with<S>(gamma.group, a - first);
   return c;
 }
 template <class S, class A>
@@ -59,9 +61,7 @@ Matrix<S> known_anchor(Pairs const& gamma, A const&) {
 }
 template <class S, class Gamma, class A>
   requires std::same_as<Point<Gamma, S>, SinglePoint<S>>
-Matrix<S> known_anchor(Gamma const& gamma, A const&) {
-  return Matrix<S>(0, gamma.dimension());
-}
+Matrix<S> known_anchor(Gamma const& gamma, A const&) { return Matrix<S>(0, gamma.dimension()); }
 template <class S, class A>
 Matrix<S> known_anchor(Carrying const& gamma, A const& g) {
   Matrix<S> rho(gamma.base_dimension(), gamma.dimension());
@@ -72,6 +72,19 @@ Matrix<S> known_anchor(Carrying const& gamma, A const& g) {
 template <class S, class A>
 Matrix<S> known_anchor(Gauge const& gamma, A const&) {
   return Matrix<S>::Identity(gamma.base, gamma.dimension());
+}
+/// The second copy as seen from the first, \f$x = g_1^{-1}g_2\f$, moves by \f$-v_1 + xv_2x^{-1}\f$.
+template <class S, class A>
+Matrix<S> known_anchor(TwoCopies const& gamma, A const& g) {
+  int const d = gamma.group.dimension();
+  Matrix<S> const x = g.to[0].value, back = inverse_matrix(x);
+  Matrix<S> rho(d, 2 * d);
+  for (int a = 0; a < d; ++a) {
+    rho.col(a) = -Vector<S>(Vector<S>::Unit(d, a));
+    Matrix<S> const e = gamma.group.hat(Vector<S>(Vector<S>::Unit(d, a)));
+    rho.col(d + a) = gamma.group.vee(Matrix<S>(x * (e * back)));
+  }
+  return rho;
 }
 
 }  // namespace
@@ -173,9 +186,7 @@ S rate_along(Gamma const& gamma, X const& point, Vector<S> const& v, F const& f)
 }
 /// The target of an arrow, as a constant of dual numbers.
 template <class S, class Gamma, class A>
-auto constant_target(Gamma const& gamma, A const& g) {
-  return gamma.target(gamma.template over<Dual<S>>(g));
-}
+auto constant_target(Gamma const& gamma, A const& g) { return gamma.target(gamma.template over<Dual<S>>(g)); }
 
 }  // namespace
 
@@ -478,8 +489,8 @@ STATEMENT(claim_4_1_cotangent_groupoid,
 STATEMENT(claim_4_1_legendre_intertwines,
           "the Legendre maps take the mapping on the groupoid to the mapping on the dual") {
   claim.holds(
-      "Both of them, on pairs, groups, their opposites, a group with a vector and gauge groupoids: "
-      "$F\\circ\\Sigma = \\Lambda\\circ F$, and both pull the same Poisson structure back.");
+      "Both of them, on pairs, groups, their opposites, a group with a vector, gauge groupoids and copies of "
+      "a group: $F\\circ\\Sigma = \\Lambda\\circ F$, and both pull the same Poisson structure back.");
   over_groupoids(claim, [&](auto const& gamma, auto const& model) {
     using Gamma = std::decay_t<decltype(gamma)>;
     auto const g = draw_arrows<S>(draw, gamma, 2);
@@ -492,8 +503,8 @@ STATEMENT(claim_4_1_legendre_intertwines,
     auto const moved_sum = [&](ArrowPolynomial<S> const& l) {
       return Vector<S>(joint.transpose() * l.gradient(first) + other.transpose() * l.gradient(then));
     };
-    Matrix<S> const directions = draw_matrix<S>(draw, static_cast<int>(first.size()), n);
-    Matrix<S> const columns = Matrix<S>((joint + other).transpose()) * directions;
+    // The smallest change of the linear term: a large one would drown the others.
+    Matrix<S> const directions = joint + other, columns = Matrix<S>(directions.transpose()) * directions;
     polynomial.linear -= directions * solve_linear(columns, moved_sum(polynomial), "critical pair");
     auto const l = on_arrows(gamma, polynomial);
     auto const at_source = [&](auto const& x) { return legendre_at_source(gamma, l, x); };
@@ -511,7 +522,7 @@ STATEMENT(claim_4_1_legendre_intertwines,
     if (!exact_arithmetic<S>()) {
       // The mapping on the dual, solved from elsewhere: takes F(g) to F(h), for both Legendre maps.
       auto const beside = [&](auto const& x) {
-        Fibre<Gamma, S> const v = draw_vector<S>(draw, n) * ratio<S>(1, 64);
+        Fibre<Gamma, S> const v = draw_vector<S>(draw, n) * ratio<S>(1, 1024);
         return gamma.compose(x, gamma.leave(gamma.target(x), v));
       };
       auto const from_source = generated_map(gamma, l, at_source(g[0]), beside(g[0])),

@@ -1,9 +1,10 @@
 // Groupoids for the checks of section 4.1: pairs of configurations, groups and their opposites, a group with
-// a vector it carries, a gauge groupoid; and functions on their arrows.
+// a vector it carries, a gauge groupoid, two copies of a group; and functions on their arrows.
 #pragma once
 
 #include "actio/groupoid/action_groupoid.hpp"
 #include "actio/groupoid/algebroid.hpp"
+#include "actio/groupoid/diagonal_quotient.hpp"
 #include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/opposite_groupoid.hpp"
@@ -16,6 +17,7 @@ using Pairs = PairGroupoid<SpannedGroup>;
 using Alone = GroupAsGroupoid<SpannedGroup>;
 using Carrying = ActionGroupoid<SpannedGroup>;
 using Gauge = GaugeGroupoid<SpannedGroup>;
+using TwoCopies = DiagonalQuotient<SpannedGroup, 2>;
 
 // ---- Arrows at random from a point, and points at random
 
@@ -30,6 +32,10 @@ Point<Carrying, S> draw_point(Draw& draw, Carrying const& gamma) {
 }
 template <class S>
 Point<Gauge, S> draw_point(Draw& draw, Gauge const& gamma) { return {draw_vector<S>(draw, gamma.base)}; }
+template <class S>
+Point<TwoCopies, S> draw_point(Draw& draw, TwoCopies const& gamma) {
+  return {{draw.template element<S>(gamma.group)}};
+}
 
 template <class S>
 Arrow<Pairs, S> draw_arrow(Draw& draw, Pairs const& gamma, Point<Pairs, S> const& from) {
@@ -50,6 +56,10 @@ Arrow<Carrying, S> draw_arrow(Draw& draw, Carrying const& gamma, Point<Carrying,
 template <class S>
 Arrow<Gauge, S> draw_arrow(Draw& draw, Gauge const& gamma, Point<Gauge, S> const& from) {
   return {from.value, draw_vector<S>(draw, gamma.base), draw.template element<S>(gamma.group)};
+}
+template <class S>
+Arrow<TwoCopies, S> draw_arrow(Draw& draw, TwoCopies const& gamma, Point<TwoCopies, S> const& from) {
+  return {from.others, {draw.template element<S>(gamma.group)}, draw.template element<S>(gamma.group)};
 }
 /// Arrows in a row, each from where the one before ends.
 template <class S, class Gamma>
@@ -264,6 +274,7 @@ void over_groupoids(Claim<S> const&, Visit const& visit) {
     for (auto const& group : {so3, se2}) visit(Carrying{group}, group.name() + " with a vector");
     visit(Gauge{so2, 1}, std::string("gauge groupoid of a circle over a line"));
     visit(Gauge{aff, 2}, std::string("gauge groupoid of Aff(1) over a plane"));
+    visit(TwoCopies{aff}, std::string("two copies of Aff(1)"));
   }
 }
 

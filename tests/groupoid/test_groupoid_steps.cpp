@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groupoid/action_groupoid.hpp"
+#include "actio/groupoid/diagonal_quotient.hpp"
 #include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
@@ -43,6 +44,16 @@ struct Arrows {
     auto const x = [&] { return draw.vector<double, Column>(gamma.base); };
     Column const p = x(), q = x(), r = x(), s = x();
     return std::array<GaugeArrow<G, double>, 3>{{{p, q, element()}, {q, r, element()}, {r, s, element()}}};
+  }
+  template <int n>
+  auto of(DiagonalQuotient<G, n> const&) {
+    std::array<std::array<Element<G, double>, n>, 4> g;
+    for (auto& configuration : g)
+      for (auto& copy : configuration) copy = element();
+    auto const arrow = [&](int k) {
+      return DiagonalQuotient<G, n>::template reduced<double>(g[k], g[k + 1]);
+    };
+    return std::array{arrow(0), arrow(1), arrow(2)};
   }
 };
 
@@ -128,6 +139,8 @@ BOOST_AUTO_TEST_CASE(every_groupoid_has_an_opposite_and_finds_arrows_by_their_co
   steps_and_opposites(GroupAsGroupoid<G>{}, "group");
   steps_and_opposites(ActionGroupoid<G>{}, "action");
   steps_and_opposites(GaugeGroupoid<G>{{}, 2}, "gauge");
+  steps_and_opposites(DiagonalQuotient<G, 2>{}, "two copies");
+  steps_and_opposites(DiagonalQuotient<G, 3>{}, "three copies");
 }
 
 BOOST_AUTO_TEST_CASE(quadratic_lagrangians_and_their_series_are_refused_with_their_figures) {

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groupoid/action_groupoid.hpp"
+#include "actio/groupoid/diagonal_quotient.hpp"
 #include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
@@ -60,7 +61,38 @@ BOOST_AUTO_TEST_CASE(laws_hold_on_every_groupoid) {
     using Gauged = Arrow<GaugeGroupoid<SO<3>>, double>;
     Vector<double> const p = column(draw, 2), q = column(draw, 2), s = column(draw, 2), t = column(draw, 2);
     good(groupoid_laws(GaugeGroupoid<SO<3>>{{}, 2}, Gauged{p, q, a}, Gauged{q, s, b}, Gauged{s, t, c}));
+    using Seen = Arrow<DiagonalQuotient<SO<3>, 2>, double>;
+    good(
+        groupoid_laws(DiagonalQuotient<SO<3>, 2>{}, Seen{{a}, {b}, c}, Seen{{b}, {c}, d}, Seen{{c}, {d}, a}));
   }
+}
+
+BOOST_AUTO_TEST_CASE(arrows_of_copies_are_pairs_of_configurations_up_to_a_motion_of_all) {
+  Draw draw(16);
+  using Three = DiagonalQuotient<SO<3>, 3>;
+  auto const configuration = [&] {
+    return std::array{draw.element<double>(SO<3>{}), draw.element<double>(SO<3>{}),
+                      draw.element<double>(SO<3>{})};
+  };
+  auto const a = configuration(), b = configuration(), c = configuration();
+  Turn const all = draw.element<double>(SO<3>{});
+  auto const apart = [](auto const& g, auto const& h) {
+    return (Three::entries(g) - Three::entries(h)).norm();
+  };
+  auto const moved = [&](auto const& g) { return std::array{all * g[0], all * g[1], all * g[2]}; };
+  auto const moved_from_the_right = [&](auto const& g) {
+    return std::array{g[0] * all, g[1] * all, g[2] * all};
+  };
+  auto const ab = Three::reduced<double>(a, b), bc = Three::reduced<double>(b, c);
+  BOOST_TEST(apart(Three::reduced<double>(moved(a), moved(b)), ab) <= 32 * eps);
+  BOOST_TEST(apart(Three::reduced<double>(moved_from_the_right(a), moved_from_the_right(b)), ab) > 0.1);
+  BOOST_TEST(apart(Three::compose(ab, bc), Three::reduced<double>(a, c)) <= 32 * eps);
+  // How each copy moves, and the arrow from these motions.
+  for (int i = 0; i < 3; ++i)
+    BOOST_TEST((ab.motion(i).value - (inverse(a[i]) * b[i]).value).norm() <= 32 * eps);
+  BOOST_TEST(apart(Three::moving<double>(Three::seen_from_first<double>(a),
+                                         {ab.motion(0), ab.motion(1), ab.motion(2)}),
+                   ab) <= 32 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(a_broken_law_is_found) {

@@ -2,8 +2,9 @@
 //
 // An arrow g leads from alpha(g), its source, to beta(g), its target; gh is defined where beta(g) = alpha(h).
 // What is infinitely near the unit of a point x and leaves from x is a vector of the algebroid over x. Pairs
-// of configurations and groups are groupoids, and so are two things in between (action_groupoid.hpp,
-// gauge_groupoid.hpp); mechanics on all of them is one equation (lagrange_equations.hpp).
+// of configurations and groups are groupoids, and so are things in between (action_groupoid.hpp,
+// gauge_groupoid.hpp, diagonal_quotient.hpp); mechanics on all of them is one equation
+// (lagrange_equations.hpp).
 #pragma once
 
 #include "actio/groups/differential.hpp"
@@ -58,6 +59,7 @@ concept MovableGroupoid =
 /// A point of the dual of the algebroid: a covector on the fibre over a point of the base.
 template <class Gamma, Scalar S>
 struct DualPoint {
+  using Scalar = S;
   Point<Gamma, S> base;        ///< where
   Fibre<Gamma, S> components;  ///< of the covector
 };
