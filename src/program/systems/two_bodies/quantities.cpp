@@ -73,16 +73,14 @@ std::vector<Quantity> of_the_state() {
        "q_1",
        "1",
        "",
-       {},
-       Shown::as_direction},
+       {}},
       {"attitude_2",
        Kind::quaternion,
        "The unit quaternion, scalar first, that takes the second body to space; its sign is continuous.",
        "q_2",
        "1",
        "",
-       {},
-       Shown::as_direction},
+       {}},
       {"angular_velocity_1",
        Kind::vector,
        "The angular velocity of the first body, in its frame.",
@@ -201,8 +199,9 @@ void define_state(QuantityGraph& graph, PairMotion const& motion) {
       auto const state = motion.pair().state();
       return second ? state.second : state.first;
     };
-    graph.define("attitude" + which, column_ends(Kind::quaternion),
-                 [part](auto, double* q) { Eigen::Map<Eigen::Vector4d>{q} = Eigen::Vector4d(part().attitude.value); });
+    graph.define("attitude" + which, column_ends(Kind::quaternion), [part](auto, double* q) {
+      Eigen::Map<Eigen::Vector4d>{q} = Eigen::Vector4d(part().attitude.value);
+    });
     Eigen::Matrix3d const inverse =
         body.axes * ConstVector(body.inertia.data()).cwiseInverse().asDiagonal() * body.axes.transpose();
     graph.define("angular_velocity" + which, ends, [part, inverse](auto, double* w) {

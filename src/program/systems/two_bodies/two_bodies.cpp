@@ -62,11 +62,11 @@ int order_shown(PairScene const& scene, long multiple) {
   return slope < 5 ? 4 : slope < 7 ? 6 : 8;
 }
 
-/// Steps three and six times as long cost half of the run.
+/// Steps twice and four times as long: longer ones show another order than those of the run.
 Companion companion_of(Request const& request, PairScene const& scene) {
   if (!request.error_estimate.value_or(true))
     return {nullptr, 0, 0, true, "left out by output.error_estimate"};
-  constexpr long multiple = 3;
+  constexpr long multiple = 2;
   Companion out = companions(
       [&](long longer) {
         return std::make_unique<PairMotion>(scene, static_cast<double>(longer) * scene.options.step,
