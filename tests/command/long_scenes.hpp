@@ -59,9 +59,11 @@ inline std::vector<Long> const& long_scenes() {
        "name = \"galerkin\"\norder = 4\nstep = 0.1\n[run]\nuntil = 600\nevery = 1\n[output]\n"
        "quantities = [\"velocity\", \"energy\", \"spatial_momentum\"]\n"},
       {"two_bodies, with what is followed on the way",
-       "[system]\nkind = \"two_bodies\"\norder = 2\nprimary = { ellipsoid = [400, 395, 340], density = 2170 }\n"
+       "[system]\nkind = \"two_bodies\"\norder = 2\nprimary = { ellipsoid = [400, 395, 340], density = "
+       "2170 }\n"
        "secondary = { ellipsoid = [85, 73, 63], density = 2400 }\n[initial]\nposition = [1195, 0, 0]\n"
-       "velocity = [0, 0.17, 0]\nsecondary.angular_velocity = [1e-5, 0, 1.4e-4]\n[method]\nstep = 900\n[run]\n"
+       "velocity = [0, 0.17, 0]\nsecondary.angular_velocity = [1e-5, 0, 1.4e-4]\n[method]\nstep = "
+       "900\n[run]\n"
        "until = 1800000\nevery = 3600\n[output]\n"
        "quantities = [\"position\", \"attitude_2\", \"precession\", \"lyapunov\", \"energy\"]\n"},
       {"vorticity_sphere",

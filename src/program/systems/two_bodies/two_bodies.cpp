@@ -20,12 +20,14 @@ std::vector<Method> methods() {
        ""},
       {"splitting",
        {"4", "2"},
-       "A straight way and freely turning bodies, between kicks of the potential: order 2 (Strang) or 4 (Blanes "
+       "A straight way and freely turning bodies, between kicks of the potential: order 2 (Strang) or 4 "
+       "(Blanes "
        "and Moan).",
        ""},
       {"moser_veselov",
        {"2"},
-       "A straight way and bodies by the scheme of Moser and Veselov, between kicks of the potential: order 2.",
+       "A straight way and bodies by the scheme of Moser and Veselov, between kicks of the potential: "
+       "order 2.",
        "eq_5_9"}};
 }
 
@@ -109,21 +111,21 @@ Simulation prepare(Request const& request) {
 
 /// Two bodies that attract each other.
 System two_bodies_system() {
-  return {
-      "two_bodies",
-      "Two bodies that attract each other",
-      "Two rigid bodies of any shape under their mutual gravity, with a third body and tides where asked for: "
-      "binary asteroids, planets and moons.",
-      "chapter 10",
-      pair_parameters(),
-      methods(),
-      pair_quantities(),
-      prepare,
-      "[system]\nkind = \"two_bodies\"\n[system.primary]\nellipsoid = [394, 394, 290]\ndensity = 2800\n"
-      "[system.secondary]\nellipsoid = [96, 74, 60]\ndensity = 2800\n[initial]\nposition = [1189, 0, 0]\n"
-      "velocity = [0, 0.17, 0]\nprimary.angular_velocity = [0, 0, 7.72e-4]\n"
-      "secondary.angular_velocity = [0, 0, 1.46e-4]\n[run]\nuntil = 86400\nevery = 600\n[output]\n"
-      "quantities = [\"position\", \"libration\", \"energy\"]\n"};
+  return {"two_bodies",
+          "Two bodies that attract each other",
+          "Two rigid bodies of any shape under their mutual gravity, with a third body and tides where asked "
+          "for: "
+          "binary asteroids, planets and moons.",
+          "chapter 10",
+          pair_parameters(),
+          methods(),
+          pair_quantities(),
+          prepare,
+          "[system]\nkind = \"two_bodies\"\n[system.primary]\nellipsoid = [394, 394, 290]\ndensity = 2800\n"
+          "[system.secondary]\nellipsoid = [96, 74, 60]\ndensity = 2800\n[initial]\nposition = [1189, 0, 0]\n"
+          "velocity = [0, 0.17, 0]\nprimary.angular_velocity = [0, 0, 7.72e-4]\n"
+          "secondary.angular_velocity = [0, 0, 1.46e-4]\n[run]\nuntil = 86400\nevery = 600\n[output]\n"
+          "quantities = [\"position\", \"libration\", \"energy\"]\n"};
 }
 
 }  // namespace actio::scene
