@@ -27,12 +27,14 @@ struct PairKeys : KeyTable {
 
 /// [system.primary] or [system.secondary].
 struct MassKeys : KeyTable {
-  Key<std::vector<double>> ellipsoid = key(
-      "ellipsoid", numbers("three numbers > 0", 3).in("length"), LeftOut{"or sphere, shape, moments, body"},
-      "The half axes of a homogeneous ellipsoid, along the axes of its frame.", "[394, 394, 290]");
-  Key<double> sphere = key("sphere", positive.in("length"), LeftOut{"or ellipsoid, shape, moments, body"},
-                           "The radius of a ball.", "390");
-  AnyKey shape = key("shape", "a text", LeftOut{"or ellipsoid, sphere, moments, body"},
+  Key<std::vector<double>> ellipsoid =
+      key("ellipsoid", numbers("three numbers > 0", 3).in("length"),
+          without({"sphere", "shape", "moments", "body"}),
+          "The half axes of a homogeneous ellipsoid, along the axes of its frame.", "[394, 394, 290]");
+  Key<double> sphere =
+      key("sphere", positive.in("length"), without({"ellipsoid", "shape", "moments", "body"}),
+          "The radius of a ball.", "390");
+  AnyKey shape = key("shape", "a text", without({"ellipsoid", "sphere", "moments", "body"}),
                      "A file in the format .obj with the closed surface of a homogeneous body, its triangles "
                      "counter-clockwise as seen from outside.",
                      "\"kw4.obj\"");
@@ -40,21 +42,30 @@ struct MassKeys : KeyTable {
       key("length_unit", positive.in("length"), 1, "What a length of 1 in the file of the shape is.", "1000");
   Key<Eigen::MatrixXd> moments = key(
       "moments", rows("rows of four numbers: i, j, l and the moment", 4).in("mass x length^(i+j+l)"),
-      LeftOut{"or ellipsoid, sphere, shape, body"},
+      without({"ellipsoid", "sphere", "shape", "body", "density", "mass"}),
       "The integrals of x^i y^j z^l over the mass; that of 0, 0, 0 is the mass. Those that are not listed "
       "are zero, and those beyond system.order are not used.",
-      "[[0, 0, 0, 5], [2, 0, 0, 1], [0, 2, 0, 1], [0, 0, 2, 2]]");
-  Key<std::string> body =
-      key("body", one_of("body", names_of_bodies(), "actio list bodies"),
-          LeftOut{"or ellipsoid, sphere, shape, moments"},
-          "A body of the library with known moments of inertia, beside its mass and radius; the potential is "
-          "then of order 2.",
-          "\"iss\"");
+      "[[0, 0, 0, 6], [2, 0, 0, 2], [0, 2, 0, 2], [0, 0, 2, 2], [4, 0, 0, 2], [0, 4, 0, 2], [0, 0, 4, 2]]");
+  // The words are those of the library, of which not all have a mass.
+  Key<std::string> body = key(
+      "body", Pattern<std::string>{"a text", one_of("body", names_of_bodies(), "actio list bodies").read},
+      without({"ellipsoid", "sphere", "shape", "moments", "density"}),
+      "A body of the library with moments of inertia in kg m^2, beside its mass and radius; the potential is "
+      "then of order 2.",
+      "\"iss\"");
   Key<double> radius = key("radius", positive.in("length"), LeftOut{"needed with moments or body"},
                            "No part of the body is farther from the origin of its frame.", "400");
-  Key<double> density =
-      key("density", positive.in("mass/length^3"), LeftOut{"or mass"}, "The density.", "2400");
-  Key<double> mass = key("mass", positive.in("mass"), LeftOut{"or density"}, "The mass.", "5.3e11");
+  Key<double> density = key("density", positive.in("mass/length^3"), without({"mass", "moments", "body"}),
+                            "The density.", "2400");
+  Key<double> mass = key("mass", positive.in("mass"), without({"density", "moments"}), "The mass.", "5.3e11");
+
+ private:
+  /// A key that these exclude.
+  LeftOut without(Words const& others) const {
+    std::string out;
+    for (auto const& other : others) out += (out.empty() ? "or " : " or ") + name() + "." + other;
+    return {out};
+  }
 };
 MassKeys const primary_keys{
     {"system.primary", needed, "The first body.", "{ sphere = 390, density = 2400 }"}};
@@ -64,12 +75,12 @@ MassKeys const secondary_keys{
 /// Elements of an orbit.
 struct OrbitKeys : KeyTable {
   Key<double> a = key("a", number.in("length"), needed, "The half axis; negative on a hyperbola.", "1190");
-  Key<double> e = key("e", number, 0, "The eccentricity, not 1.", "0.02");
+  Key<double> e = key("e", number.in("1"), 0, "The eccentricity, not 1.", "0.02");
   Key<double> i = key("i", number.in("radians"), 0, "The inclination.", "0.1");
   Key<double> node = key("node", number.in("radians"), 0, "The longitude of the ascending node.", "1");
   Key<double> pericentre =
       key("pericentre", number.in("radians"), 0, "The argument of the pericentre, from the node.", "2");
-  Key<double> time = key("time", number, 0, "When the pericentre is passed.", "-3600");
+  Key<double> time = key("time", number.in("time"), 0, "When the pericentre is passed.", "-3600");
   Key<bool> degrees = key("degrees", truth, false, "Whether the three angles are in degrees.", "true");
 
   bodies::OrbitElements read(SceneTable const& orbit) const {
@@ -82,7 +93,7 @@ struct OrbitKeys : KeyTable {
             time.read(orbit)};
   }
 };
-OrbitKeys const orbit_keys{{"initial.orbit", LeftOut{"or initial.position and initial.velocity"},
+OrbitKeys const orbit_keys{{"initial.orbit", LeftOut{"or initial.position or initial.velocity"},
                             "The orbit of the second body about the first: of two points, at the time 0.",
                             "{ a = 1190, e = 0.02 }"}};
 struct ThirdKeys : KeyTable {
@@ -96,12 +107,15 @@ OrbitKeys const third_orbit_keys{
 
 struct TideKeys : KeyTable {
   Key<std::vector<double>> love =
-      key("love", numbers("two numbers", 2), needed, "Love's numbers k2 of the first and of the second body.",
-          "[1e-5, 1e-5]");
+      key("love", numbers("two numbers", 2).in("1"), needed,
+          "Love's numbers k2 of the first and of the second body.", "[1e-5, 1e-5]");
   Key<std::vector<double>> lag = key("lag", numbers("two numbers", 2).in("radians"), needed,
                                      "The angles by which their bulges are ahead.", "[0.01, 0.01]");
   Key<std::vector<double>> reference = key("reference", numbers("two numbers > 0", 2).in("length"),
                                            LeftOut{"the radii"}, "Their reference radii.", "[390, 80]");
+  Key<std::vector<double>> density =
+      key("density", numbers("two numbers > 0", 2).in("mass/length^3"),
+          LeftOut{"those of the bodies, where they have one"}, "Their densities.", "[2400, 2400]");
 } const tide_keys{{"system.tides", LeftOut{"none"}, "Tides with a constant lag.",
                    "{ love = [1e-5, 1e-5], lag = [0.01, 0.01] }"}};
 
@@ -212,20 +226,14 @@ GivenBody from_moments(MassKeys const& keys, SceneTable const& table, int order)
     if (k.sum() <= order) moments.set(int(k[0]), int(k[1]), int(k[2]), listed(row, 3));
   }
   double const radius = keys.radius.read(table);
-  return {refused_at(table, "moments", [&] { return bodies::extended_body(moments, radius); }),
-          keys.density.find(table).value_or(0)};
+  return {refused_at(table, "moments", [&] { return bodies::extended_body(moments, radius); }), 0};
 }
 
-GivenBody from_library(MassKeys const& keys, SceneTable const& table, int order) {
+GivenBody from_library(MassKeys const& keys, SceneTable const& table) {
   Body const& known = *find_body(keys.body.read(table));
   if (known.unit != "kg m^2")
     keys.body.fail(table, fmt::format("moments of inertia in kg m^2 are needed, and those of {} are in: {}",
                                       known.name, known.unit));
-  if (order != 2)
-    keys.body.fail(table,
-                   fmt::format("of a body of the library the moments of order 2 are known; system.order "
-                               "must be 2, and is {}",
-                               order));
   double const mass = keys.mass.read(table), radius = keys.radius.read(table);
   Moments<double> moments(2);
   moments.set(0, 0, 0, mass);
@@ -233,8 +241,7 @@ GivenBody from_library(MassKeys const& keys, SceneTable const& table, int order)
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
       moments.set((i == 0) + (j == 0), (i == 1) + (j == 1), (i == 2) + (j == 2), S(i, j));
-  return {refused_at(table, "body", [&] { return bodies::extended_body(moments, radius); }),
-          keys.density.find(table).value_or(0)};
+  return {refused_at(table, "body", [&] { return bodies::extended_body(moments, radius); }), 0};
 }
 
 GivenBody read_mass(MassKeys const& keys, SceneFile const& file, int order,
@@ -247,9 +254,12 @@ GivenBody read_mass(MassKeys const& keys, SceneFile const& file, int order,
     throw SceneError(given.empty() ? table.place() : table.place(given[1]),
                      given.empty() ? keys.name() + ": ellipsoid, sphere, shape, moments or body is needed"
                                    : given[0] + " and " + given[1] + " exclude each other");
+  for (auto const& [form, key] : {std::pair("moments", "density"), {"moments", "mass"}, {"body", "density"}})
+    if (given[0] == form && table.has(key))
+      table.fail(key, fmt::format("{} and {} exclude each other", form, key));
   if (given[0] == "shape") return from_shape(keys, table, order, remarks);
   if (given[0] == "moments") return from_moments(keys, table, order);
-  if (given[0] == "body") return from_library(keys, table, order);
+  if (given[0] == "body") return from_library(keys, table);
   return refused_at(table, given[0], [&] {
     std::array<double, 3> a;
     if (given[0] == "sphere")
@@ -292,16 +302,14 @@ Spin read_spin(SpinKeys const& keys, SceneFile const& file, std::vector<std::str
 
 std::array<bodies::Tide, 2> read_tides(PairScene const& scene, SceneTable const& table) {
   auto const love = tide_keys.love.read(table), lag = tide_keys.lag.read(table),
-             reference = tide_keys.reference.read_or(table, {scene.primary.radius, scene.secondary.radius});
-  for (std::size_t k = 0; k < 2; ++k)
-    if (!(scene.densities[k] > 0))
-      throw SceneError(table.place(), std::string("tides: the density of the ") +
-                                          (k == 0 ? "primary" : "secondary") +
-                                          " is needed: give 'density' beside its moments");
-  auto const tide = [&](std::size_t k) {
-    return bodies::Tide{love[k], lag[k], reference[k], scene.densities[k]};
-  };
-  return {tide(0), tide(1)};
+             reference = tide_keys.reference.read_or(table, {scene.primary.radius, scene.secondary.radius}),
+             density = tide_keys.density.read_or(table, {scene.densities[0], scene.densities[1]});
+  auto const tide = [&](std::size_t k) { return bodies::Tide{love[k], lag[k], reference[k], density[k]}; };
+  return refused_at(table, "density", [&] {
+    for (double const rho : density)
+      if (!(rho > 0)) tide_keys.density.fail(table, fmt::format("two numbers > 0 are needed, found {}", rho));
+    return std::array{tide(0), tide(1)};
+  });
 }
 
 /// The longest parts of a revolution in a default step: of the orbit, radians, and how many steps a body
@@ -328,6 +336,14 @@ PairScene::PairScene(Request const& request, std::vector<Method> const& methods)
   SceneTable const system = file.section("system"), initial = file.section("initial");
   SceneTable method = file.section("method");
   options.order = pair_keys.order.read(file), options.G = pair_keys.G.read(file);
+  for (auto const* const keys : {&primary_keys, &secondary_keys})
+    if (options.order > 2 && keys->body.given(file)) {
+      remarks.push_back(
+          fmt::format("system.order: of a body of the library moments of order 2 are known; the "
+                      "potential is taken to order 2, not {}",
+                      options.order));
+      options.order = 2;
+    }
   auto first = read_mass(primary_keys, file, options.order, remarks),
        second = read_mass(secondary_keys, file, options.order, remarks);
   primary = std::move(first.body), secondary = std::move(second.body);

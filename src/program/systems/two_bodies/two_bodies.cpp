@@ -121,10 +121,9 @@ System two_bodies_system() {
           methods(),
           pair_quantities(),
           prepare,
-          "[system]\nkind = \"two_bodies\"\n[system.primary]\nellipsoid = [394, 394, 290]\ndensity = 2800\n"
-          "[system.secondary]\nellipsoid = [96, 74, 60]\ndensity = 2800\n[initial]\nposition = [1189, 0, 0]\n"
-          "velocity = [0, 0.17, 0]\nprimary.angular_velocity = [0, 0, 7.72e-4]\n"
-          "secondary.angular_velocity = [0, 0, 1.46e-4]\n[run]\nuntil = 86400\nevery = 600\n[output]\n"
+          "[system]\nkind = \"two_bodies\"\nprimary = { ellipsoid = [394, 394, 290], density = 2800 }\n"
+          "secondary = { ellipsoid = [96, 74, 60], density = 2800 }\n[initial]\nposition = [1189, 0, 0]\n"
+          "velocity = [0, 0.17, 0]\n[run]\nuntil = 86400\nevery = 600\n[output]\n"
           "quantities = [\"position\", \"libration\", \"energy\"]\n"};
 }
 
