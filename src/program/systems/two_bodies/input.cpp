@@ -39,13 +39,18 @@ struct MassKeys : KeyTable {
                      "counter-clockwise as seen from outside.",
                      "\"kw4.obj\"");
   Key<double> length_unit =
-      key("length_unit", positive.in("length"), 1, "What a length of 1 in the file of the shape is.", "1000");
+      key("length_unit", positive.in("length"), 1, "What a length of 1 in the file of the shape is.", "100");
   Key<Eigen::MatrixXd> moments = key(
       "moments", rows("rows of four numbers: i, j, l and the moment", 4).in("mass x length^(i+j+l)"),
       without({"ellipsoid", "sphere", "shape", "body", "density", "mass"}),
       "The integrals of x^i y^j z^l over the mass; that of 0, 0, 0 is the mass. Those that are not listed "
       "are zero, and those beyond system.order are not used.",
       "[[0, 0, 0, 6], [2, 0, 0, 2], [0, 2, 0, 2], [0, 0, 2, 2], [4, 0, 0, 2], [0, 4, 0, 2], [0, 0, 4, 2]]");
+  Key<double> radius = key("radius", positive.in("length"), LeftOut{"needed with moments or body"},
+                           "No part of the body is farther from the origin of its frame.", "400");
+  Key<double> density = key("density", positive.in("mass/length^3"), without({"mass", "moments", "body"}),
+                            "The density.", "2400");
+  Key<double> mass = key("mass", positive.in("mass"), without({"density", "moments"}), "The mass.", "5.3e11");
   // The words are those of the library, of which not all have a mass.
   Key<std::string> body = key(
       "body", Pattern<std::string>{"a text", one_of("body", names_of_bodies(), "actio list bodies").read},
@@ -53,11 +58,6 @@ struct MassKeys : KeyTable {
       "A body of the library with moments of inertia in kg m^2, beside its mass and radius; the potential is "
       "then of order 2.",
       "\"iss\"");
-  Key<double> radius = key("radius", positive.in("length"), LeftOut{"needed with moments or body"},
-                           "No part of the body is farther from the origin of its frame.", "400");
-  Key<double> density = key("density", positive.in("mass/length^3"), without({"mass", "moments", "body"}),
-                            "The density.", "2400");
-  Key<double> mass = key("mass", positive.in("mass"), without({"density", "moments"}), "The mass.", "5.3e11");
 
  private:
   /// A key that these exclude.
@@ -158,7 +158,7 @@ StepKeys const pair_step{
     "with "
     "splitting of order 4 by 0.05 rad and a sixteenth; of order 2, and with moser_veselov, by 0.01 rad and a "
     "sixty-fourth.",
-    "1200"};
+    "600"};
 
 /// What refuses is told with the place of a key.
 template <class Make>
