@@ -126,9 +126,8 @@ std::vector<Quantity> of_the_orbit() {
   return {
       {"elements",
        Kind::list,
-       "The osculating elements of the orbit of two points: half axis, eccentricity, inclination, "
-       "longitude of the "
-       "node, argument of the pericentre and mean anomaly; angles in radians.",
+       "The osculating elements of the orbit of two points: half axis, eccentricity, inclination, longitude "
+       "of the node, argument of the pericentre and mean anomaly; angles in radians.",
        "a, e, i, \\Omega, \\omega, M",
        "length, 1, 1, 1, 1, 1",
        "",
@@ -136,8 +135,7 @@ std::vector<Quantity> of_the_orbit() {
       {"libration",
        Kind::scalar,
        "The angle, in the plane of the orbit, from the line between the bodies to the axis of the least "
-       "moment of "
-       "inertia of the second, from -pi/2 to pi/2.",
+       "moment of inertia of the second, from -pi/2 to pi/2.",
        "\\theta",
        "1",
        "",
@@ -145,8 +143,7 @@ std::vector<Quantity> of_the_orbit() {
       {"nutation",
        Kind::list,
        "The angles between the normal of the orbit and the axes of the largest moments of inertia of both "
-       "bodies, "
-       "from 0 to pi/2.",
+       "bodies, from 0 to pi/2.",
        "\\epsilon_1, \\epsilon_2",
        "1",
        "",
@@ -161,8 +158,7 @@ std::vector<Quantity> of_the_orbit() {
       {"precession",
        Kind::scalar,
        "The rate at which the pericentre turns: the slope of the line through the longitudes of all "
-       "pericentres so "
-       "far, by least squares. Zero before the second of them.",
+       "pericentres so far, by least squares. Zero before the second of them.",
        "\\dot\\varpi",
        "1/time",
        "",
@@ -178,10 +174,8 @@ std::vector<Quantity> of_the_orbit() {
       {"lyapunov",
        Kind::scalar,
        "The rate at which a tangent vector has grown since the start, its parts in units of the orbit: it "
-       "falls as "
-       "log(t)/t where the motion is regular, and tends to the largest Lyapunov exponent where it is "
-       "chaotic. Zero "
-       "at the start. Without tides.",
+       "falls as log(t)/t where the motion is regular, and tends to the largest Lyapunov exponent where it "
+       "is chaotic. Zero at the start. Without tides.",
        "\\tfrac1t\\log|\\delta z(t)|/|\\delta z(0)|",
        "1/time",
        "",

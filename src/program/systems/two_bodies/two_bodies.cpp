@@ -21,13 +21,12 @@ std::vector<Method> methods() {
       {"splitting",
        {"4", "2"},
        "A straight way and freely turning bodies, between kicks of the potential: order 2 (Strang) or 4 "
-       "(Blanes "
-       "and Moan).",
+       "(Blanes and Moan).",
        ""},
       {"moser_veselov",
        {"2"},
-       "A straight way and bodies by the scheme of Moser and Veselov, between kicks of the potential: "
-       "order 2.",
+       "A straight way and bodies by the scheme of Moser and Veselov, between kicks of the potential: order "
+       "2.",
        "eq_5_9"}};
 }
 
@@ -41,9 +40,8 @@ PairMotion::Follows follows_of(Request const& request, PairScene const& scene) {
   PairMotion::Follows const out{asked(request, {"mean_period", "precession"}),
                                 asked(request, {"tangent_map", "lyapunov"})};
   if (out.tangent && scene.options.tides)
-    request.file.section("output").fail("quantities",
-                                        "tangent_map and lyapunov are those of a motion without "
-                                        "system.tides");
+    request.file.section("output").fail(
+        "quantities", "tangent_map and lyapunov are those of a motion without system.tides");
   return out;
 }
 
@@ -114,8 +112,7 @@ System two_bodies_system() {
   return {"two_bodies",
           "Two bodies that attract each other",
           "Two rigid bodies of any shape under their mutual gravity, with a third body and tides where asked "
-          "for: "
-          "binary asteroids, planets and moons.",
+          "for: binary asteroids, planets and moons.",
           "chapter 10",
           pair_parameters(),
           methods(),
