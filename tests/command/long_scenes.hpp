@@ -58,6 +58,14 @@ inline std::vector<Long> const& long_scenes() {
        "lagrangian = \"(w^2 + v1^2 + 6*v2^2)/2 + 0.1*w^4\"\n[initial]\nvelocity = [0.7, 1, 0.2]\n[method]\n"
        "name = \"galerkin\"\norder = 4\nstep = 0.1\n[run]\nuntil = 600\nevery = 1\n[output]\n"
        "quantities = [\"velocity\", \"energy\", \"spatial_momentum\"]\n"},
+      {"two_bodies, with what is followed on the way",
+       "[system]\nkind = \"two_bodies\"\norder = 2\nprimary = { ellipsoid = [400, 395, 340], density = "
+       "2170 }\n"
+       "secondary = { ellipsoid = [85, 73, 63], density = 2400 }\n[initial]\nposition = [1195, 0, 0]\n"
+       "velocity = [0, 0.17, 0]\nsecondary.angular_velocity = [1e-5, 0, 1.4e-4]\n[method]\nstep = "
+       "900\n[run]\n"
+       "until = 1800000\nevery = 3600\n[output]\n"
+       "quantities = [\"position\", \"attitude_2\", \"precession\", \"lyapunov\", \"energy\"]\n"},
       {"vorticity_sphere",
        "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\n[initial]\n"
        "harmonics = [[2, 1, 0.9, -0.3], [3, 0, -0.5, 0], [4, 3, 0.4, 0.6], [1, 1, 0.2, 0.1]]\n[method]\n"

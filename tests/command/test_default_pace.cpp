@@ -27,6 +27,10 @@ Scene const scenes[] = {
      "\"energy\""},
     {"vorticity_sphere", "N = 8\n[initial]\nharmonics = [[3, 2, 0.2, 0.1], [1, 0, 0.5, 0.0]]\n",
      "\"energy\""},
+    {"two_bodies",
+     "G = 1\nprimary = { sphere = 0.5, mass = 1 }\nsecondary = { sphere = 0.1, mass = 0.1 }\n[initial]\n"
+     "position = [2, 0, 0]\nvelocity = [0, 0.7, 0]\n",
+     "\"separation\""},
     {"barotropic_fluid",
      "mesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [4, 4], periodic = [true, true] }\n"
      "material = { name = \"polytropic_gas\", K = 1, gamma = 2 }\n[initial]\n"

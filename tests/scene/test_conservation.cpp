@@ -161,6 +161,21 @@ std::vector<Featured> bodies() {
   };
 }
 
+std::vector<Featured> pairs() {
+  auto const pair = [](std::vector<Feature> features, std::string const& system) {
+    return Featured{
+        "two_bodies", features,
+        "[system]\nkind = \"two_bodies\"\nG = 1\nprimary = { ellipsoid = [0.5, 0.4, 0.3], density = 1 }\n"
+        "secondary = { ellipsoid = [0.3, 0.2, 0.1], density = 1 }\n" +
+            system +
+            "[initial]\nposition = [2, 0, 0]\nvelocity = [0, 0.37, 0.05]\n"
+            "primary.angular_velocity = [0.1, 0.2, 0.5]\n" +
+            ending("\"energy\", \"momentum\"", "50", "0.5")};
+  };
+  return {pair({}, ""), pair({third_body}, "third_body = { mass = 5, orbit = { a = 8, e = 0.3 } }\n"),
+          pair({tides}, "tides = { love = [0.5, 0.5], lag = [0.2, 0.2] }\n")};
+}
+
 std::vector<Featured> lagrangians() {
   std::vector<Featured> out;
   for (bool const left : {true, false}) {
@@ -186,7 +201,7 @@ std::vector<Featured> lagrangians() {
 
 std::vector<Featured> scenes() {
   auto out = media();
-  for (auto& more : {bodies(), lagrangians()}) out.insert(out.end(), more.begin(), more.end());
+  for (auto& more : {bodies(), pairs(), lagrangians()}) out.insert(out.end(), more.begin(), more.end());
   return out;
 }
 

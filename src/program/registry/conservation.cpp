@@ -45,6 +45,10 @@ char const* in_words(Feature feature) {
              "fixed";
     case Feature::pressure_of_the_jacobian:
       return "the density varies and the pressure depends on the Jacobian alone";
+    case Feature::third_body:
+      return "a third body attracts them";
+    case Feature::tides:
+      return "there are tides";
   }
   return "";
 }
@@ -74,6 +78,8 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"vorticity_sphere", "angular_momentum", {}},
         {"vorticity_sphere", "casimirs", {}},
         {"vorticity_sphere", "extrema", {}},
+        {"two_bodies", "energy", {third_body, tides}},
+        {"two_bodies", "momentum", {third_body}},
         {"barotropic_fluid",
          "circulation",
          {loop_at_a_side, potential_around_a_loop, viscosity, pressure_of_the_jacobian}},

@@ -30,6 +30,8 @@ enum class Feature {
   pressure_on_a_side,       ///< and not all around
   viscosity,                ///< of the method
   loop_at_a_side,           ///< that is moved, pulled or pressed, or in part at one that is fixed
+  third_body,               ///< attracts two bodies
+  tides,                    ///< on two bodies
   pressure_of_the_jacobian  ///< alone, where the density varies: the fluid is not barotropic
 };
 

@@ -11,7 +11,8 @@
   with(euler_poincare)          \
   with(vorticity_sphere)        \
   with(barotropic_fluid)        \
-  with(elastic_body)
+  with(elastic_body)            \
+  with(two_bodies)
 // clang-format on
 
 namespace actio::scene {

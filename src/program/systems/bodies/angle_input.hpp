@@ -23,16 +23,15 @@ struct AngleKeys : KeyTable {
 
 /// A turn in space.
 struct AttitudeKeys : KeyTable {
-  Key<Eigen::Vector3d> axis =
-      key("axis", vector.called("three numbers, not all zero"),
-          LeftOut{"needed where initial.attitude is a table"},
-          "The axis of a turn, of any length, which has the same components in the body and in space: "
-          "attitude = { axis = [0, 0, 1], degrees = 30 }.",
-          "[0, 0, 1]");
+  Key<Eigen::Vector3d> axis = key(
+      "axis", vector.called("three numbers, not all zero"), LeftOut{"needed where " + name() + " is a table"},
+      "The axis of a turn, of any length, which has the same components in the body and in space: "
+      "attitude = { axis = [0, 0, 1], degrees = 30 }.",
+      "[0, 0, 1]");
   Key<double> degrees =
-      key("degrees", number.in("degrees"), LeftOut{"or initial.attitude.radians"},
+      key("degrees", number.in("degrees"), LeftOut{"or " + name() + ".radians"},
           "How far the body is turned about the axis, counter-clockwise as seen from its tip.", "30");
-  Key<double> radians = key("radians", number.in("radians"), LeftOut{"or initial.attitude.degrees"},
+  Key<double> radians = key("radians", number.in("radians"), LeftOut{"or " + name() + ".degrees"},
                             "The same in radians.", "0.5");
 };
 /// An attitude in space, or its table.
