@@ -217,7 +217,8 @@ int main(int argc, char** argv) {
   program.figure("long_time", energy.time, "time of the runs whose energy is followed");
   program.figure("level_growth", energy.level_growth, book::number(energy.level_growth, 2),
                  "error of the energy in the end over that in the first tenth, explicit step");
-  program.figure("miss", all.largest_miss, "largest distance of a measured order, up to 6, from what it should be");
+  program.figure("miss", all.largest_miss,
+                 "largest distance of a measured order, up to 6, from what it should be");
   using book::measured;  // the longest of the five steps still bend the line a little
   program.claim(measured(all.largest_miss) < 0.2, "every order up to 6 is what it should be");
   program.claim(measured(all.least_gain) > 10,

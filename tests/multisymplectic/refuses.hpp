@@ -7,7 +7,8 @@
 
 namespace actio::testing {
 
-/// Refused with these numbers, the measured one up to some roundings, and these words somewhere in the message.
+/// Refused with these numbers, the measured one up to some roundings, and these words somewhere in the
+/// message.
 template <class Failure, class Call>
 void refuses(Call const& call, double measured, double bound, std::string const& words) {
   auto const error = caught<Failure>(call);
