@@ -149,8 +149,8 @@ int main(int argc, char** argv) {
       {"group", "in C++, microseconds", "as a scene, microseconds", "scene over C++",
        "momenta apart after 200 steps"},
       rows,
-      "A step, of the natural chart where nothing else is said, the group turning by about a twentieth; reading the scene "
-      "and differentiating its formula are in the time of the scene.");
+      "A step, of the natural chart where nothing else is said, the group turning by about a twentieth; "
+      "reading the scene and differentiating its formula are in the time of the scene.");
   program.figure("worst", worst, "time of a scene over that of C++, the largest");
   program.figure("apart", apart, "relative difference of the momenta after 200 steps, the largest");
   program.claim(apart <= 200 * 16 * std::numeric_limits<double>::epsilon(),
