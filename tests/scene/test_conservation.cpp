@@ -173,7 +173,7 @@ std::vector<Featured> pairs() {
             ending("\"energy\", \"momentum\"", "50", "0.5")};
   };
   return {pair({}, ""), pair({third_body}, "third_body = { mass = 5, orbit = { a = 8, e = 0.3 } }\n"),
-          pair({tides}, "tides = { love = [0.5, 0.5], lag = [0.2, 0.2] }\n")};
+          pair({tides}, "tides = { love = [5, 5], lag = [0.4, 0.4] }\n")};
 }
 
 std::vector<Featured> lagrangians() {

@@ -10,8 +10,8 @@ namespace actio::scene {
 
 /// A body and its density, zero where that is not told.
 struct GivenBody {
-  bodies::ExtendedBody body;
-  double density;  ///< mass/length^3
+  bodies::ExtendedBody body;  ///< with its moments
+  double density;             ///< mass/length^3
 };
 
 /// The records of one table.

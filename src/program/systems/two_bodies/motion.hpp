@@ -36,6 +36,7 @@ class OrbitWay {
 
 /// How the state changes with that at the start.
 struct TangentSoFar {
+  /// \f$\partial z(t)/\partial z(0)\f$, as TwoBodies has it
   Eigen::Matrix<double, 18, 18> map = Eigen::Matrix<double, 18, 18>::Identity();
   Eigen::Matrix<double, 18, 1> unit,  ///< of the parts of a tangent vector
       along;                          ///< a tangent vector in these, of length 1
@@ -47,8 +48,11 @@ class PairMotion : public Motion {
  public:
   /// What is followed from step to step.
   struct Follows {
-    bool way, tangent;
+    bool way,     ///< the pericentres
+        tangent;  ///< how the state changes with that at the start
   };
+  /// The scene with steps of this length, from its start.
+  /// @throws Error  where it cannot start
   PairMotion(PairScene const& scene, double step, Follows follows);
   void advance(long count) override;
   void look_ahead(double time) override;
