@@ -29,7 +29,8 @@ void the_differential_is_that_of_the_action(SpannedGroup const& group, int s) {
   PolynomialPath<double> const path(s);
   double const h = 0.3;
   Vector<double> const xi = draw.vector<double>(s * group.dimension()) * h;
-  auto const written_out = detail::galerkin_differential<side>(l, path, group, h, xi);
+  auto const written_out = detail::galerkin_differential<side>(
+      detail::LagrangianAtNodes<std::decay_t<decltype(l)>>{l}, path, group, h, xi);
   double worst = 0;
   for (int k = 0; k < xi.size(); ++k) {
     Vector<Dual<double>> moved = xi.cast<Dual<double>>();

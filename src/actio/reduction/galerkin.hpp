@@ -89,6 +89,16 @@ struct AtNode {
   std::optional<Momentum<G, S>> torque = std::nullopt;
 };
 
+/// A Lagrangian without a vector, at the nodes.
+template <class F>
+struct LagrangianAtNodes {
+  F const& l;
+  template <Group G, Scalar S>
+  AtNode<G, S> operator()(int, auto const&, Velocity<G, S> const& velocity) const {
+    return {gradient(l, velocity)};
+  }
+};
+
 /// The differential of that action in \f$\xi_1, \dots, \xi_s\f$, written out with the variation of a reduced
 /// velocity, \f$\delta\xi = \dot\vartheta \mp [\xi, \vartheta]\f$ with
 /// \f$\vartheta = \mathrm{iex}(\pm\mathrm{ad}_\eta)\,\delta\eta\f$.
@@ -190,13 +200,10 @@ struct GalerkinStep {
     auto const& mu = from.momentum;
     int const n = mu.group.dimension();
     int evaluations = 0;
-    auto const at_node = [&]<class R>(int, auto const&, Velocity<G, R> const& velocity) {
-      return AtNode<G, R>{gradient(l, velocity)};
-    };
     auto const xi = solve_galerkin(
         remembered, from.velocity, h, path.degree(),
         [&]<class R>(Matrix<R, Dynamic, 1> const& x) {
-          return galerkin_residual<side>(at_node, path, over<R>(mu), h, x);
+          return galerkin_residual<side>(LagrangianAtNodes<F>{l}, path, over<R>(mu), h, x);
         },
         evaluations);
     // The relative motion points backwards.
