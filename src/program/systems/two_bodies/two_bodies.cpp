@@ -46,7 +46,8 @@ PairMotion::Follows follows_of(Request const& request, PairScene const& scene) {
 }
 
 /// The order that steps of the run and twice as long show over some radians of the start. That of Kepler's
-/// splitting is 8 where the rest of the potential is small beside the steps, and 4 in the limit of short ones.
+/// splitting is 8 where the rest of the potential is small beside the steps, and 4 in the limit of short
+/// steps.
 int order_shown(PairScene const& scene) {
   if (scene.choice.name != "kepler_splitting") return scene.options.method.splitting.order;
   constexpr long steps = 24;
