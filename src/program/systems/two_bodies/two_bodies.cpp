@@ -48,7 +48,7 @@ PairMotion::Follows follows_of(Request const& request, PairScene const& scene) {
 /// The order that steps of the run and twice as long show over some radians of the start. That of Kepler's
 /// splitting is 8 where the rest of the potential is small beside the steps, and 4 in the limit of short
 /// steps.
-int order_shown(PairScene const& scene) {
+int order_shown(PairScene const& scene) try {
   if (scene.choice.name != "kepler_splitting") return scene.options.method.splitting.order;
   constexpr long steps = 24;
   auto const after = [&](double length) {  // in steps of the run
@@ -63,6 +63,8 @@ int order_shown(PairScene const& scene) {
   };
   double const slope = std::log2(error(2) / error(1));
   return slope < 5 ? 4 : slope < 7 ? 6 : 8;
+} catch (Error const&) {
+  return scene.options.method.splitting.order;  // the bodies come too near, which the run will tell
 }
 
 /// Steps twice and four times as long: longer ones show another order than those of the run.
