@@ -129,6 +129,26 @@ BOOST_AUTO_TEST_CASE(the_methods_have_their_orders) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_error_that_a_run_tells_is_about_the_true_one) {
+  // That of attitudes: of the moon, which turns by the least exact part of the steps.
+  auto scene = didymos();
+  scene.quantities = "'attitude_2'", scene.run = "until = " + digits(20 * radian);
+  scene.method = "step = " + digits(radian / 64);
+  auto const truth = last(command::run(scene));
+  for (auto const& [method, steps] : {std::pair("", 8), {"", 10}, {"name = 'splitting'", 16}}) {
+    scene.method = std::string(method) + "\nstep = " + digits(radian / steps);
+    auto const left = command::run(scene);
+    auto const q = last(left);
+    double square = 0;
+    for (std::size_t i = 0; i < 4; ++i) square += (q[i] - truth[i]) * (q[i] - truth[i]);
+    double const error = 2 * std::sqrt(square);  // the angle, where it is small
+    std::size_t const at = left.summary.find("\"attitude\": ", left.summary.find("\"error\": "));
+    double const told = std::strtod(left.summary.c_str() + at + 12, nullptr);
+    BOOST_TEST_MESSAGE(steps << " steps a radian: told " << told << ", true " << error);
+    BOOST_TEST((told > 0.3 * error && told < 10 * error), told << " for " << error);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_tangent_map_is_that_of_moved_starts) {
   auto scene = didymos();
   scene.quantities = "'position', 'tangent_map', 'lyapunov'";
@@ -213,10 +233,15 @@ BOOST_AUTO_TEST_CASE(bodies_that_come_too_near_on_the_way_end_the_run_with_its_r
   BOOST_TEST(left.outcome.status == 3);
   BOOST_TEST(contains(left.outcome.err, "the spheres about the bodies must not meet"), left.outcome.err);
   BOOST_TEST(left.table.rows.size() > 10u);
+  // They are seen where no row is.
+  scene.run = "until = 60000";
+  BOOST_TEST(command::run(scene).outcome.status == 3);
 }
 
 BOOST_AUTO_TEST_CASE(remarks_tell_what_to_doubt) {
-  auto const near = command::run(changed(didymos(), &BodyScene::initial, "[1195, 0, 0]", "[700, 0, 0]"));
+  auto const near =
+      command::run(changed(didymos(), &BodyScene::initial, "[1195, 0, 0]\nvelocity = [0, 0.1735, 0]",
+                           "[700, 0, 0]\nvelocity = [0, 0.24, 0]"));
   BOOST_TEST(contains(near.outcome.err, "are 0.69 of the distance together"), near.outcome.err);
   auto const odd = command::run(changed(didymos(), &BodyScene::system, "order = 2", "order = 3"));
   BOOST_TEST(contains(odd.outcome.err, "3 is the same as 2"), odd.outcome.err);

@@ -69,6 +69,13 @@ double OrbitWay::mean_period() const {
   return last_.time == 0 ? full / last_.rate : full * last_.time / last_.angle;
 }
 
+void TangentSoFar::follow(Eigen::Matrix<double, 18, 18> const& by) {
+  map = (by * map).eval();
+  along = (by * along.cwiseProduct(unit)).cwiseQuotient(unit).eval();
+  growth += std::log(along.norm());
+  along.normalize();
+}
+
 PairMotion::PairMotion(PairScene const& scene, double step, Follows follows)
     : follows_(follows),
       state_{bodies::TwoBodies(scene.primary, scene.secondary, scene.start,
@@ -92,21 +99,14 @@ PairMotion::PairMotion(PairScene const& scene, double step, Follows follows)
 }
 
 void PairMotion::move(State& state, long count) const {
-  if (!follows_.way && !follows_.tangent) return state.pair.step(count);
-  // As many as a tangent vector may grow in without losing digits.
-  long const most = follows_.way ? 1 : 16;
+  // Whether the bodies come too near is seen after each piece; a tangent vector loses no digits in one.
+  long const most = follows_.way ? 1 : 4;
   for (long left = count; left > 0;) {
     long const next = std::min(left, most);
-    TangentSoFar tangent = state.tangent;
-    if (follows_.tangent) {
-      Eigen::Matrix<double, 18, 18> const map = state.pair.tangent_map(next);
-      tangent.map = (map * tangent.map).eval();
-      tangent.along = (map * tangent.along.cwiseProduct(tangent.unit)).cwiseQuotient(tangent.unit).eval();
-      tangent.growth += std::log(tangent.along.norm());
-      tangent.along.normalize();
-    }
+    Eigen::Matrix<double, 18, 18> map;
+    if (follows_.tangent) map = state.pair.tangent_map(next);
     state.pair.step(next), left -= next;
-    state.tangent = tangent;
+    if (follows_.tangent) state.tangent.follow(map);
     if (follows_.way) state.way.see(state.pair.state(), state.pair.time());
   }
 }

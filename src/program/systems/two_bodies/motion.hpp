@@ -41,6 +41,9 @@ struct TangentSoFar {
   Eigen::Matrix<double, 18, 1> unit,  ///< of the parts of a tangent vector
       along;                          ///< a tangent vector in these, of length 1
   double growth = 0;                  ///< the logarithm of what it has grown by
+
+  /// Goes on by the derivative of some steps.
+  void follow(Eigen::Matrix<double, 18, 18> const& by);
 };
 
 /// Two bodies in steps.
