@@ -70,7 +70,7 @@ class ColumnSum<V> {
 
 /// out = first + a square matrix times a column; `out` is neither column.
 template <class V, class M>
-[[gnu::always_inline]] inline void add_product(V const& first, M const& matrix, V const& by, V& out) {
+[[gnu::always_inline]] inline void add_columns(V const& first, M const& matrix, V const& by, V& out) {
   ColumnSum<V> sum(first, out);
   if constexpr (constexpr Index n = V::RowsAtCompileTime; n != Dynamic && n <= 8)
     [&]<Index... b>(std::integer_sequence<Index, b...>) {

@@ -61,7 +61,7 @@ class LevelFlow {
     Square const dual = ad_.transpose();
     sum_ = mu;
     for (int k = 1; k <= longest_; ++k) {
-      add_product(zero_, dual, sum_, power_);
+      add_columns(zero_, dual, sum_, power_);
       plus(zero_, power_, B(-side) / B(k), sum_), plus(mu, sum_, B(1), mu);
       if (k % 4 == 0 && !(magnitude(sum_) > negligible<S>() * magnitude(mu))) return;
     }
@@ -99,7 +99,7 @@ class LevelFlow {
     // [level_rate]
   }
   /// out = ad times a column.
-  [[gnu::always_inline]] void product(V const& by, V& out) const { add_product(zero_, ad_, by, out); }
+  [[gnu::always_inline]] void product(V const& by, V& out) const { add_columns(zero_, ad_, by, out); }
   /// out = x + c y.
   static void plus(V const& x, V const& y, B const& c, V& out) {
     for (Index a = 0; a < out.size(); ++a) out[a] = x[a] + y[a] * c;
