@@ -23,6 +23,7 @@ template <int n, class F>
   }
   (std::make_integer_sequence<int, n>{});
 }
+/// \def ACTIO_UNROLLED
 /// The body of a loop that is unrolled, as a callable of the constant k.
 #define ACTIO_UNROLLED(k) [&](auto k) __attribute__((always_inline))
 
