@@ -53,7 +53,9 @@ class LevelIntegrator {
   /// @param velocity  near which the first step looks for its own
   LevelIntegrator(std::shared_ptr<ReducedSystem const> system, double h, ReducedPoint start,
                   std::vector<double> const& velocity);
+  /// Goes on from where the other one is, independently of it.
   LevelIntegrator(LevelIntegrator const& other);
+  /// Takes the place of the other one.
   LevelIntegrator& operator=(LevelIntegrator&&) = default;
 
   /// Reconstructs configurations from this one on.

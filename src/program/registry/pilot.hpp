@@ -30,8 +30,10 @@ double rounding_over(double steps);
 struct Pilot {
   /// The largest error up to a time.
   struct Point {
-    double time, error;
-    std::string of, unit;  ///< what has it, and its unit: " rad", or nothing
+    double time;       ///< up to which
+    double error;      ///< the largest
+    std::string of;    ///< what has it
+    std::string unit;  ///< of the error: " rad", or nothing
   };
   double step = 0;          ///< time
   double until = 0;         ///< the end of the run
