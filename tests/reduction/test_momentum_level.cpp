@@ -142,6 +142,30 @@ BOOST_AUTO_TEST_CASE(a_quadratic_lagrangian_costs_two_gradients_a_step_and_anoth
   BOOST_TEST(bent.back() > 2);
 }
 
+BOOST_AUTO_TEST_CASE(one_step_serves_one_group_after_another) {
+  Draw draw(31);
+  auto const groups = four_groups();
+  auto const step = momentum_level_step_left<double>([](auto const& xi) {
+    auto sum = xi.coordinates[0] * 0.0;
+    for (Index i = 0; i < xi.coordinates.size(); ++i)
+      sum += xi.coordinates[i] * xi.coordinates[i] * (1 + 0.3 * double(i));
+    return sum;
+  });
+  int pairs = 0;
+  for (auto const& one : groups)
+    for (auto const& other : groups) {
+      if (&one == &other || one.dimension() != other.dimension()) continue;
+      ++pairs;
+      auto const fresh = step;
+      auto const start = momentum_state(step.l, draw.velocity<double>(one));
+      step(momentum_state(step.l, draw.velocity<double>(other)), 0.1);
+      BOOST_TEST_CONTEXT(one.name() << " after " << other.name())
+      BOOST_TEST(magnitude((step(start, 0.1).state.momentum - fresh(start, 0.1).state.momentum).components) ==
+                 0);
+    }
+  BOOST_TEST(pairs > 0);
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   auto const start = momentum_state(body, velocity(SO<3>{}, Vector<double, 3>(1.8, -1, 0.7)));
   auto const step = momentum_level_step_left<double>(body);

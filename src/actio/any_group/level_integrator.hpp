@@ -12,20 +12,6 @@
 
 namespace actio::systems {
 
-/// How a group of matrices acts on several vectors, one below the other.
-struct EachVector {
-  /// The matrix times each of them.
-  template <class E, class S>
-  Matrix<S, Dynamic, 1> operator()(E const& g, Matrix<S, Dynamic, 1> const& all) const {
-    Index const n = g.value.rows();
-    Matrix<S, Dynamic, 1> moved = Matrix<S, Dynamic, 1>::Zero(all.size());
-    for (Index first = 0; first < all.size(); first += n)
-      for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j) moved[first + i] += g.value(i, j) * all[first + j];
-    return moved;
-  }
-};
-
 namespace detail {
 /// What moves momentum and vectors by a step, compiled for columns of one length.
 class LevelStep {

@@ -28,6 +28,9 @@ struct SpanOfMatrices {
   explicit SpanOfMatrices(MatrixAlgebra algebra)
       : SpanOfMatrices(std::make_shared<MatrixAlgebra const>(std::move(algebra))) {}
 
+  /// Whether both have the same algebra, by its address.
+  bool operator==(SpanOfMatrices const&) const = default;
+
   int matrix_size() const { return algebra_->size; }
   int dimension() const { return algebra_->dimension; }
   /// The algebra.

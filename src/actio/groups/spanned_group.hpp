@@ -47,6 +47,9 @@ struct SpannedGroup {
   SpannedGroup(std::string name_of_group, std::vector<WholeMatrix> basis,
                Retraction choice = Retraction::automatic);
 
+  /// Whether the other one is a copy of this one.
+  bool operator==(SpannedGroup const&) const = default;
+
   int matrix_size() const { return static_cast<int>(data->basis.front().rows()); }
   int dimension() const { return static_cast<int>(data->basis.size()); }
   std::string const& name() const { return data->name; }

@@ -57,24 +57,19 @@ class AdvectedMomentumLevelStep {
   template <ExponentialGroup G, Real S, int m>
   AdvectedMomentumStep<G, S, m> operator()(AdvectedMomentumState<G, S, m> const& from,
                                            std::type_identity_t<B> const& h) const {
-    AdvectedMomentumStep<G, S, m> done{identity<S>(from.momentum.group), from};
-    auto const moved = advance(done.state, h, done.evaluations);
-    done.relative_motion = exp(-moved);
-    return done;
-  }
-  /// The same without the relative motion.
-  /// @param evaluations  to which the gradients are added
-  /// @return             the displacement of the group in the natural chart
-  template <ExponentialGroup G, Real S, int m>
-  Velocity<G, S> advance(AdvectedMomentumState<G, S, m>& state, B const& h, int& evaluations) const {
+    auto state = from;
+    int evaluations = 0;
     require_steppable(MomentumState<G, S>{state.momentum, state.velocity}, h);
     require_finite(state.vector, "momentum step: vector");
     using V = Whole<G, S, m>;
-    auto& kept = memory_of(state);
     Index const n = state.momentum.components.size(), length = state.vector.size();
     V eta = V::Zero(n + length), whole = eta;
     for (Index i = 0; i < n; ++i) whole[i] = state.momentum.components[i];
     for (Index i = 0; i < length; ++i) whole[n + i] = state.vector[i];
+
+    auto& kept = LevelMemory<G, S, side, B, V>::of(memory_, state.velocity, eta, [&] {
+      return Commutators<B>(state.momentum.group, length, act_);
+    });
 
     Matrix<S, m, 1> a = state.vector;
     Coordinates<G, S> mu = state.momentum.components;
@@ -101,33 +96,12 @@ class AdvectedMomentumLevelStep {
     for (Index i = 0; i < length; ++i) state.vector[i] = whole[n + i];
     state.velocity = kept.velocities.velocity();
     evaluations += kept.velocities.take_gradients();
-    return moved;
-  }
-  /// Saves, or restores, what a step remembers of the one before.
-  template <class Stream, ExponentialGroup G, Real S, int m>
-  void remember(Stream& stream, AdvectedMomentumState<G, S, m> const& state) const {
-    memory_of(state).velocities.remember(stream);
+    return {exp(-moved), state, evaluations};
   }
 
  private:
   template <class G, class S, int m>
   using Whole = Matrix<S, (G::dim == Dynamic || m == Dynamic ? Dynamic : G::dim + m), 1>;
-  template <class G, class S, int m>
-  struct Memory {
-    StageVelocities<G, S> velocities;
-    LevelFlow<side, B, Whole<G, S, m>> flow;
-  };
-  template <class G, class S, int m>
-  Memory<G, S, m>& memory_of(AdvectedMomentumState<G, S, m> const& state) const {
-    if (auto* const kept = std::any_cast<Memory<G, S, m>>(&memory_)) return *kept;
-    auto const& group = state.momentum.group;
-    Index const length = state.vector.size();
-    using V = Whole<G, S, m>;
-    return memory_.template emplace<Memory<G, S, m>>(
-        StageVelocities<G, S>(state.velocity),
-        LevelFlow<side, B, V>(Commutators<B>(group, length, act_), V::Zero(group.dimension() + length)));
-  }
-
   F l_;
   [[no_unique_address]] Act act_;
   mutable std::any memory_;  // of the last call

@@ -1,12 +1,23 @@
 // The commutator of an algebra and its dual by the structure constants that are not zero.
 #pragma once
 
+#include <concepts>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "actio/groups/differential.hpp"
 
 namespace actio::detail {
+
+/// Whether two groups are known to have the same commutators: types without data, and equal data.
+template <Group G>
+bool known_to_be_same(G const& one, G const& other) {
+  if constexpr (std::equality_comparable<G>)
+    return one == other;
+  else
+    return std::is_empty_v<G>;
+}
 
 /// The matrix of \f$\mathrm{ad}_v\f$, and \f$\mathrm{ad}^*_v\,\mu\f$, on columns of coordinates, whatever the
 /// group.

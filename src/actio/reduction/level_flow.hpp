@@ -37,6 +37,9 @@ class LevelFlow {
     turned_.fill(zero), changed_.fill(zero);
   }
 
+  /// How many coordinates move.
+  Index size() const { return zero_.size(); }
+
   /// The displacement \f$\eta\f$ over a step in the natural chart: \f$g_1 = g_0e^\eta\f$ or
   /// \f$g_1 = e^\eta g_0\f$.
   /// @param velocity  (stage, mu, xi) -> whether to go on: writes the velocity of a momentum

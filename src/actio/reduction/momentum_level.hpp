@@ -11,7 +11,6 @@
 #include <any>
 #include <utility>
 
-#include "actio/reduction/level_flow.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/reduction/stage_velocities.hpp"
 
@@ -29,17 +28,11 @@ struct MomentumLevelStep {
   MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<B> const& h) const {
     require_steppable(from, h);
     using V = Coordinates<G, S>;
-    struct Memory {
-      StageVelocities<G, S> velocities;
-      LevelFlow<side, B, V> flow;
-    };
     auto const& group = from.momentum.group;
     V eta = V::Zero(group.dimension());
-    auto* kept = std::any_cast<Memory>(&memory);
-    if (!kept)
-      kept = &memory.template emplace<Memory>(StageVelocities<G, S>(from.velocity),
-                                              LevelFlow<side, B, V>(Commutators<B>(group), eta));
-    auto& velocities = kept->velocities;
+    auto& kept = LevelMemory<G, S, side, B, V>::of(memory, from.velocity, eta,
+                                                   [&] { return Commutators<B>(group); });
+    auto& velocities = kept.velocities;
     auto const velocity_of = [&](int stage, V const& mu, V& xi) {
       if (!velocities.find(l, mu, LevelFlow<side, B, V>::checks(stage))) return false;
       xi = velocities.velocity().coordinates;
@@ -47,7 +40,7 @@ struct MomentumLevelStep {
     };
     for (int tried = 0; tried < 2; ++tried) {
       velocities.begin(l, from.velocity);
-      if (kept->flow(from.momentum.components, h, velocity_of, eta)) break;
+      if (kept.flow(from.momentum.components, h, velocity_of, eta)) break;
     }
     auto const f = exp(Velocity<G, S>{group, -eta});
     using Invariance = std::conditional_t<(side > 0), RightInvariant, LeftInvariant>;

@@ -1,7 +1,10 @@
 // The velocities at the stages of an explicit step, from momenta.
 #pragma once
 
+#include <any>
+
 #include "actio/reduction/legendre_chord.hpp"
+#include "actio/reduction/level_flow.hpp"
 
 namespace actio::detail {
 
@@ -45,6 +48,25 @@ class StageVelocities {
   Velocity<G, S> xi_;
   Momentum<G, S> mu_;
   bool lines_ = true;  // no check has failed
+};
+
+/// What a step on a level of the momentum leaves to the next one of the same group.
+/// @tparam V  a column of the coordinates that move
+template <Group G, Real S, int side, class B, class V>
+struct LevelMemory {
+  G group;                           ///< whose commutators these are
+  StageVelocities<G, S> velocities;  ///< found at the stages
+  LevelFlow<side, B, V> flow;        ///< of the group, or of a semidirect product with it
+
+  /// What is left of the last call, where it was of this group and as many coordinates; new otherwise.
+  /// @param commutators  () -> those of all coordinates
+  template <class Make>
+  static LevelMemory& of(std::any& last, Velocity<G, S> const& near, V const& zero, Make const& commutators) {
+    auto* const kept = std::any_cast<LevelMemory>(&last);
+    if (kept && known_to_be_same(kept->group, near.group) && kept->flow.size() == zero.size()) return *kept;
+    return last.emplace<LevelMemory>(
+        LevelMemory{near.group, StageVelocities<G, S>(near), LevelFlow<side, B, V>(commutators(), zero)});
+  }
 };
 
 }  // namespace actio::detail

@@ -2,7 +2,7 @@
 
 #include "program/systems/lagrangians/galerkin_motion.hpp"
 
-#include "actio/any_group/level_integrator.hpp"
+#include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/reduction/advected_galerkin.hpp"
 
 namespace actio::scene {

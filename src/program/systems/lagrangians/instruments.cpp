@@ -2,7 +2,7 @@
 
 #include "program/systems/lagrangians/instruments.hpp"
 
-#include "actio/any_group/level_integrator.hpp"
+#include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/any_group/semidirect_algebra.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
