@@ -6,6 +6,7 @@
 #include "actio/any_group/chart_map.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/formula/parse_formula.hpp"
+#include "actio/formula/tape_derivatives.hpp"
 
 namespace actio {
 
@@ -19,6 +20,26 @@ inline std::shared_ptr<systems::ReducedSystem const> own_system(
   Tape l = parse_formula(lagrangian, names, parameters);
   return std::make_shared<systems::ReducedSystem const>(std::move(algebra), side, carried ? 1 : 0,
                                                         std::move(l));
+}
+
+/// The same system with a force: a formula for each component, in the velocity, the vector `a`, the momenta
+/// `p_w1` and so on, the time t, and held inputs by their names.
+inline std::shared_ptr<systems::ReducedSystem const> with_force(
+    std::shared_ptr<systems::ReducedSystem const> const& of, std::vector<std::string> const& components,
+    std::vector<std::pair<std::string, systems::HeldInput>> const& inputs = {}) {
+  auto names = of->algebra.components;
+  for (int i = 1; i <= of->carried(); ++i) names.push_back("a" + std::to_string(i));
+  for (auto const& name : of->algebra.components) names.push_back("p_" + name);
+  names.push_back("t");
+  systems::GeneralizedForce force;
+  for (auto const& [name, input] : inputs) names.push_back(name), force.held.push_back(input);
+  std::vector<Tape> tapes;
+  for (auto const& text : components)
+    tapes.push_back(read_formula(text, names, {}, {.derivatives = false}).value);
+  force.components = joined(tapes);
+  auto out = std::make_shared<systems::ReducedSystem>(*of);
+  out->force = std::move(force);
+  return out;
 }
 
 /// The point with a velocity and a vector.

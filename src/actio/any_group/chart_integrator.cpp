@@ -2,6 +2,8 @@
 
 #include "actio/any_group/chart_integrator.hpp"
 
+#include "actio/any_group/momentum_across.hpp"
+
 namespace actio::systems {
 
 void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
@@ -26,7 +28,7 @@ void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<doubl
 ChartIntegrator::ChartIntegrator(std::shared_ptr<ReducedSystem const> system, double h,
                                  std::vector<double> const& fractions, ReducedPoint start,
                                  std::vector<double> const& velocity)
-    : system_(std::move(system)), point_(std::move(start)) {
+    : system_(std::move(system)), length_(h), begin_(start.time), point_(std::move(start)) {
   for (double const fraction : fractions) {
     substeps_.emplace_back(*system_, fraction * h);
     substeps_.back().begin_at(velocity);
@@ -35,15 +37,41 @@ ChartIntegrator::ChartIntegrator(std::shared_ptr<ReducedSystem const> system, do
 
 void ChartIntegrator::step() {
   point_before_ = point_, configuration_before_ = configuration_;
+  ForceLedger const ledger_before = ledger_;
   try {
     for (auto& substep : substeps_) {
       substep(point_);
-      if (configuration_.size()) move_configuration(substep);
+      if (!system_->force) {
+        if (configuration_.size()) move_configuration(substep);
+        continue;
+      }
+      auto const& last = substep.last();
+      double const half = substep.length() / 2;
+      for (std::size_t i = 0; i < last.force_before.size(); ++i)
+        ledger_.work += half * (last.force_before[i] + last.force_after[i]) * substep.velocity()[i];
+      if (!configuration_.size()) continue;
+      add_impulse(half, last.force_before);
+      move_configuration(substep);
+      add_impulse(half, last.force_after);
     }
   } catch (...) {
-    point_ = point_before_, configuration_ = configuration_before_;
+    point_ = point_before_, configuration_ = configuration_before_, ledger_ = ledger_before;
     throw;
   }
+  ++steps_;
+  if (system_->force) set_time();
+}
+
+void ChartIntegrator::add_before(ForceLedger const& before) {
+  ledger_.work += before.work;
+  for (std::size_t i = 0; i < before.impulse.size() && i < ledger_.impulse.size(); ++i)
+    ledger_.impulse[i] += before.impulse[i];
+}
+
+void ChartIntegrator::add_impulse(double h, std::vector<double> const& force) {
+  Eigen::MatrixXd const back = inverse_matrix(configuration_, "configuration");
+  auto const moved = momentum_across(system_->algebra, system_->side, configuration_, back, force);
+  for (std::size_t i = 0; i < moved.size(); ++i) ledger_.impulse[i] += h * moved[i];
 }
 
 void ChartIntegrator::move_configuration(ChartSolver const& substep) {

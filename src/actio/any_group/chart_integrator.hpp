@@ -16,6 +16,15 @@ namespace actio::systems {
 void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
                        Eigen::MatrixXd& g);
 
+/// What the forces have done since the start.
+struct ForceLedger {
+  double work = 0;  ///< \f$\sum\tfrac h2\langle F_k + F_{k+1}, v\rangle\f$, energy
+  /// \f$\sum\tfrac h2(\mathrm{Ad}^*_{g_k^{-1}}F_k + \mathrm{Ad}^*_{g_{k+1}^{-1}}F_{k+1})\f$, energy x time:
+  /// by as much the momentum of the symmetry has changed; on the right with g for its inverse. Empty where
+  /// configurations are not followed, or there is no force.
+  std::vector<double> impulse = {};
+};
+
 /// Steps of one length, each of some substeps. For one thread at a time.
 ///
 /// \snippet reduction.cpp chart_integrator
@@ -30,13 +39,20 @@ class ChartIntegrator {
                   ReducedPoint start, std::vector<double> const& velocity);
 
   /// Reconstructs configurations from this one on.
-  void follow_configuration(Eigen::MatrixXd g) { configuration_ = std::move(g); }
+  void follow_configuration(Eigen::MatrixXd g) {
+    configuration_ = std::move(g);
+    if (system_->force) ledger_.impulse.resize(point_.momentum.size());
+  }
 
   /// A whole step.
   /// @throws NotConverged, Singular, NotFinite  where a substep has no solution; all is then as it was
   void step();
 
   ReducedPoint const& point() const { return point_; }  ///< momentum and vectors
+  /// The forces on the system, summed over the steps: zero where there are none.
+  ForceLedger const& ledger() const { return ledger_; }
+  /// Adds what the forces have done before.
+  void add_before(ForceLedger const& before);
   /// empty where it is not followed
   Eigen::MatrixXd const& configuration() const { return configuration_; }
   /// of the last substep
@@ -52,6 +68,7 @@ class ChartIntegrator {
   template <class Stream>
   void remember(Stream& stream) {
     stream(point_.momentum, point_.vectors);
+    if (system_->force) stream(begin_, steps_, ledger_.work, ledger_.impulse), set_time();
     std::span<double> g(configuration_.data(), static_cast<std::size_t>(configuration_.size()));
     stream(g);
     for (auto& substep : substeps_) substep.remember(stream);
@@ -60,10 +77,17 @@ class ChartIntegrator {
  private:
   /// \f$g_1 = g_0e^{hv}\f$ (left-invariant), \f$g_1 = e^{hv}g_0\f$ (right-invariant).
   void move_configuration(ChartSolver const& substep);
+  /// Adds (h/2) Ad* of a force at the configuration to the impulse.
+  void add_impulse(double h, std::vector<double> const& force);
+  /// The time at the end of all steps so far, without the rounding of their sum.
+  void set_time() { point_.time = begin_ + static_cast<double>(steps_) * length_; }
 
   std::shared_ptr<ReducedSystem const> system_;
   std::vector<ChartSolver> substeps_;
+  double length_, begin_;
+  long steps_ = 0;
   ReducedPoint point_, point_before_;
+  ForceLedger ledger_;
   Eigen::MatrixXd configuration_, configuration_before_;
 };
 

@@ -13,6 +13,7 @@ template <class S>
 struct ReducedPointOver {
   std::vector<S> momentum,  ///< of the body (left-invariant) or in space (right-invariant)
       vectors;              ///< one after the other
+  S time = S(0);            ///< when, for a force that depends on it
 };
 
 /// The map of one whole step, at plain numbers and at dual numbers over them.
@@ -46,7 +47,7 @@ class ChartMap {
  private:
   template <class D, class Visit>
   void substep(D const& h, ReducedPointOver<D>& point, std::vector<double>& near, Visit const& visit) const {
-    ReducedPoint const start{values(point.momentum), values(point.vectors)};
+    ReducedPoint const start{values(point.momentum), values(point.vectors), base_value(point.time)};
     ChartSolver solver(system_, base_value(h));
     solver.begin_at(near);
     ReducedPoint end = start;
@@ -54,6 +55,7 @@ class ChartMap {
     near = solver.velocity();
     std::vector<D> v(near.begin(), near.end());
     ChartStep<D> step(system_);
+    step.begin_at(point.time);
     step(h, v, point.vectors);
     if constexpr (is_dual<D>) {
       Eigen::MatrixXd const inverse = solver.exact_inverse(start);
@@ -67,6 +69,7 @@ class ChartMap {
     visit(h, v);
     for (std::size_t i = 0; i < v.size(); ++i) point.momentum[i] += step.after[i] - step.before[i];
     point.vectors = step.vectors;
+    point.time += h;
   }
   template <class D>
   static std::vector<double> values(std::vector<D> const& list) {
@@ -90,8 +93,8 @@ Eigen::MatrixXd tangent_of(Map const& map, ReducedPoint const& at) {
     return i < d ? p.momentum[i] : p.vectors[i - d];
   };
   for (std::size_t first = 0; first < n; first += batch) {
-    ReducedPointOver<D> moved{{at.momentum.begin(), at.momentum.end()},
-                              {at.vectors.begin(), at.vectors.end()}};
+    ReducedPointOver<D> moved{
+        {at.momentum.begin(), at.momentum.end()}, {at.vectors.begin(), at.vectors.end()}, D(at.time)};
     for (std::size_t k = 0; k < batch && first + k < n; ++k) component(moved, first + k).part[k] = 1;
     auto image = map(moved);
     for (std::size_t k = 0; k < batch && first + k < n; ++k)

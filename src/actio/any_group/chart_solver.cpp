@@ -2,6 +2,17 @@
 
 namespace actio::systems {
 
+std::vector<double> force_at(ReducedSystem const& system, std::vector<double> const& v,
+                             ReducedPoint const& at) {
+  std::vector<double> inputs = v, work, out(v.size());
+  inputs.insert(inputs.end(), at.vectors.begin(), at.vectors.end());
+  inputs.insert(inputs.end(), at.momentum.begin(), at.momentum.end());
+  inputs.push_back(at.time);
+  for (auto const& held : system.force->held) inputs.push_back(held(at.time));
+  system.force->components(inputs.data(), out.data(), work);
+  return out;
+}
+
 ChartSolver::ChartSolver(ReducedSystem const& system, double h)
     : system_(system),
       h_(h),
@@ -18,6 +29,7 @@ ChartSolver::ChartSolver(ReducedSystem const& system, double h)
 
 void ChartSolver::operator()(ReducedPoint& point) {
   predict();
+  step_.begin_at(point.time), moved_.begin_at(Moved<double>(point.time));
   if (!(past_ > 0 && chord(point))) newton(point);
   require_in_chart();
   remember_velocity();
@@ -25,6 +37,7 @@ void ChartSolver::operator()(ReducedPoint& point) {
   step_.transport(residual_);
   for (std::size_t i = 0; i < v_.size(); ++i) point.momentum[i] = step_.after[i] - residual_[i];
   point.vectors = step_.vectors;
+  point.time += h_;
 }
 
 void ChartSolver::require_in_chart() const {

@@ -21,7 +21,12 @@ namespace actio::systems {
 struct ReducedPoint {
   std::vector<double> momentum,  ///< of the body (left-invariant) or in space (right-invariant)
       vectors;                   ///< one after the other
+  double time = 0;               ///< when, for a force that depends on it
 };
+
+/// The force on a system at a point with a velocity, with the inputs of that time.
+std::vector<double> force_at(ReducedSystem const& system, std::vector<double> const& v,
+                             ReducedPoint const& at);
 
 /// Solves for steps of one length. For one thread at a time; what it has found out is part of the state of a
 /// run, since the digits depend on it.
@@ -31,7 +36,9 @@ class ChartSolver {
   /// @param h  step, time; of either sign
   ChartSolver(ReducedSystem const& system, double h);
 
-  double length() const { return h_; }                        ///< of a step
+  double length() const { return h_; }  ///< of a step
+  /// The last step, with the forces at its ends.
+  ChartStep<double> const& last() const { return step_; }
   std::vector<double> const& velocity() const { return v_; }  ///< of the last step
   /// How often momenta were evaluated, one batch of derivatives counting as one.
   long evaluations() const { return evaluations_; }

@@ -6,8 +6,10 @@
 //
 // where p is the mean of dl/dv at both ends, a_1 = exp(-h v) a_0, and the action of the step is
 // h (l(v, a_0) + l(v, a_1))/2. Without carried vectors this is (3.26), and chi(-A) = chi(A) + A makes
-// P_1 = P_0 + h ad*_v p. No exponential of a matrix and no logarithm is taken, and brackets are sums over the
-// structure constants that are not zero. tests/any_group hold it to the generic implementation.
+// P_1 = P_0 + h ad*_v p. A force F subtracts (h/2) F(t_0, v, a_0) from P_0 and adds (h/2) F(t_1, v, a_1) to
+// P_1: the discrete Lagrange-d'Alembert form of (3.10) and (3.11). No exponential of a matrix and no
+// logarithm is taken, and brackets are sums over the structure constants that are not zero. tests/any_group
+// hold it to the generic implementation.
 //
 // In the chart by Cayley's transform the group moves by (1 - hv/2)^-1 (1 + hv/2), and chi is a polynomial:
 // <chi(A)^T p, eta> = <p, eta - [hv, eta]/2 - (hv) eta (hv)/4>, with products of matrices in the last term.
@@ -83,13 +85,23 @@ class ChartStep {
         odd_(before),
         even_(before),
         moved_(n(system.length())) {
+    if (system.force) {
+      force_inputs_.resize(n(system.force->components.inputs));
+      force_before.resize(before.size()), force_after.resize(before.size());
+      same_force_ = system.force->is_same_at_both_ends(system.dimension());
+    }
     find_pattern();
     if (system.chart == Chart::cayley) find_products();
   }
 
   std::vector<S> before,  ///< the momentum at the start; energy x time
       after,              ///< at the end
-      vectors;            ///< at the end
+      vectors,            ///< at the end
+      force_before,       ///< the force at the start, energy; empty where there is none
+      force_after;        ///< at the end
+
+  /// When the next step starts, for a force.
+  void begin_at(S const& time) { time_ = time; }
 
   /// The momenta at both ends, and the vectors at the end, of a step with this velocity.
   /// @param h  step, time
@@ -107,7 +119,9 @@ class ChartStep {
       for (std::size_t i = 0; i < d; ++i) p_[i] = (p_[i] + slopes_[1 + i]) / S(2);
       push(h / S(-2), vectors, after);
     }
-    return add_chi(h, v, a.empty());
+    if (!add_chi(h, v, a.empty())) return false;
+    if (system_.force) add_force(h, v, a);
+    return true;
   }
 
   /// Carries a small covector from the start of the step to its end: \f$e^{A^T}x\f$, to second order.
@@ -172,6 +186,28 @@ class ChartStep {
       out[i] = S(0);
       for (Index j = 0; j < c.cols(); ++j) out[i] += c(i, j) * a[j];
     }
+  }
+
+  /// Adds the force at both ends, each over half of the step, at the momentum that is the mean over the step.
+  void add_force(S const& h, std::vector<S> const& v, std::vector<S> const& a) {
+    auto held = force_inputs_.end() - static_cast<std::ptrdiff_t>(system_.force->held.size());
+    double const middle = to_double(base_value(time_)) + to_double(base_value(h)) / 2;
+    for (auto const& input : system_.force->held) *held++ = S(input(middle));
+    force_at(time_, v, a, force_before);
+    if (same_force_)
+      force_after = force_before;
+    else
+      force_at(time_ + h, v, vectors, force_after);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      before[i] -= h * force_before[i] / S(2);
+      after[i] += h * force_after[i] / S(2);
+    }
+  }
+  void force_at(S const& t, std::vector<S> const& v, std::vector<S> const& a, std::vector<S>& out) {
+    auto next = std::copy(v.begin(), v.end(), force_inputs_.begin());
+    next = std::copy(a.begin(), a.end(), next);
+    *std::copy(p_.begin(), p_.end(), next) = t;
+    system_.force->components(force_inputs_.data(), out.data(), work_);
   }
 
   /// The matrix of \f$A^T = h\,\mathrm{ad}^*_v\f$, with the sign of the side; only what is not always zero.
@@ -277,7 +313,9 @@ class ChartStep {
 
   static constexpr double negligible_ = 0x1p-55;
   ReducedSystem const& system_;
-  std::vector<S> inputs_, slopes_, work_, p_, odd_, even_, moved_, next_;
+  std::vector<S> inputs_, slopes_, work_, p_, odd_, even_, moved_, next_, force_inputs_;
+  S time_{0};
+  bool same_force_ = false;
   std::vector<AdStarEntry> ad_star_;
   std::shared_ptr<std::vector<Product>> products_;
   std::shared_ptr<std::vector<Part>> parts_;  // to which the entries point, in copies too

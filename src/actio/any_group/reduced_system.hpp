@@ -7,14 +7,16 @@
 //
 //     p' = +- (ad*_v p - J),      <J, eta> = dl/da . (eta a),      a' = -+ v a,
 //
-// the upper signs on the left. One number, `sign`, tells the sides apart: a right-invariant system is a
-// left-invariant one with all brackets turned round.
+// the upper signs on the left, and a force F is added to p' on either side. One number, `sign`, tells the
+// sides apart: a right-invariant system is a left-invariant one with all brackets turned round.
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "actio/any_group/generalized_force.hpp"
 #include "actio/any_group/matrix_algebra.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/numbers/derivative.hpp"
@@ -42,6 +44,7 @@ struct ReducedSystem {
   Tape lagrangian;        ///< l(v, a): the velocity, then the vectors one after the other; energy
   Tape slopes;            ///< l, then its differential in v and in a
   Tape curvature;         ///< l, its differential in v, the upper triangle of the second one row by row
+  std::optional<GeneralizedForce> force = {};  ///< on the system, if any
 
   /// @param l  of as many inputs as the algebra has dimensions and the vectors have components
   /// @throws OutsideDomain  where it has another number of inputs

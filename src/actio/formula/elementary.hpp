@@ -200,6 +200,19 @@ S kinked(Operation operation, S const& x, S const& y) {
     detail::refuse_kinks(operation);
 }
 
+/// A function of two numbers with kinks or jumps, of dual numbers: its derivative where it has one, and at a
+/// kink that of one of its sides.
+template <class S, int N>
+Dual<S, N> kinked(Operation operation, Dual<S, N> const& x, Dual<S, N> const& y) {
+  Dual<S, N> out(kinked(operation, x.value, y.value));
+  bool const of_two = operation == Operation::min || operation == Operation::max;
+  if (of_two && (x.value < y.value) == (operation == Operation::min)) return x;
+  if (of_two || (operation == Operation::where && x.value != S(0)) ||
+      (operation == Operation::unless && x.value == S(0)))
+    out.part = y.part;
+  return out;
+}
+
 /// \f$\pi\f$.
 template <class S>
 S half_turn() {
@@ -257,6 +270,13 @@ T slope(Operation operation, T const& x, T const& f) {
       return 1 / elementary(Operation::sqrt, T((x - 1) * (x + 1)));
     case Operation::atanh:
       return 1 / ((1 - x) * (1 + x));
+    case Operation::abs:
+      return elementary(Operation::sign, x);
+    case Operation::sign:
+    case Operation::floor:
+    case Operation::ceil:
+    case Operation::round:
+      return 0 * x;
     default:
       detail::refuse_kinks(operation);
   }

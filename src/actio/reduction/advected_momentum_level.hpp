@@ -67,9 +67,8 @@ class AdvectedMomentumLevelStep {
     for (Index i = 0; i < n; ++i) whole[i] = state.momentum.components[i];
     for (Index i = 0; i < length; ++i) whole[n + i] = state.vector[i];
 
-    auto& kept = LevelMemory<G, S, side, B, V>::of(memory_, state.velocity, eta, [&] {
-      return Commutators<B>(state.momentum.group, length, act_);
-    });
+    auto& kept = LevelMemory<G, S, side, B, V>::of(
+        memory_, state.velocity, eta, [&] { return Commutators<B>(state.momentum.group, length, act_); });
 
     Matrix<S, m, 1> a = state.vector;
     Coordinates<G, S> mu = state.momentum.components;

@@ -30,8 +30,8 @@ struct MomentumLevelStep {
     using V = Coordinates<G, S>;
     auto const& group = from.momentum.group;
     V eta = V::Zero(group.dimension());
-    auto& kept = LevelMemory<G, S, side, B, V>::of(memory, from.velocity, eta,
-                                                   [&] { return Commutators<B>(group); });
+    auto& kept =
+        LevelMemory<G, S, side, B, V>::of(memory, from.velocity, eta, [&] { return Commutators<B>(group); });
     auto& velocities = kept.velocities;
     auto const velocity_of = [&](int stage, V const& mu, V& xi) {
       if (!velocities.find(l, mu, LevelFlow<side, B, V>::checks(stage))) return false;

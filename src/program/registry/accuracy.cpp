@@ -227,8 +227,8 @@ std::optional<ChosenSteps> choose_steps(System const& system, Request const& req
     return {};
   }
   bool const chosen = is_chosen(request.file, *accuracy), order_given = method.has("order");
-  if (!method.has("name") && !order_given && !system.method_for_accuracy.empty())
-    method.set("name", system.method_for_accuracy);
+  if (!method.has("name") && !order_given && system.method_for_accuracy)
+    method.set("name", system.method_for_accuracy(request.file));
   Simulation const first = system.prepare(request);
   ChosenSteps out{*accuracy, method.text("name"), {}};
   if (first.exact || first.companion.exact) return out;

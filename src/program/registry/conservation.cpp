@@ -22,6 +22,8 @@ char const* in_words(Feature feature) {
       return "the Lagrangian is right-invariant";
     case Feature::carried_vector:
       return "a carried vector is in the Lagrangian";
+    case Feature::force:
+      return "a force acts";
     case Feature::periodic_box:
       return "the box is periodic";
     case Feature::held_side:
@@ -69,10 +71,11 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"heavy_top", "casimir", {}},
         {"heavy_top", "vertical_momentum", {}},
         {"heavy_top", "spatial_momentum", {gravity}},
-        {"euler_poincare", "energy", {}},
-        {"euler_poincare", "casimir", {}},
-        {"euler_poincare", "spatial_momentum", {right_invariance, carried_vector}},
-        {"euler_poincare", "body_momentum", {left_invariance, carried_vector}},
+        {"euler_poincare", "energy", {force}},
+        {"euler_poincare", "casimir", {force}},
+        {"euler_poincare", "spatial_momentum", {right_invariance, carried_vector, force}},
+        {"euler_poincare", "body_momentum", {left_invariance, carried_vector, force}},
+        {"euler_poincare", "momentum_balance", {carried_vector}},
         {"vorticity_sphere", "energy", {}},
         {"vorticity_sphere", "enstrophy", {}},
         {"vorticity_sphere", "angular_momentum", {}},

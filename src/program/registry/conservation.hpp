@@ -20,6 +20,7 @@ enum class Feature {
   left_invariance,          ///< of the Lagrangian
   right_invariance,         ///< of the Lagrangian
   carried_vector,           ///< in the Lagrangian
+  force,                    ///< on a Lagrangian of one's own
   periodic_box,             ///< along some direction
   held_side,                ///< fixed, sliding or moved
   moved_side,               ///< as its formulas have it

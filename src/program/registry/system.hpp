@@ -78,8 +78,8 @@ struct System {
   std::vector<Quantity> (*own_quantities)(SceneFile const& file) = nullptr;
   std::optional<SnapshotKind> snapshots = {};  ///< what its snapshots can hold; none: it has no snapshots
   std::optional<SnapshotMaps> maps = {};       ///< how they are drawn as maps; none: they are not
-  /// The method that a scene with run.accuracy takes where it leaves method and order out; empty: the first.
-  std::string method_for_accuracy = "";
+  /// The method that a scene with run.accuracy takes where it leaves method and order out; null: the first.
+  std::string (*method_for_accuracy)(SceneFile const& file) = nullptr;
 };
 
 /// All systems, in the order in which they are told.

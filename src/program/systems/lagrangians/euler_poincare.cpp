@@ -7,6 +7,7 @@
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
+#include "program/systems/lagrangians/force_input.hpp"
 #include "program/systems/lagrangians/instruments.hpp"
 #include "program/systems/lagrangians/motion.hpp"
 #include "program/systems/lagrangians/pace.hpp"
@@ -65,13 +66,17 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
   MethodChoice const choice = read_method(method, methods());
   int const order = choice.number();
   bool const galerkin = choice.name == "galerkin";
+  if (scene.system->force && (galerkin || choice.name == "momentum_level"))
+    method.fail("name", fmt::format("{}: it takes no force; natural_chart and cayley_chart do", choice.name));
   bool const left = scene.system->side == systems::Side::left;
   return {scene.system, galerkin ? order / 2 : 0,
           choice.name == "momentum_level" ? std::vector<double>{}
           : order == 2                    ? std::vector<double>{1}
           : order == 4                    ? suzuki<double>()
                                           : kahan_li<double>(),
-          asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}), choice.name};
+          asked(request, {"configuration", "impulse", "momentum_balance",
+                          left ? "spatial_momentum" : "body_momentum"}),
+          choice.name};
 }
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
@@ -172,7 +177,9 @@ System euler_poincare_system() {
       named_quantities,
       {},
       {},
-      "momentum_level"};
+      [](SceneFile const& file) {
+        return force_keys.force.given(file.section("system")) ? "natural_chart" : "momentum_level";
+      }};
 }
 
 }  // namespace actio::scene

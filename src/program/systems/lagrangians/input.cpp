@@ -13,6 +13,7 @@
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
 #include "program/systems/formula.hpp"
+#include "program/systems/lagrangians/force_input.hpp"
 
 namespace actio::scene {
 namespace {
@@ -99,10 +100,21 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
   std::vector<CarriedVector> out;
   if (!system.has("advected")) return out;
   SceneTable const table = system.inside("advected");
-  std::vector<std::string> taken{
-      "velocity",      "body_momentum", "spatial_momentum", "energy",      "configuration",
-      "casimir",       "order",         "tangent_map",      "leaf_defect", "symplectic_defect",
-      "poisson_defect"};
+  std::vector<std::string> taken{"velocity",
+                                 "body_momentum",
+                                 "spatial_momentum",
+                                 "energy",
+                                 "configuration",
+                                 "casimir",
+                                 "order",
+                                 "tangent_map",
+                                 "leaf_defect",
+                                 "symplectic_defect",
+                                 "poisson_defect",
+                                 "force",
+                                 "work",
+                                 "impulse",
+                                 "momentum_balance"};
   for (auto const& key : table.keys()) {
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
@@ -126,12 +138,14 @@ std::vector<std::string> components_of(CarriedVector const& vector, systems::Mat
   return out;
 }
 
-/// Refuses a parameter, or a carried vector, that the Lagrangian does not use; a vector may be asked for.
+/// Refuses a parameter, or a carried vector, that neither the Lagrangian nor the force uses; a vector may be
+/// asked for.
 void require_used(SceneFile const& file, std::map<std::string, double> const& parameters,
                   std::vector<CarriedVector> const& carried, systems::MatrixAlgebra const& algebra,
                   std::set<std::string, std::less<>> const& used) {
   SceneTable const system = file.section("system");
-  require_used_constants(system, "parameters", parameters, used, "lagrangian");
+  char const* const formulas = force_keys.force.given(system) ? "lagrangian or the force" : "lagrangian";
+  require_used_constants(system, "parameters", parameters, used, formulas);
   auto const asked = file.section("output").texts("quantities");
   for (auto const& vector : carried) {
     bool const occurs = std::ranges::any_of(components_of(vector, algebra),
@@ -139,23 +153,30 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
     if (!occurs && std::ranges::find(asked, vector.name) == asked.end())
       system.inside("advected")
           .fail(vector.name,
-                fmt::format("advected: {0}1 to {0}{1} do not occur in the lagrangian, and "
+                fmt::format("advected: {0}1 to {0}{1} do not occur in the {3}, and "
                             "output.quantities has no {0}{2}",
-                            vector.name, algebra.size, meant_used_name(vector.name + "1", used)));
+                            vector.name, algebra.size, meant_used_name(vector.name + "1", used), formulas));
   }
 }
 
-Tape read_lagrangian(SceneFile const& file, systems::MatrixAlgebra const& algebra,
-                     std::vector<CarriedVector> const& carried) {
+/// What a scene gives by formulas.
+struct Formulas {
+  Tape lagrangian;
+  std::optional<systems::GeneralizedForce> force;
+};
+Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& algebra,
+                       std::vector<CarriedVector> const& carried) {
   SceneTable const system = file.section("system");
-  std::vector<std::string> names = algebra.components;
+  std::vector<std::string> names = algebra.components, vectors;
   for (auto const& vector : carried)
-    for (auto& name : components_of(vector, algebra)) names.push_back(std::move(name));
+    for (auto& name : components_of(vector, algebra)) vectors.push_back(std::move(name));
+  names.insert(names.end(), vectors.begin(), vectors.end());
   auto const parameters = formula_constants(system, "parameters", names, "a component");
   auto formula =
       scene_formula(reduced_keys.lagrangian.read(system), names, parameters, system.text_place("lagrangian"));
+  auto force = read_force(file, algebra, vectors, parameters, formula.used);
   require_used(file, parameters, carried, algebra, formula.used);
-  return std::move(formula.value);
+  return {std::move(formula.value), std::move(force)};
 }
 
 Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra const& algebra,
@@ -212,6 +233,17 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
                           least.largest));
 }
 
+/// Refuses a force that is no number at the start.
+void require_force(SceneTable const& system, ReducedScene const& scene) {
+  if (!scene.system->force) return;
+  auto const force = systems::force_at(*scene.system, scene.velocity, scene.start);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    if (!std::isfinite(force[i]))
+      force_keys.force.fail(system,
+                            fmt::format("along {} it is {} at the start, and a finite number is needed",
+                                        scene.system->algebra.components[i], force[i]));
+}
+
 systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const& algebra) {
   if (!method.is_text("name") || method.text("name") != "cayley_chart") return systems::Chart::exponential;
   if (!systems::SpanOfMatrices(algebra).cayley_stays())
@@ -223,7 +255,9 @@ systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const
 
 }  // namespace
 
-std::vector<Parameter> reduced_parameters() { return records_of({reduced_keys, reduced_start_keys}); }
+std::vector<Parameter> reduced_parameters() {
+  return records_of({reduced_keys, force_keys, reduced_start_keys});
+}
 
 std::vector<std::string> carried_names(SceneFile const& file) {
   SceneTable const system = file.section("system");
@@ -238,7 +272,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
       reduced_keys.side.read(system) == "left" ? systems::Side::left : systems::Side::right;
   ReducedScene scene;
   scene.carried = read_carried(system, algebra);
-  Tape l = read_lagrangian(file, algebra, scene.carried);
+  auto [l, force] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
   Eigen::MatrixXd mover = scene.configuration;
@@ -248,8 +282,10 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
     scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());
   }
   systems::Chart const chart = read_chart(file.section("method"), algebra);
-  scene.system = std::make_shared<systems::ReducedSystem const>(
+  auto const built = std::make_shared<systems::ReducedSystem>(
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
+  built->force = std::move(force);
+  scene.system = built;
   try {
     scene.start.momentum =
         systems::LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
@@ -258,6 +294,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
                                  "at the start its value or one of its derivatives is no finite number");
   }
   require_regular(system, scene);
+  require_force(system, scene);
   return scene;
 }
 

@@ -2,8 +2,8 @@
 
 #include "program/systems/lagrangians/instruments.hpp"
 
-#include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/any_group/semidirect_algebra.hpp"
+#include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/instruments/symplectic_defect.hpp"
@@ -94,10 +94,12 @@ class StepMap {
 /// Momentum and vectors as one element of the dual of the algebra in which they move.
 class PointsAsMomenta {
  public:
-  explicit PointsAsMomenta(systems::ReducedSystem const& system)
+  /// @param time  when the points are
+  PointsAsMomenta(systems::ReducedSystem const& system, double time)
       : group_(system.vectors ? systems::semidirect_algebra(system.algebra, system.vectors, system.length())
                               : system.algebra),
-        dimension_(static_cast<std::size_t>(system.dimension())) {}
+        dimension_(static_cast<std::size_t>(system.dimension())),
+        time_(time) {}
 
   template <class S>
   Momentum<G, S> operator()(systems::ReducedPointOver<S> const& point) const {
@@ -110,22 +112,23 @@ class PointsAsMomenta {
   template <class S>
   systems::ReducedPointOver<S> back(Momentum<G, S> const& mu) const {
     S const* const first = mu.components.data();
-    return {{first, first + dimension_}, {first + dimension_, first + mu.components.size()}};
+    return {{first, first + dimension_}, {first + dimension_, first + mu.components.size()}, S(time_)};
   }
 
  private:
   G group_;
   std::size_t dimension_;
+  double time_;
 };
 
 /// The point now, over plain numbers.
 systems::ReducedPointOver<double> point_of(ReducedMotion const& motion) {
-  return {motion.point().momentum, motion.point().vectors};
+  return {motion.point().momentum, motion.point().vectors, motion.point().time};
 }
 
 double poisson_defect_now(ReducedScheme const& scheme, double h, ReducedMotion const& motion) {
   StepMap const step(scheme, motion.velocity());
-  PointsAsMomenta const momenta(*scheme.system);
+  PointsAsMomenta const momenta(*scheme.system, motion.point().time);
   return poisson_defect(
       LiePoissonMinus{}, [&](auto const& mu) { return momenta(step(h, momenta.back(mu)).point); },
       momenta(point_of(motion)));
@@ -133,7 +136,7 @@ double poisson_defect_now(ReducedScheme const& scheme, double h, ReducedMotion c
 
 double leaf_defect_now(ReducedScheme const& scheme, double h, ReducedMotion const& motion) {
   StepMap const step(scheme, motion.velocity());
-  PointsAsMomenta const momenta(*scheme.system);
+  PointsAsMomenta const momenta(*scheme.system, motion.point().time);
   return orbit_defect([&](auto const& mu) { return momenta(step(h, momenta.back(mu)).point); },
                       momenta(point_of(motion)));
 }
@@ -141,15 +144,17 @@ double leaf_defect_now(ReducedScheme const& scheme, double h, ReducedMotion cons
 /// The step on the cotangent bundle, in configurations and spatial momenta.
 class StepOnCotangentBundle {
  public:
-  StepOnCotangentBundle(StepMap const& step, double h, std::vector<CarriedVector> const& carried)
-      : step_(step), h_(h), carried_(carried) {}
+  /// @param time  when the step begins
+  StepOnCotangentBundle(StepMap const& step, double time, double h, std::vector<CarriedVector> const& carried)
+      : step_(step), time_(time), h_(h), carried_(carried) {}
 
   template <class S>
   Costate<G, S> operator()(Costate<G, S> const& at) const {
     bool const left = step_.system().side == systems::Side::left;
     auto const& g = at.configuration;
     auto const p = left ? Ad_star(g, at.momentum) : at.momentum;
-    systems::ReducedPointOver<S> from{{p.components.data(), p.components.data() + p.components.size()}, {}};
+    systems::ReducedPointOver<S> from{
+        {p.components.data(), p.components.data() + p.components.size()}, {}, S(time_)};
     auto const mover = left ? inverse(g) : g;
     for (auto const& vector : carried_)
       for (Index i = 0; i < vector.constant.size(); ++i) {
@@ -167,7 +172,7 @@ class StepOnCotangentBundle {
 
  private:
   StepMap const& step_;
-  double h_;
+  double time_, h_;
   std::vector<CarriedVector> const& carried_;
 };
 
@@ -183,7 +188,7 @@ double symplectic_defect_now(ReducedScheme const& scheme, double h, ReducedMotio
   auto const& list = motion.point().momentum;
   Momentum<G, double> p{step.group(), Coordinates<G, double>(static_cast<Index>(list.size()))};
   for (std::size_t i = 0; i < list.size(); ++i) p.components[static_cast<Index>(i)] = list[i];
-  return symplectic_defect(CotangentBundle{}, StepOnCotangentBundle(step, h, carried),
+  return symplectic_defect(CotangentBundle{}, StepOnCotangentBundle(step, motion.point().time, h, carried),
                            Costate<G, double>{identity<double>(step.group()), p});
 }
 

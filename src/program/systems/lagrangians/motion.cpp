@@ -33,30 +33,38 @@ class SteppedMotion : public ReducedMotion {
   void look_ahead(double time) override {
     ahead_.reset();
     if (time == 0) return;
-    ahead_.emplace(steps_from(time, steps_.point(), steps_.velocity(), steps_.configuration()));
+    ahead_.emplace(steps_from(time, steps_.point(), steps_.velocity(), steps_.configuration(), ledger()));
     ahead_->step();
   }
   void change_step(double first, double step, long) override {
     look_ahead(first);
-    steps_ = steps_from(step, point(), velocity(), configuration()), step_ = step;
+    steps_ = steps_from(step, point(), velocity(), configuration(), ledger()), step_ = step;
     ahead_.reset();
   }
   void remember(CheckpointStream& stream) override { steps_.remember(stream); }
   systems::ReducedPoint const& point() const override { return now().point(); }
   Eigen::MatrixXd const& configuration() const override { return now().configuration(); }
   std::vector<double> const& velocity() const override { return now().velocity(); }
+  systems::ForceLedger const& ledger() const override {
+    if constexpr (with_forces)
+      return now().ledger();
+    else
+      return ReducedMotion::ledger();
+  }
 
  private:
+  static constexpr bool with_forces = std::is_same_v<Integrator, systems::ChartIntegrator>;
   Integrator const& now() const { return ahead_ ? *ahead_ : steps_; }
   Integrator steps_from(double step, systems::ReducedPoint const& start, std::vector<double> const& velocity,
-                        Eigen::MatrixXd const& configuration) const {
+                        Eigen::MatrixXd const& configuration, systems::ForceLedger const& before = {}) const {
     auto made = [&] {
-      if constexpr (std::is_same_v<Integrator, systems::ChartIntegrator>)
+      if constexpr (with_forces)
         return Integrator(scheme_.system, step, scheme_.fractions, start, velocity);
       else
         return Integrator(scheme_.system, step, start, velocity);
     }();
     if (scheme_.with_configuration) made.follow_configuration(configuration);
+    if constexpr (with_forces) made.add_before(before);
     return made;
   }
 
@@ -113,6 +121,11 @@ void require_like_energy(systems::ReducedSystem const& system, systems::ReducedP
 
 }  // namespace
 
+systems::ForceLedger const& ReducedMotion::ledger() const {
+  static systems::ForceLedger const nothing;
+  return nothing;
+}
+
 StateDistance ReducedMotion::distance(Motion const& other) const {
   auto const& there = dynamic_cast<ReducedMotion const&>(other);
   StateDistance out;
@@ -137,7 +150,7 @@ std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, systems::Reduc
   };
   auto const trial = made(configuration);
   trial->advance_plainly(1);
-  require_like_energy(*system, start, trial->point(), velocity);
+  if (!system->force) require_like_energy(*system, start, trial->point(), velocity);
   return made(configuration);
 }
 

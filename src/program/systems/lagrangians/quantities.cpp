@@ -60,6 +60,43 @@ std::vector<Quantity> quantities_of_states() {
   };
 }
 
+/// What the forces do.
+std::vector<Quantity> quantities_of_forces() {
+  using Kind = Quantity::Kind;
+  return {
+      {"force",
+       Kind::list,
+       "The force, in the components of the velocity; 0 where the scene has none.",
+       "F(v, a, p, t)",
+       "energy over that of the velocity",
+       "",
+       {}},
+      {"work",
+       Kind::scalar,
+       "The work of the force since the start. The energy less the work changes as the square of the step, "
+       "or as the power that is the order of the method.",
+       "\\sum\\tfrac h2\\langle F_k + F_{k+1}, v\\rangle",
+       "energy",
+       "",
+       {}},
+      {"impulse",
+       Kind::list,
+       "What the force has added since the start to the momentum that the symmetry conserves, in space "
+       "on the left and of the body on the right.",
+       "energy x time",
+       "",
+       {}},
+      {"momentum_balance",
+       Kind::list,
+       "The momentum that the symmetry conserves without the force, less the impulse: conserved to rounding "
+       "with any force, where no carried vector is in the Lagrangian.",
+       "\\mathrm{Ad}^*_{g^{-1}}\\,\\Pi - I",
+       "energy x time",
+       "",
+       {}},
+  };
+}
+
 /// What the method shows in a step from there, and in those behind it.
 std::vector<Quantity> quantities_of_steps() {
   using Kind = Quantity::Kind;
@@ -109,6 +146,7 @@ std::vector<Quantity> quantities_of_steps() {
 
 std::vector<Quantity> reduced_quantities() {
   auto all = quantities_of_states();
+  for (auto& quantity : quantities_of_forces()) all.push_back(std::move(quantity));
   for (auto& quantity : quantities_of_steps()) all.push_back(std::move(quantity));
   return all;
 }
@@ -125,6 +163,7 @@ std::vector<Quantity> named_quantities(SceneFile const& file) {
 std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& scene) {
   std::set<Feature> here{scene.system->side == systems::Side::left ? Feature::left_invariance
                                                                    : Feature::right_invariance};
+  if (scene.system->force) here.insert(Feature::force);
   Tape const& l = scene.system->lagrangian;
   for (int i = scene.system->dimension(); i < l.inputs; ++i)
     if (l.depends_on(i)) here.insert(Feature::carried_vector);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "actio/any_group/legendre_velocity.hpp"
+#include "actio/any_group/momentum_across.hpp"
 #include "program/run/drift.hpp"
 
 namespace actio::scene {
@@ -40,6 +41,17 @@ class Reader {
   /// Half of the momentum on the velocity, which is the kinetic energy where the Lagrangian is quadratic in
   /// the velocity: of the last energy.
   double kinetic() const { return kinetic_; }
+  /// The force now; zero where there is none.
+  std::vector<double> force() {
+    if (!system_->force) return std::vector<double>(velocity_.size());
+    return systems::force_at(*system_, velocity(), motion_.point());
+  }
+  /// What the forces have added to the momentum of the symmetry.
+  std::vector<double> impulse() const {
+    auto out = motion_.ledger().impulse;
+    out.resize(motion_.point().momentum.size());
+    return out;
+  }
   /// The momentum on the other side: \f$\mathrm{Ad}^*_{g^{-1}}\Pi\f$ from that of the body,
   /// \f$\mathrm{Ad}^*_g\mu\f$ from that in space.
   void momentum_across(double* out) const {
@@ -54,12 +66,7 @@ class Reader {
           fmt::format("{}: the configuration has entries up to {:.3g}, and what it makes of the other "
                       "momentum is lost in rounding; leave this quantity out",
                       left ? "spatial_momentum" : "body_momentum", g.cwiseAbs().maxCoeff()));
-    for (std::size_t a = 0; a < p.size(); ++a) {
-      auto const& e = system_->algebra.basis[a];
-      auto const moved = system_->algebra.vee(Matrix<double>(left ? back * e * g : g * e * back));
-      out[a] = 0;
-      for (std::size_t c = 0; c < p.size(); ++c) out[a] += p[c] * moved[static_cast<Index>(c)];
-    }
+    std::ranges::copy(systems::momentum_across(system_->algebra, system_->side, g, back, p), out);
   }
 
  private:
@@ -87,6 +94,16 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   graph.define(
       left ? "spatial_momentum" : "body_momentum", ends,
       [reader](auto, double* out) { reader->momentum_across(out); }, modulus_of(motion));
+  graph.define("force", ends, [reader](auto, double* out) { std::ranges::copy(reader->force(), out); });
+  graph.define("work", {""}, [&motion](auto, double* out) { *out = motion.ledger().work; });
+  graph.define("impulse", ends, [reader](auto, double* out) { std::ranges::copy(reader->impulse(), out); });
+  graph.define(
+      "momentum_balance", ends,
+      [reader](auto, double* out) {
+        reader->momentum_across(out);
+        for (double const done : reader->impulse()) *out++ -= done;
+      },
+      modulus_of(motion));
   graph.define(
       "energy", {""}, [reader](auto, double* out) { *out = reader->energy(); },
       [reader](auto, double const* E, std::size_t) {

@@ -1,0 +1,46 @@
+// What a scene says of a force on a Lagrangian of one's own: `force` and `inputs` of [system].
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "actio/any_group/reduced_system.hpp"
+#include "program/document/key.hpp"
+
+namespace actio::scene {
+
+/// Its keys.
+struct ForceKeys : KeyTable {
+  AnyKey force = key(
+      "force", "a list of formulas, or a table of some by the names of the components", LeftOut{"none"},
+      "The force, a formula for each component of the velocity, of which it is the covector: its power is "
+      "the sum of their products. Formulas have the components of the velocity, those of the momentum as "
+      "p_w1, those of the carried vectors, the time t, the parameters and the inputs; a component without "
+      "a formula is 0. natural_chart and cayley_chart take forces.",
+      "[\"-0.1*w1\", \"-0.1*w2*abs(w2)\", \"cos(2*t)\"]");
+  AnyKey inputs =
+      key("inputs", "a table by names of one's own", LeftOut{"none"},
+          "Numbers that the force is given as functions of time, each held over a step at its "
+          "value in the middle: a formula of t, \"20*(t < 5)\", rows of a time and the value from "
+          "then on, [[0, 20], [5, 0]], or a file of such rows, \"thrust.csv\". Where one jumps, "
+          "a step should end.",
+          "{ thrust = \"20*(t < 5)\" }");
+};
+inline ForceKeys const force_keys{{"system"}};  ///< its keys
+
+/// The force; none where the scene has none.
+/// @param carried     the names of the components of the carried vectors
+/// @param parameters  numbers with names
+/// @param used        the names that the formulas use are added
+/// @throws SceneError  where a formula is none, a component or an input has a name that it cannot have, or
+///                     nothing uses an input
+std::optional<systems::GeneralizedForce> read_force(SceneFile const& file,
+                                                    systems::MatrixAlgebra const& algebra,
+                                                    std::vector<std::string> const& carried,
+                                                    std::map<std::string, double> const& parameters,
+                                                    std::set<std::string, std::less<>>& used);
+
+}  // namespace actio::scene
