@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(a_vector_is_carried_by_either_chart_and_by_steps_of_any_len
     for (double const h : {0.1, 1.5}) BOOST_TEST_CONTEXT("chart " << (system == plain) << ", step " << h) {
         ChartIntegrator run(system, h, {1}, point_at(*system, v, a), v);
         auto const product = [&] {
-          auto const& [p, w] = run.point();
+          auto const &p = run.point().momentum, &w = run.point().vectors;
           return p[0] * w[0] + p[1] * w[1] + p[2] * w[2];
         };
         double const before = product();

@@ -23,3 +23,13 @@ FUNCTIONS = {
     "cbrt": ("cbrt", 1),
     "hypot": ("hypot", 2),
 }
+
+#: Those with kinks or jumps, of formulas that are not differentiated.
+KINKED = {
+    "abs": ("absolute", 1),
+    "sign": ("sign", 1),
+    "floor": ("floor", 1),
+    "ceil": ("ceil", 1),
+    "min": ("minimum", 2),
+    "max": ("maximum", 2),
+}

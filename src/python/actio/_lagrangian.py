@@ -10,7 +10,7 @@ import numpy
 from actio._errors import SceneError
 from actio._formula_functions import FUNCTIONS
 from actio._formula_text import formula_text, names_of
-from actio._refusals import branches_refused
+from actio._refusals import branches_refused, subject
 from actio._trace import Trace
 from actio._traced import Traced
 from actio._traced_arrays import Names, traced_array, vector
@@ -49,17 +49,17 @@ def _positional(lagrangian: Callable[..., Any]) -> int:
     return len(needed)
 
 
-def _called(lagrangian: Callable[..., Any], arguments: Sequence[Any]) -> Any:
+def called(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
     """What it returns. What it raises is its own, but for a word on what NumPy says of traced numbers."""
     try:
         with branches_refused():
-            return lagrangian(*arguments)
+            return function(*arguments, **named)
     except TypeError as error:
         lacking = re.search(r"no callable (\w+) method", str(error))
         own = [name for name, (numpys, _) in FUNCTIONS.items() if lacking and numpys == lacking[1]]
         if lacking:
             raise SceneError(
-                f"lagrangian: numpy.{lacking[1]} "
+                f"{subject().key}: numpy.{lacking[1]} "
                 + (
                     f"does not take an array that mixes traced numbers and others; actio.{own[0]} does"
                     if own
@@ -69,7 +69,7 @@ def _called(lagrangian: Callable[..., Any], arguments: Sequence[Any]) -> Any:
         if "UFunc" not in type(error).__name__ and "einsum" not in str(error):
             raise
         raise SceneError(
-            f"lagrangian: NumPy says {shown(str(error))} of traced numbers; sums, products, @, dot, cross,"
+            f"{subject().key}: NumPy says {shown(str(error))} of traced numbers; sums, products, @, dot, cross,"
             " tensordot and the functions of a formula take them"
         ) from error
 
@@ -109,6 +109,16 @@ def _its_value(found: Any, trace: Trace, surroundings: Surroundings) -> Traced:
     raise SceneError(f"lagrangian: a number is expected of it, and it returned {what}; {_hint(found)}")
 
 
+def symbols(trace: Trace, names: Sequence[str]) -> list[Traced]:
+    """Numbers with names, without values."""
+    return [Traced(trace, trace.add("symbol", name)) for name in names]
+
+
+def carried_names(surroundings: Surroundings) -> dict[str, list[str]]:
+    """The names of the components of each carried vector."""
+    return {name: [f"{name}{k + 1}" for k in range(size)] for name, size in surroundings.advected.items()}
+
+
 def formula_of(lagrangian: Callable[..., Any], surroundings: Surroundings) -> str:
     """The formula of a Lagrangian, from one call with symbols.
 
@@ -120,17 +130,13 @@ def formula_of(lagrangian: Callable[..., Any], surroundings: Surroundings) -> st
     """
     count = _positional(lagrangian)
     trace = Trace()
-
-    def symbols(names: Sequence[str]) -> list[Traced]:
-        return [Traced(trace, trace.add("symbol", name)) for name in names]
-
-    carried = {name: [f"{name}{k + 1}" for k in range(size)] for name, size in surroundings.advected.items()}
+    carried = carried_names(surroundings)
     given = [
-        vector(symbols(surroundings.components), surroundings.components, surroundings.basis),
-        Names("parameter", dict(zip(surroundings.parameters, symbols(surroundings.parameters)))),
-        Names("carried vector", {name: traced_array(symbols(each)) for name, each in carried.items()}),
+        vector(symbols(trace, surroundings.components), surroundings.components, surroundings.basis),
+        Names("parameter", dict(zip(surroundings.parameters, symbols(trace, surroundings.parameters)))),
+        Names("carried vector", {name: traced_array(symbols(trace, each)) for name, each in carried.items()}),
     ]
-    value = _its_value(_called(lagrangian, given[:count]), trace, surroundings)
+    value = _its_value(called(lagrangian, *given[:count]), trace, surroundings)
     items = [item for each in carried.values() for item in each]
     taken = [*surroundings.components, *surroundings.parameters, *items]
     return formula_text(trace, value._index, taken)

@@ -1,4 +1,4 @@
-"""What a Lagrangian cannot do with its arguments: errors that name the line of the user's code."""
+"""What a function that is traced cannot do with its arguments: errors that name the line of the user's code."""
 
 import contextlib
 import contextvars
@@ -7,12 +7,12 @@ import os
 import re
 import sys
 from collections.abc import Iterator
-from typing import NoReturn
+from typing import NamedTuple, NoReturn
 
 import numpy
 
 from actio._errors import SceneError
-from actio._formula_functions import FUNCTIONS
+from actio._formula_functions import FUNCTIONS, KINKED
 from actio._values import shown
 
 _NOT_THE_USERS = (
@@ -20,6 +20,34 @@ _NOT_THE_USERS = (
     os.path.join(os.path.dirname(numpy.__file__), ""),
     "<__array_function__",
 )
+
+
+class Subject(NamedTuple):
+    """What is traced."""
+
+    key: str  #: of a scene, which complaints begin with
+    words: str  #: "a Lagrangian"
+    smooth: bool  #: whether it is differentiated
+
+
+LAGRANGIAN = Subject("lagrangian", "a Lagrangian", True)
+FORCE = Subject("force", "a force", False)
+_subject: contextvars.ContextVar[Subject] = contextvars.ContextVar("subject", default=LAGRANGIAN)
+
+
+def subject() -> Subject:
+    """What is traced now."""
+    return _subject.get()
+
+
+@contextlib.contextmanager
+def tracing(what: Subject) -> Iterator[None]:
+    """While it is traced, refusals speak of it."""
+    before = _subject.set(what)
+    try:
+        yield
+    finally:
+        _subject.reset(before)
 
 
 def _place() -> tuple[str, str]:
@@ -33,7 +61,7 @@ def _place() -> tuple[str, str]:
 
 def _refusal(why: str) -> SceneError:
     where, text = _place()
-    return SceneError(f"lagrangian: {where}: " + (f"`{shown(text)[1:-1]}`: " if text else "") + why)
+    return SceneError(f"{subject().key}: {where}: " + (f"`{shown(text)[1:-1]}`: " if text else "") + why)
 
 
 def refuse(why: str) -> NoReturn:
@@ -48,8 +76,8 @@ _branches: contextvars.ContextVar[list[SceneError]] = contextvars.ContextVar("br
 def refuse_branch(what: str) -> NoReturn:
     """Of what asks for a value: a comparison, a truth."""
     error = _refusal(
-        f"{what}; a Lagrangian is called once, with symbols in place of numbers, and has to be one smooth"
-        " formula whatever their values are"
+        f"{what}; {subject().words} is called once, with symbols in place of numbers, and has to be one"
+        f"{' smooth' if subject().smooth else ''} formula whatever their values are"
     )
     _branches.get([]).append(error)
     raise error
@@ -70,8 +98,10 @@ def branches_refused() -> Iterator[None]:
 
 
 def refuse_corner(what: str) -> NoReturn:
-    """Of a function that is not smooth."""
-    refuse(f"{what} is not smooth, and a Lagrangian has to be smooth")
+    """Of a function that is not smooth, and no function of a formula, or of one that has to be smooth."""
+    if subject().smooth:
+        refuse(f"{what} is not smooth, and {subject().words} has to be smooth")
+    refuse(f"{what} is no function of a formula, which has {', '.join(FUNCTIONS)}, {', '.join(KINKED)}")
 
 
 def refuse_whole() -> NoReturn:

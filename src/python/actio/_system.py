@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from actio._algebra import Group, algebra_of
 from actio._errors import SceneError
-from actio._formula_functions import FUNCTIONS
+from actio._force import checked_inputs, formulas_of
+from actio._formula_functions import FUNCTIONS, KINKED
 from actio._lagrangian import Surroundings, formula_of
 from actio._run import Run
 from actio._running import Progress, checked_choice, run
@@ -17,6 +18,8 @@ from actio._values import SceneText, kind, shown
 
 #: A text, or a function of one to three arguments: velocity, parameters, carried vectors.
 Lagrangian = Union[str, Callable[..., Any]]
+#: A formula for each component, by its name or in their order; or a function with named arguments.
+Force = Union[Mapping[str, Union[str, float]], Sequence[Union[str, float]], Callable[..., Any]]
 Vector = Union[Sequence[float], NDArray[Any]]
 
 _STATE = ("configuration", "velocity", "body_momentum", "spatial_momentum", "energy")
@@ -72,7 +75,10 @@ def _vector(value: Any, where: str) -> list[float]:
 
 
 def _checked_names(
-    components: Sequence[str], parameters: Mapping[str, Any], advected: Mapping[str, Any]
+    components: Sequence[str],
+    parameters: Mapping[str, Any],
+    advected: Mapping[str, Any],
+    inputs: Mapping[str, Any],
 ) -> None:
     """No name may mean two things."""
     meanings = {**dict.fromkeys(FUNCTIONS, "a function"), "pi": "the number pi"}
@@ -88,6 +94,12 @@ def _checked_names(
                     f"advected: {name} has the component {own}, which is {meanings[own]} already"
                 )
             meanings[own] = "a component of a carried vector"
+    if inputs:
+        meanings.update(dict.fromkeys(KINKED, "a function"), t="the time")
+        meanings.update(dict.fromkeys((f"p_{name}" for name in components), "a component of the momentum"))
+    for name in inputs:
+        if name in meanings:
+            raise SceneError(f"inputs: {name} is {meanings[name]} already")
 
 
 class System:
@@ -112,7 +124,14 @@ class System:
     advected: vectors by name which the inverse of the motion carries, a = g^-1 c (left) or a = g c (right),
         with their values where g is the identity.
 
-    The function is called once, with symbols, and what it does becomes the formula `formula`: Python has no
+    force: a covector in the components of the velocity, whose power is the sum of their products: a mapping
+        or a list of formulas; or a function of some of `velocity`, `momentum`, `advected`, `time`,
+        `parameters` and `inputs`, by these names, that returns a list or a mapping of numbers. It need not
+        be smooth: abs, numpy.sign, numpy.minimum and the like are there.
+    inputs: numbers by name that the force is given as functions of time, each held over a step: a formula of
+        t, "20*(t < 5)", or rows of a time and the value from then on, [[0, 20], [5, 0]].
+
+    A function is called once, with symbols, and what it does becomes the formula `formula`: Python has no
     part in the run. So it cannot branch on its arguments, and the functions of the module math, which need
     floats, are replaced by those of actio or of NumPy.
 
@@ -120,7 +139,7 @@ class System:
     velocity; where the matrices are no basis of a Lie algebra; where a name has two meanings.
     """
 
-    __slots__ = ("_algebra", "_side", "_formula", "_parameters", "_advected")
+    __slots__ = ("_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs")
 
     def __init__(
         self,
@@ -130,6 +149,8 @@ class System:
         side: str = "left",
         parameters: Optional[Mapping[str, float]] = None,
         advected: Optional[Mapping[str, Vector]] = None,
+        force: Optional[Force] = None,
+        inputs: Optional[Mapping[str, Any]] = None,
     ) -> None:
         self._side: str = checked_choice(side, ("left", "right"), "side")
         self._algebra = algebra_of(group)
@@ -141,8 +162,10 @@ class System:
             name: _vector(value, f"advected: {name}")
             for name, value in _named(advected, "advected", '{"gravity": [0, 0, -1]}').items()
         }
-        _checked_names(self.components, self._parameters, self._advected)
+        self._inputs = checked_inputs(_named(inputs, "inputs", '{"thrust": "20*(t < 5)"}'))
+        _checked_names(self.components, self._parameters, self._advected, self._inputs)
         self._formula = self._formula_of(lagrangian)
+        self._force = self._force_of(force)
 
     def _formula_of(self, lagrangian: Any) -> str:
         if isinstance(lagrangian, str):
@@ -152,9 +175,23 @@ class System:
                 "lagrangian: a function or the text of a formula is expected, found"
                 f" {shown(lagrangian)}, of type {kind(lagrangian)}"
             )
+        return formula_of(lagrangian, self._surroundings())
+
+    def _surroundings(self) -> Surroundings:
         sizes = {name: len(items) for name, items in self._advected.items()}
-        return formula_of(
-            lagrangian, Surroundings(self.components, self._algebra.basis, list(self._parameters), sizes)
+        return Surroundings(self.components, self._algebra.basis, list(self._parameters), sizes)
+
+    def _force_of(self, force: Any) -> Any:
+        """As a scene has it: by components, or a list; None where there is none."""
+        if force is None or isinstance(force, Mapping):
+            return force if force is None else dict(force)
+        if callable(force):
+            return formulas_of(force, self._surroundings(), list(self._inputs))
+        if isinstance(force, (list, tuple)):
+            return list(force)
+        raise TypeError(
+            "force: a function, a mapping by components or a list of formulas is expected, found"
+            f" {shown(force)}, of type {kind(force)}"
         )
 
     # ---- What it is
@@ -183,6 +220,11 @@ class System:
     def formula(self) -> str:
         """The Lagrangian as a formula of a scene."""
         return self._formula
+
+    @property
+    def force(self) -> Any:
+        """The formulas of the force, by components or in their order; None where there is none."""
+        return dict(self._force) if isinstance(self._force, dict) else self._force and list(self._force)
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -240,6 +282,10 @@ class System:
             system["parameters"] = self.parameters
         if self._advected:
             system["advected"] = self.advected
+        if self._force is not None:
+            system["force"] = self.force
+        if self._inputs:
+            system["inputs"] = dict(self._inputs)
         tables: dict[str, dict[str, Any]] = {
             "scene": {"title": title},
             "system": system,

@@ -1,4 +1,4 @@
-"""The table of what a Lagrangian does with its arguments.
+"""The table of what a function does with its arguments.
 
 Each operation is an entry, a common one only once, after the entries that it takes. It is named by its
 number. What computes nothing is left out: x + 0, x*1, x*0, x^1, -(-x).
@@ -52,7 +52,7 @@ class Trace:
         index = self._found.get(key)
         if index is None:
             if len(self.entries) >= MOST_ENTRIES:
-                refuse(f"the Lagrangian takes more than {MOST_ENTRIES} operations, which no formula does")
+                refuse(f"it takes more than {MOST_ENTRIES} operations, which no formula does")
             index = self._found[key] = len(self.entries)
             self.entries.append((operation, *arguments))
         return index

@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy
 
-from actio._formula_functions import FUNCTIONS
+from actio._formula_functions import FUNCTIONS, KINKED
 from actio._formula_text import formula_text
-from actio._refusals import refuse, refuse_branch, refuse_corner
+from actio._refusals import refuse, refuse_branch, refuse_corner, subject
 from actio._trace import Trace, constant
 from actio._values import kind, shown
 from actio._without_value import WithoutValue
@@ -34,12 +34,12 @@ class Traced(WithoutValue):
         if isinstance(other, Traced):
             if other._trace is not self._trace:
                 refuse(
-                    "numbers of two calls are mixed; a Lagrangian uses the numbers that it is given by this"
-                    " very call, and keeps none of an earlier one"
+                    f"numbers of two calls are mixed; {subject().words} uses the numbers that it is given by"
+                    " this very call, and keeps none of an earlier one"
                 )
             return other._index
         if isinstance(other, numbers.Complex) and not isinstance(other, numbers.Real):
-            refuse(f"a Lagrangian is real, found the complex number {shown(other)}")
+            refuse(f"{subject().words} is real, found the complex number {shown(other)}")
         if isinstance(other, (str, bytes, list, tuple, Mapping)):
             refuse(f"a number or an array of NumPy is expected, found {shown(other)}, of type {kind(other)}")
         value = constant(other)
@@ -92,6 +92,9 @@ class Traced(WithoutValue):
     def __pos__(self) -> "Traced":
         return self
 
+    def __abs__(self) -> Any:
+        return abs_of(self)
+
     def conjugate(self) -> "Traced":
         """Itself: it is real."""
         return self
@@ -136,6 +139,13 @@ for _name, (_numpys, _count) in FUNCTIONS.items():
     )
 
 
+def abs_of(number: Traced) -> Traced:
+    """The modulus, in a formula that is not differentiated."""
+    if subject().smooth:
+        refuse_corner("abs")
+    return recorded("abs", (number,))
+
+
 # ---- Arrays of them, and NumPy's functions
 
 
@@ -143,7 +153,7 @@ def _function(name: str) -> Any:
     def apply_to(*arguments: Any) -> Any:
         if any(isinstance(each, Traced) for each in arguments):
             return recorded(name, arguments)
-        return getattr(numpy, FUNCTIONS[name][0])(*arguments)
+        return getattr(numpy, {**FUNCTIONS, **KINKED}[name][0])(*arguments)
 
     return apply_to
 
@@ -172,6 +182,7 @@ _SMOOTH: dict[str, Any] = {
     "degrees": lambda x: x * (180 / math.pi),
     **{numpys: _function(name) for name, (numpys, _) in FUNCTIONS.items()},
 }
+_KINKED = {numpys: _function(name) for name, (numpys, _) in KINKED.items()}
 _COMPARED = "greater greater_equal less less_equal equal not_equal isnan isinf isfinite signbit".split() + [
     "logical_and",
     "logical_or",
@@ -205,14 +216,15 @@ def apply(ufunc: Any, method: str, inputs: Sequence[Any], options: Mapping[str, 
     name = ufunc.__name__
     if name in _COMPARED:
         refuse_branch(f"numpy.{name} asks for the values of numbers")
-    if name in _CORNERED:
+    known = _SMOOTH if subject().smooth else {**_SMOOTH, **_KINKED}
+    if name in _CORNERED and name not in known:
         refuse_corner(f"numpy.{name}")
     plain = [_plain(value) for value in inputs]
     out = options.get("out")
-    if method == "__call__" and name in _SMOOTH:
-        ufunc = numpy.frompyfunc(_SMOOTH[name], len(inputs), 1)
+    if method == "__call__" and name in known:
+        ufunc = numpy.frompyfunc(known[name], len(inputs), 1)
         options = {key: value for key, value in options.items() if key in ("out", "where")}
-    elif name not in _SMOOTH and ufunc is not numpy.matmul:
+    elif name not in known and ufunc is not numpy.matmul:
         refuse(f"numpy.{name} is no function of a formula, which has {', '.join(FUNCTIONS)}")
     if out is None:
         return _wrapped(getattr(ufunc, method)(*plain, **options))

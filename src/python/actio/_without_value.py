@@ -45,9 +45,6 @@ class WithoutValue:
 
     # ---- What is not smooth
 
-    def __abs__(self) -> NoReturn:
-        refuse_corner("abs")
-
     def __round__(self, digits: Any = None) -> NoReturn:
         refuse_corner("round")
 
