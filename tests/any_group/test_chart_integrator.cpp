@@ -90,7 +90,9 @@ struct Saved {
   bool reading = false;
 
   template <class... All>
-  void operator()(All&... all) { (each(all), ...); }
+  void operator()(All&... all) {
+    (each(all), ...);
+  }
 
  private:
   template <class T>

@@ -5,56 +5,19 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
-
 #include "actio/any_group/level_integrator.hpp"
 #include "actio/any_group/momentum_across.hpp"
+#include "actio/any_group/tape_lagrangian.hpp"
+#include "actio/reduction/advected_galerkin.hpp"
 #include "actio/reduction/composition.hpp"
-#include "own_system.hpp"
+#include "forced_reference.hpp"
 #include "refused.hpp"
 
 using namespace actio;
 using namespace actio::systems;
+using namespace actio::testing;
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-using List = std::vector<double>;
-using System = std::shared_ptr<ReducedSystem const>;
-using Square = Eigen::MatrixXd;
-
-Square one(System const& system) { return Square::Identity(system->length(), system->length()); }
-double largest(List const& x) {
-  double out = 0;
-  for (double const c : x) out = std::max(out, std::abs(c));
-  return out;
-}
-List minus(List a, List const& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
-  return a;
-}
-/// The slope of the last two errors, of steps in the ratio 2.
-double slope(List const& errors) { return std::log2(errors[errors.size() - 2] / errors.back()); }
-
-/// `n` coordinates of which none is simple.
-List uneven(int n, double size) {
-  List out;
-  for (int i = 0; i < n; ++i) out.push_back(size * std::sin(1 + 2.3 * i));
-  return out;
-}
-/// A kinetic energy in the velocities of an algebra, no two of whose axes are alike.
-std::string kinetic(MatrixAlgebra const& algebra) {
-  std::string out;
-  for (std::size_t i = 0; i < algebra.components.size(); ++i) {
-    auto const& v = algebra.components[i];
-    out += (i ? " + " : "") + std::to_string(1 + 0.4 * static_cast<double>(i)) + "*" + v + "^2/2";
-  }
-  return out + " + " + algebra.components[0] + "*" + algebra.components[1] + "/8";
-}
-System free_system(char const* group, Side side) {
-  return own_system(group, side, kinetic(named_algebra(group)).c_str());
-}
 
 /// Momentum and configuration after a time.
 struct End {
@@ -83,56 +46,6 @@ End damped(System const& free, double rate, double time, List const& v) {
   End end{run.point().momentum, run.configuration()};
   for (double& p : end.momentum) p *= std::exp(-rate * time);
   return end;
-}
-
-/// Momentum and vectors by GSL's Prince-Dormand method of order 8, for p = M v.
-List by_gsl(System const& system, ReducedPoint const& start, double time) {
-  struct Rates {
-    System system;
-    Square inverse_mass;
-  } rates{system, {}};
-  int const d = system->dimension(), m = system->carried();
-  rates.inverse_mass =
-      LegendreVelocity(*system).hessian(List(static_cast<std::size_t>(d)), start.vectors).inverse();
-  auto const rate = [](double t, double const* y, double* out, void* with) {
-    auto const& [system, inverse_mass] = *static_cast<Rates const*>(with);
-    int const d = system->dimension(), m = system->carried();
-    Eigen::VectorXd const p = Eigen::Map<Eigen::VectorXd const>(y, d), v = inverse_mass * p;
-    std::vector<double> work, inputs(v.data(), v.data() + d), slopes(static_cast<std::size_t>(1 + d + m)),
-        force(static_cast<std::size_t>(d));
-    inputs.insert(inputs.end(), y + d, y + d + m);
-    system->slopes(inputs.data(), slopes.data(), work);
-    inputs.insert(inputs.end(), y, y + d);
-    inputs.push_back(t);
-    for (auto const& held : system->force->held) inputs.push_back(held(t));
-    system->force->components(inputs.data(), force.data(), work);
-    double const sign = system->sign();
-    Eigen::VectorXd const turned = system->algebra.ad(Vector<double>(v)).transpose() * p;
-    for (int i = 0; i < d; ++i) out[i] = sign * turned[i] + force[static_cast<std::size_t>(i)];
-    Eigen::MatrixXd const hat = system->algebra.hat(Vector<double>(v));
-    for (int k = 0; k < m; ++k) out[d + k] = 0;
-    for (int first = 0; first < m; first += system->length()) {
-      Eigen::VectorXd const a = Eigen::Map<Eigen::VectorXd const>(y + d + first, system->length());
-      Eigen::VectorXd const moved = -sign * hat * a;
-      for (int i = 0; i < system->length(); ++i) out[d + first + i] = moved[i];
-      for (int c = 0; c < d; ++c) {
-        Eigen::VectorXd const turned_by = system->algebra.basis[static_cast<std::size_t>(c)] * a;
-        double torque = 0;
-        for (int i = 0; i < system->length(); ++i)
-          torque += slopes[static_cast<std::size_t>(1 + d + first + i)] * turned_by[i];
-        out[c] -= sign * torque;
-      }
-    }
-    return int(GSL_SUCCESS);
-  };
-  List y = start.momentum;
-  y.insert(y.end(), start.vectors.begin(), start.vectors.end());
-  gsl_odeiv2_system equations{rate, nullptr, static_cast<std::size_t>(d + m), &rates};
-  auto* const driver = gsl_odeiv2_driver_alloc_y_new(&equations, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14, 1e-14);
-  double t = start.time;
-  BOOST_TEST_REQUIRE(gsl_odeiv2_driver_apply(driver, &t, t + time, y.data()) == int(GSL_SUCCESS));
-  gsl_odeiv2_driver_free(driver);
-  return y;
 }
 
 /// Errors of the momentum and the vectors in n, 2 n, 4 n steps, against GSL.
@@ -215,6 +128,64 @@ BOOST_AUTO_TEST_CASE(a_damped_top_has_the_order_of_the_free_one) {
       BOOST_TEST_CONTEXT("order " << order << ": " << errors[0] << " " << errors[1] << " " << errors[2])
       BOOST_TEST(std::abs(slope(errors) - order) < 0.1);
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(galerkin_steps_have_their_order_with_a_force_and_their_impulse_is_exact) {
+  using G = SpanOfMatrices;
+  for (Side const side : {Side::left, Side::right}) {
+    System const system =
+        with_force(own_system("SO(3)", side, "(w1^2 + 1.5*w2^2 + 0.5*w3^2)/2 - 2*a3 - a1", true),
+                   {"-0.1*w1 + 0.2*a2", "-0.1*w2*a3^2 + 0.3*cos(2*t)", "-0.05*p_w3"});
+    List const v{0.5, 0.2, 3}, a{0.1, -0.3, -1};
+    List const truth = by_gsl(system, point_at(*system, v, a), 1);
+    G const group(system->algebra);
+    auto const column = [](List const& x) {
+      return Matrix<double, Dynamic, 1>(
+          Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())));
+    };
+    for (int const s : {1, 2, 3}) {
+      List errors;
+      for (int const steps : {5, 10}) {
+        AdvectedMomentumState<G, double, Dynamic> state{
+            {group, column(point_at(*system, v, a).momentum)}, column(a), {group, column(v)}};
+        double const h = 1.0 / steps;
+        TapeLagrangian const l{system};
+        for (int k = 0; k < steps; ++k) {
+          TapeForce const force(system, k * h, h);
+          state = side == Side::left
+                      ? forced_galerkin_step_left<double>(l, s, EachVector{}, force)(state, h).state
+                      : forced_galerkin_step_right<double>(l, s, EachVector{}, force)(state, h).state;
+        }
+        List end(state.momentum.components.data(), state.momentum.components.data() + 3);
+        end.insert(end.end(), state.vector.data(), state.vector.data() + 3);
+        errors.push_back(largest(minus(end, truth)));
+      }
+      BOOST_TEST_CONTEXT("order " << 2 * s << ": " << errors[0] << " " << errors[1])
+      BOOST_TEST(std::abs(slope(errors) - 2 * s) < 0.35);
+    }
+  }
+  // Without a vector the whole momentum of the symmetry changes by the impulse.
+  for (Side const side : {Side::left, Side::right}) {
+    System const free = free_system("SE(3)", side), system = with_force(free, uneven_force(free->algebra));
+    List const v = uneven(6, 0.5);
+    G const group(system->algebra);
+    auto const start = point_at(*system, v);
+    auto const column = [&](List const& x) {
+      return Eigen::VectorXd(Eigen::Map<Eigen::VectorXd const>(x.data(), 6));
+    };
+    AdvectedMomentumState<G, double, Dynamic> const state{
+        {group, column(start.momentum)}, Matrix<double, Dynamic, 1>(0), {group, column(v)}};
+    TapeForce const force(system, 0, 0.3);
+    TapeLagrangian const l{system};
+    auto const done = side == Side::left
+                          ? forced_galerkin_step_left<double>(l, 2, EachVector{}, force)(state, 0.3)
+                          : forced_galerkin_step_right<double>(l, 2, EachVector{}, force)(state, 0.3);
+    auto const back = side == Side::left ? Ad_star(done.relative_motion, done.state.momentum)
+                                         : Ad_star(inverse(done.relative_motion), done.state.momentum);
+    double const change = magnitude((back - state.momentum - *done.impulse).components);
+    BOOST_TEST(change < 64 * eps * magnitude(state.momentum.components));
+    BOOST_TEST(magnitude(done.impulse->components) > 0.01);
   }
 }
 

@@ -29,8 +29,12 @@ ChartIntegrator::ChartIntegrator(std::shared_ptr<ReducedSystem const> system, do
                                  std::vector<double> const& fractions, ReducedPoint start,
                                  std::vector<double> const& velocity)
     : system_(std::move(system)), length_(h), begin_(start.time), point_(std::move(start)) {
+  auto const& friction = system_->dissipation;
+  along_free_motion_ = friction && friction->kind == Dissipation::Kind::conformal &&
+                       damps_along_free_motion(*system_) && !system_->force;
+  double const free = along_free_motion_ ? friction->free_time(h) : h;
   for (double const fraction : fractions) {
-    substeps_.emplace_back(*system_, fraction * h);
+    substeps_.emplace_back(*system_, fraction * free);
     substeps_.back().begin_at(velocity);
   }
 }
@@ -40,7 +44,9 @@ void ChartIntegrator::step() {
   ForceLedger const ledger_before = ledger_;
   try {
     for (auto& substep : substeps_) {
+      dissipate(substep.length() / 2, substep);
       substep(point_);
+      dissipate(substep.length() / 2, substep);
       if (!system_->force) {
         if (configuration_.size()) move_configuration(substep);
         continue;
@@ -54,12 +60,25 @@ void ChartIntegrator::step() {
       move_configuration(substep);
       add_impulse(half, last.force_after);
     }
+    if (along_free_motion_)
+      for (double& p : point_.momentum) p *= std::exp(-system_->dissipation->rate * length_);
   } catch (...) {
     point_ = point_before_, configuration_ = configuration_before_, ledger_ = ledger_before;
     throw;
   }
   ++steps_;
   if (system_->force) set_time();
+}
+
+void ChartIntegrator::dissipate(double h, ChartSolver const& substep) {
+  auto const& friction = system_->dissipation;
+  if (!friction || along_free_motion_) return;
+  if (friction->kind == Dissipation::Kind::conformal) {
+    for (double& p : point_.momentum) p *= std::exp(-friction->rate * h);
+  } else {
+    auto near = substep.velocity();
+    turn_by_friction(*system_, h, point_.momentum, near);
+  }
 }
 
 void ChartIntegrator::add_before(ForceLedger const& before) {

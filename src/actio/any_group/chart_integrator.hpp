@@ -77,6 +77,8 @@ class ChartIntegrator {
  private:
   /// \f$g_1 = g_0e^{hv}\f$ (left-invariant), \f$g_1 = e^{hv}g_0\f$ (right-invariant).
   void move_configuration(ChartSolver const& substep);
+  /// The friction for a time; nothing where there is none.
+  void dissipate(double h, ChartSolver const& substep);
   /// Adds (h/2) Ad* of a force at the configuration to the impulse.
   void add_impulse(double h, std::vector<double> const& force);
   /// The time at the end of all steps so far, without the rounding of their sum.
@@ -85,6 +87,7 @@ class ChartIntegrator {
   std::shared_ptr<ReducedSystem const> system_;
   std::vector<ChartSolver> substeps_;
   double length_, begin_;
+  bool along_free_motion_ = false;  // a damped motion
   long steps_ = 0;
   ReducedPoint point_, point_before_;
   ForceLedger ledger_;

@@ -145,7 +145,8 @@ std::unique_ptr<LevelStep> level_step(std::shared_ptr<ReducedSystem const> const
 LevelIntegrator::LevelIntegrator(std::shared_ptr<ReducedSystem const> system, double h, ReducedPoint start,
                                  std::vector<double> const& velocity)
     : system_(std::move(system)),
-      length_(h),
+      length_(system_->dissipation ? system_->dissipation->free_time(h) : h),
+      decay_(system_->dissipation ? std::exp(-system_->dissipation->rate * h) : 1),
       level_(system_->side == Side::left ? detail::level_step<-1>(system_, start, velocity)
                                          : detail::level_step<1>(system_, start, velocity)),
       point_(std::move(start)),
@@ -154,6 +155,7 @@ LevelIntegrator::LevelIntegrator(std::shared_ptr<ReducedSystem const> system, do
 LevelIntegrator::LevelIntegrator(LevelIntegrator const& other)
     : system_(other.system_),
       length_(other.length_),
+      decay_(other.decay_),
       level_(other.level_->copy()),
       point_(other.point_),
       velocity_(other.velocity_),
@@ -163,6 +165,10 @@ LevelIntegrator::LevelIntegrator(LevelIntegrator const& other)
 
 void LevelIntegrator::step() {
   evaluations_ += level_->advance(length_, point_, velocity_, turn_);
+  if (decay_ != 1) {
+    for (double& p : point_.momentum) p *= decay_;
+    for (double& v : velocity_) v *= decay_;
+  }
   if (configuration_.size() == 0) return;
   if (system_->side == Side::right) return apply_exponential(system_->algebra, 1, turn_, configuration_);
   Eigen::MatrixXd by = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());

@@ -37,6 +37,8 @@ class LevelIntegrator {
   /// @param h         step, time
   /// @param start     momentum and vectors
   /// @param velocity  near which the first step looks for its own
+  ///
+  /// A damped system must be one that damps along its free motion.
   LevelIntegrator(std::shared_ptr<ReducedSystem const> system, double h, ReducedPoint start,
                   std::vector<double> const& velocity);
   /// Goes on from where the other one is, independently of it.
@@ -70,7 +72,7 @@ class LevelIntegrator {
 
  private:
   std::shared_ptr<ReducedSystem const> system_;
-  double length_;
+  double length_, decay_;  // of the free motion; of the momentum
   std::unique_ptr<detail::LevelStep> level_;
   ReducedPoint point_;
   std::vector<double> velocity_, turn_;

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "actio/any_group/dissipation.hpp"
 #include "actio/any_group/generalized_force.hpp"
 #include "actio/any_group/matrix_algebra.hpp"
 #include "actio/formula/tape_derivatives.hpp"
@@ -44,7 +45,8 @@ struct ReducedSystem {
   Tape lagrangian;        ///< l(v, a): the velocity, then the vectors one after the other; energy
   Tape slopes;            ///< l, then its differential in v and in a
   Tape curvature;         ///< l, its differential in v, the upper triangle of the second one row by row
-  std::optional<GeneralizedForce> force = {};  ///< on the system, if any
+  std::optional<GeneralizedForce> force = {};   ///< on the system, if any
+  std::optional<Dissipation> dissipation = {};  ///< of the system, if any
 
   /// @param l  of as many inputs as the algebra has dimensions and the vectors have components
   /// @throws OutsideDomain  where it has another number of inputs

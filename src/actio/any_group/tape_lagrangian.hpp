@@ -29,6 +29,36 @@ struct TapeLagrangian {
   }
 };
 
+/// The force of a system over one step, as a callable of the time since its start, velocity, vectors and
+/// momentum.
+class TapeForce {
+ public:
+  /// @param start, h  of the step, time
+  TapeForce(std::shared_ptr<ReducedSystem const> system, double start, double h)
+      : system_(std::move(system)), start_(start) {
+    for (auto const& input : system_->force->held) held_.push_back(input(start + h / 2));
+  }
+  template <Group G, Scalar S>
+  Momentum<G, S> operator()(double since, Velocity<G, S> const& v, Matrix<S, Dynamic, 1> const& a,
+                            Momentum<G, S> const& p) const {
+    std::vector<S> inputs, work;
+    auto const add = [&inputs](auto const& column) {
+      inputs.insert(inputs.end(), column.data(), column.data() + column.size());
+    };
+    add(v.coordinates), add(a), add(p.components);
+    inputs.push_back(S(start_ + since));
+    for (double const u : held_) inputs.push_back(S(u));
+    Momentum<G, S> out = p;
+    system_->force->components(inputs.data(), out.components.data(), work);
+    return out;
+  }
+
+ private:
+  std::shared_ptr<ReducedSystem const> system_;
+  double start_;
+  std::vector<double> held_;
+};
+
 /// The same with its vectors held fixed. Its differentials are formulas, too.
 struct HeldTape {
   ReducedSystem const& system;             ///< whose Lagrangian it is

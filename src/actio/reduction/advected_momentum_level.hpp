@@ -7,6 +7,7 @@
 #pragma once
 
 #include <any>
+#include <optional>
 #include <utility>
 
 #include "actio/reduction/advected.hpp"
@@ -36,6 +37,10 @@ struct AdvectedMomentumStep {
   Element<G, S> relative_motion;         ///< f, for \ref reconstruct_right or \ref reconstruct_left
   AdvectedMomentumState<G, S, m> state;  ///< at the end of the step
   int evaluations = 0;                   ///< of gradients of the Lagrangian
+  S work = S(0);                         ///< of a force over the step, energy
+  /// what a force adds over the step to the momentum of the symmetry, where the configuration at its start is
+  /// the identity; empty without a force
+  std::optional<Momentum<G, S>> impulse = {};
 };
 
 namespace detail {

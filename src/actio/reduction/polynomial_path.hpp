@@ -14,6 +14,7 @@ struct PolynomialPath {
   /// Numbers by node of the rule and by polynomial.
   using Table = Matrix<S, Dynamic, Dynamic>;
 
+  std::vector<S> nodes;        ///< \f$c_i\f$, fractions of the step
   std::vector<S> weights;      ///< \f$b_i\f$
   Table value;                 ///< \f$\lambda_\nu(c_i)\f$, row: node of the rule, column: \f$\nu\f$
   Table slope;                 ///< \f$\lambda_\nu'(c_i)\f$
@@ -23,7 +24,7 @@ struct PolynomialPath {
   /// @throws OutsideDomain  where it is none of these: equal distances are a good choice for low degrees only
   explicit PolynomialPath(int s) : value(at_least_one(s), s), slope(s, s), final_slope(s) {
     auto const rule = gauss_quadrature<S>(s);
-    weights = rule.weights;
+    nodes = rule.nodes, weights = rule.weights;
     for (int nu = 0; nu < s; ++nu) {
       for (int i = 0; i < s; ++i) {
         auto const x = basis(nu, rule.nodes[i]);

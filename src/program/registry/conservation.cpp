@@ -24,6 +24,10 @@ char const* in_words(Feature feature) {
       return "a carried vector is in the Lagrangian";
     case Feature::force:
       return "a force acts";
+    case Feature::damping:
+      return "the momentum is damped";
+    case Feature::friction_on_the_orbit:
+      return "friction turns the momentum";
     case Feature::periodic_box:
       return "the box is periodic";
     case Feature::held_side:
@@ -71,11 +75,15 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"heavy_top", "casimir", {}},
         {"heavy_top", "vertical_momentum", {}},
         {"heavy_top", "spatial_momentum", {gravity}},
-        {"euler_poincare", "energy", {force}},
-        {"euler_poincare", "casimir", {force}},
-        {"euler_poincare", "spatial_momentum", {right_invariance, carried_vector, force}},
-        {"euler_poincare", "body_momentum", {left_invariance, carried_vector, force}},
-        {"euler_poincare", "momentum_balance", {carried_vector}},
+        {"euler_poincare", "energy", {force, damping, friction_on_the_orbit}},
+        {"euler_poincare", "casimir", {force, damping}},
+        {"euler_poincare",
+         "spatial_momentum",
+         {right_invariance, carried_vector, force, damping, friction_on_the_orbit}},
+        {"euler_poincare",
+         "body_momentum",
+         {left_invariance, carried_vector, force, damping, friction_on_the_orbit}},
+        {"euler_poincare", "momentum_balance", {carried_vector, damping, friction_on_the_orbit}},
         {"vorticity_sphere", "energy", {}},
         {"vorticity_sphere", "enstrophy", {}},
         {"vorticity_sphere", "angular_momentum", {}},

@@ -21,6 +21,8 @@ enum class Feature {
   right_invariance,         ///< of the Lagrangian
   carried_vector,           ///< in the Lagrangian
   force,                    ///< on a Lagrangian of one's own
+  damping,                  ///< of the momentum, in proportion to it
+  friction_on_the_orbit,    ///< which turns the momentum
   periodic_box,             ///< along some direction
   held_side,                ///< fixed, sliding or moved
   moved_side,               ///< as its formulas have it

@@ -66,8 +66,11 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
   MethodChoice const choice = read_method(method, methods());
   int const order = choice.number();
   bool const galerkin = choice.name == "galerkin";
-  if (scene.system->force && (galerkin || choice.name == "momentum_level"))
-    method.fail("name", fmt::format("{}: it takes no force; natural_chart and cayley_chart do", choice.name));
+  if (scene.system->force && choice.name == "momentum_level")
+    method.fail(
+        "name",
+        "momentum_level: it takes no force, which leads the momentum away from its level; natural_chart, "
+        "cayley_chart and galerkin do");
   bool const left = scene.system->side == systems::Side::left;
   return {scene.system, galerkin ? order / 2 : 0,
           choice.name == "momentum_level" ? std::vector<double>{}
@@ -121,9 +124,39 @@ Companion companion_of(Request const& request, ReducedScheme const& scheme, Redu
   return out;
 }
 
+/// The instruments know the steps without friction alone.
+void require_no_friction(Request const& request, ReducedScene const& scene) {
+  if (!scene.system->dissipation) return;
+  for (char const* const name :
+       {"poisson_defect", "symplectic_defect", "leaf_defect", "order", "tangent_map"})
+    if (asked(request, {name}))
+      request.file.section("output").fail(
+          "quantities", fmt::format("{}: it is known of motions without system.dissipation", name));
+}
+
+/// A composition has substeps backwards, in which damping feeds energy in.
+void require_short_for_damping(SceneTable const& method, ReducedScheme const& scheme,
+                               Simulation& simulation) {
+  auto const& friction = scheme.system->dissipation;
+  if (!friction || friction->kind != systems::Dissipation::Kind::conformal || scheme.fractions.size() < 2 ||
+      systems::damps_along_free_motion(*scheme.system))
+    return;
+  double const decay = friction->rate * simulation.step;
+  if (decay >= 2)
+    method.fail("step",
+                fmt::format("{}: over a step the damping is {:.3g} times the step, and the composition of "
+                            "order 4 or 6 needs less than 2; method.order = 2 takes any",
+                            simulation.step, decay));
+  if (decay > 0.5)
+    simulation.remarks.push_back(fmt::format(
+        "damping times step is {:.3g}: the substeps backwards feed energy in; up to 0.5 the order is seen",
+        decay));
+}
+
 Simulation prepare(Request const& request) {
   std::vector<std::string> remarks;
   ReducedScene const scene = read_reduced_scene(request.file, remarks);
+  require_no_friction(request, scene);
   SceneTable method = request.file.section("method");
   ReducedScheme const scheme = scheme_of(request, scene);
   Simulation simulation(quantities_of(request.file, scene));
@@ -131,6 +164,7 @@ Simulation prepare(Request const& request) {
   simulation.step = step_of(request, scheme, scene);
   simulation.work = work_of_step(scheme);
   simulation.steps_at_once = std::max(1L, 4000L / (scene.system->dimension() * scene.system->dimension()));
+  require_short_for_damping(method, scheme, simulation);
   std::unique_ptr<ReducedMotion> motion;
   try {
     motion = scheme.motion(simulation.step, scene.start, scene.velocity, scene.configuration);
@@ -178,7 +212,9 @@ System euler_poincare_system() {
       {},
       {},
       [](SceneFile const& file) {
-        return force_keys.force.given(file.section("system")) ? "natural_chart" : "momentum_level";
+        SceneTable const system = file.section("system");
+        return force_keys.force.given(system) || system.has("dissipation") ? "natural_chart"
+                                                                           : "momentum_level";
       }};
 }
 

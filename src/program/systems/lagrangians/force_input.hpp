@@ -19,7 +19,7 @@ struct ForceKeys : KeyTable {
       "The force, a formula for each component of the velocity, of which it is the covector: its power is "
       "the sum of their products. Formulas have the components of the velocity, those of the momentum as "
       "p_w1, those of the carried vectors, the time t, the parameters and the inputs; a component without "
-      "a formula is 0. natural_chart and cayley_chart take forces.",
+      "a formula is 0. momentum_level takes no forces.",
       "[\"-0.1*w1\", \"-0.1*w2*abs(w2)\", \"cos(2*t)\"]");
   AnyKey inputs =
       key("inputs", "a table by names of one's own", LeftOut{"none"},

@@ -2,6 +2,7 @@
 
 #include "program/systems/lagrangians/galerkin_motion.hpp"
 
+#include "actio/any_group/momentum_across.hpp"
 #include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/reduction/advected_galerkin.hpp"
 
@@ -20,11 +21,16 @@ std::vector<double> list_of(Coordinates<G, double> const& x) { return {x.data(),
 /// One step, whatever the side.
 using Step = std::function<AdvectedMomentumStep<G, double, Dynamic>(State const&, double)>;
 
-/// Without vectors the equations are shorter.
-Step step_of(ReducedScheme const& scheme) {
+/// A step from a time on. Without vectors and forces the equations are shorter.
+Step step_of(ReducedScheme const& scheme, double start, double h) {
   systems::TapeLagrangian const l(scheme.system);
   bool const left = scheme.system->side == systems::Side::left;
   int const s = scheme.stages;
+  if (scheme.system->force) {
+    systems::TapeForce const force(scheme.system, start, h);
+    if (left) return forced_galerkin_step_left<double>(l, s, systems::EachVector{}, force);
+    return forced_galerkin_step_right<double>(l, s, systems::EachVector{}, force);
+  }
   if (scheme.system->vectors > 0) {
     if (left) return advected_galerkin_step_left<double>(l, s, systems::EachVector{});
     return advected_galerkin_step_right<double>(l, s, systems::EachVector{});
@@ -45,73 +51,100 @@ class GalerkinMotion : public ReducedMotion {
   GalerkinMotion(ReducedScheme scheme, double step, systems::ReducedPoint const& start,
                  std::vector<double> const& velocity, Eigen::MatrixXd const& configuration)
       : scheme_(std::move(scheme)),
-        group_(scheme_.system->algebra),
         length_(step),
-        last_{{group_, coordinates(start.momentum)},
-              coordinates(start.vectors),
-              {group_, coordinates(velocity)}},
-        configuration_(scheme_.with_configuration ? configuration : Eigen::MatrixXd()) {
-    step_of(scheme_)(last_, length_);
-    show(last_, configuration_);
+        begin_(start.time),
+        last_{{{group(), coordinates(start.momentum)},
+               coordinates(start.vectors),
+               {group(), coordinates(velocity)}},
+              scheme_.with_configuration ? configuration : Eigen::MatrixXd(),
+              start.time,
+              {}} {
+    if (scheme_.system->force && scheme_.with_configuration)
+      last_.ledger.impulse.resize(start.momentum.size());
+    step_of(scheme_, begin_, length_)(last_.state, length_);
+    show(last_);
   }
   void advance(long count) override {
     try {
       advance_plainly(count);
     } catch (Error const& error) {
-      scheme_.fail(error, length_, {list_of(last_.momentum.components), list_of(last_.vector)},
-                   list_of(last_.velocity.coordinates));
+      show(last_);
+      scheme_.fail(error, length_, point_, velocity_);
     }
   }
   void advance_plainly(long count) override {
     // What a step remembers of the last one is no part of a checkpoint, so that each begins anew and the
     // digits of a resumed run are those of an unbroken one.
-    for (long k = 0; k < count; ++k) take(last_, configuration_, length_);
-    show(last_, configuration_);
+    for (long k = 0; k < count; ++k) {
+      take(last_, length_);
+      last_.time = begin_ + static_cast<double>(++steps_) * length_;
+    }
+    show(last_);
   }
   void look_ahead(double time) override {
-    auto ahead = last_;
-    auto g = configuration_;
-    if (time != 0) take(ahead, g, time);
-    show(ahead, g);
+    Now ahead = last_;
+    if (time != 0) take(ahead, time);
+    show(ahead);
   }
   void change_step(double first, double step, long) override {
-    if (first > 0) take(last_, configuration_, first);
-    length_ = step;
-    show(last_, configuration_);
+    if (first > 0) take(last_, first);
+    length_ = step, begin_ = last_.time, steps_ = 0;
+    show(last_);
   }
   void remember(CheckpointStream& stream) override {
     auto const numbers = [&stream](auto& matrix) {
       std::span<double> all(matrix.data(), static_cast<std::size_t>(matrix.size()));
       stream(all);
     };
-    numbers(last_.momentum.components), numbers(last_.vector), numbers(last_.velocity.coordinates),
-        numbers(configuration_);
-    show(last_, configuration_);
+    numbers(last_.state.momentum.components), numbers(last_.state.vector),
+        numbers(last_.state.velocity.coordinates), numbers(last_.configuration);
+    if (scheme_.system->force) stream(begin_, steps_, last_.time, last_.ledger.work, last_.ledger.impulse);
+    show(last_);
   }
   systems::ReducedPoint const& point() const override { return point_; }
-  Eigen::MatrixXd const& configuration() const override { return shown_; }
+  Eigen::MatrixXd const& configuration() const override { return shown_.configuration; }
   std::vector<double> const& velocity() const override { return velocity_; }
+  systems::ForceLedger const& ledger() const override { return shown_.ledger; }
 
  private:
-  void take(State& state, Eigen::MatrixXd& g, double h) const {
-    auto const done = step_of(scheme_)(state, h);
-    if (g.size()) {
-      Eigen::MatrixXd const back = inverse(done.relative_motion).value;
-      g = scheme_.system->side == systems::Side::left ? Eigen::MatrixXd(g * back) : Eigen::MatrixXd(back * g);
+  struct Now {
+    State state;
+    Eigen::MatrixXd configuration;
+    double time = 0;
+    systems::ForceLedger ledger;
+  };
+  G group() const { return G(Algebra(scheme_.system, &scheme_.system->algebra)); }
+  void take(Now& now, double h) const {
+    auto const& friction = scheme_.system->dissipation;
+    auto done = step_of(scheme_, now.time, h)(now.state, friction ? friction->free_time(h) : h);
+    if (friction) {
+      double const decay = std::exp(-friction->rate * h);
+      done.state.momentum = decay * done.state.momentum, done.state.velocity = decay * done.state.velocity;
     }
-    state = done.state;
+    auto const side = scheme_.system->side;
+    now.ledger.work += done.work;
+    if (auto& g = now.configuration; g.size()) {
+      if (done.impulse) {
+        Eigen::MatrixXd const inverse_of_g = inverse_matrix(g, "configuration");
+        auto const added = systems::momentum_across(scheme_.system->algebra, side, g, inverse_of_g,
+                                                    list_of(done.impulse->components));
+        for (std::size_t i = 0; i < added.size(); ++i) now.ledger.impulse[i] += added[i];
+      }
+      Eigen::MatrixXd const back = inverse(done.relative_motion).value;
+      g = side == systems::Side::left ? Eigen::MatrixXd(g * back) : Eigen::MatrixXd(back * g);
+    }
+    now.state = done.state, now.time += h;
   }
-  void show(State const& state, Eigen::MatrixXd const& g) {
-    point_ = {list_of(state.momentum.components), list_of(state.vector)};
-    velocity_ = list_of(state.velocity.coordinates);
-    shown_ = g;
+  void show(Now const& now) {
+    point_ = {list_of(now.state.momentum.components), list_of(now.state.vector), now.time};
+    velocity_ = list_of(now.state.velocity.coordinates);
+    shown_ = now;
   }
 
   ReducedScheme scheme_;
-  G group_;
-  double length_;
-  State last_;
-  Eigen::MatrixXd configuration_, shown_;
+  double length_, begin_;
+  long steps_ = 0;
+  Now last_, shown_;
   systems::ReducedPoint point_;
   std::vector<double> velocity_;
 };

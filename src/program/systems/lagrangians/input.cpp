@@ -13,6 +13,7 @@
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
 #include "program/systems/formula.hpp"
+#include "program/systems/lagrangians/dissipation_input.hpp"
 #include "program/systems/lagrangians/force_input.hpp"
 
 namespace actio::scene {
@@ -256,7 +257,7 @@ systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const
 }  // namespace
 
 std::vector<Parameter> reduced_parameters() {
-  return records_of({reduced_keys, force_keys, reduced_start_keys});
+  return records_of({reduced_keys, force_keys, dissipation_keys, reduced_start_keys});
 }
 
 std::vector<std::string> carried_names(SceneFile const& file) {
@@ -285,6 +286,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   auto const built = std::make_shared<systems::ReducedSystem>(
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
   built->force = std::move(force);
+  built->dissipation = read_dissipation(file, *built, remarks);
   scene.system = built;
   try {
     scene.start.momentum =

@@ -52,6 +52,12 @@ class StepMap {
   StepDone<S> by_galerkin(double h, systems::ReducedPointOver<S> const& from) const {
     systems::TapeLagrangian const l(scheme_.system);
     bool const left = scheme_.system->side == systems::Side::left;
+    if (scheme_.system->force) {
+      systems::TapeForce const force(scheme_.system, base_value(from.time), h);
+      return left
+                 ? with_vectors(forced_galerkin_step_left<double>(l, scheme_.stages, each_, force), h, from)
+                 : with_vectors(forced_galerkin_step_right<double>(l, scheme_.stages, each_, force), h, from);
+    }
     if (scheme_.system->vectors > 0)
       return left ? with_vectors(advected_galerkin_step_left<double>(l, scheme_.stages, each_), h, from)
                   : with_vectors(advected_galerkin_step_right<double>(l, scheme_.stages, each_), h, from);
@@ -75,7 +81,7 @@ class StepMap {
             {group_, column<S>(from.momentum)}, column<S>(from.vectors), {group_, column<S>(velocity_)}},
         h);
     auto const &p = done.state.momentum.components, &a = done.state.vector;
-    return {{{p.data(), p.data() + p.size()}, {a.data(), a.data() + a.size()}},
+    return {{{p.data(), p.data() + p.size()}, {a.data(), a.data() + a.size()}, from.time + S(h)},
             inverse(done.relative_motion)};
   }
   template <class S, class List>

@@ -164,6 +164,9 @@ std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& s
   std::set<Feature> here{scene.system->side == systems::Side::left ? Feature::left_invariance
                                                                    : Feature::right_invariance};
   if (scene.system->force) here.insert(Feature::force);
+  if (auto const& friction = scene.system->dissipation)
+    here.insert(friction->kind == systems::Dissipation::Kind::orbit ? Feature::friction_on_the_orbit
+                                                                    : Feature::damping);
   Tape const& l = scene.system->lagrangian;
   for (int i = scene.system->dimension(); i < l.inputs; ++i)
     if (l.depends_on(i)) here.insert(Feature::carried_vector);
