@@ -721,5 +721,78 @@ class TheSources(unittest.TestCase):
                 self.assertTrue(inspect.getdoc(member), name)
 
 
+class Forces(unittest.TestCase):
+    SIMPLE = "(w^2 + v1^2 + 6*v2^2)/2"
+    KEYS = {"velocity": [0.3, 0.5, 0], "until": 2, "every": 0.1, "step": 0.05, "order": 4}
+
+    def test_a_function_is_the_formulas_that_it_computes(self):
+        system = actio.System(
+            "SE(2)",
+            self.SIMPLE,
+            parameters={"k": 0.3},
+            force=lambda velocity, momentum, time, parameters, inputs: [
+                inputs.tail - parameters.k * velocity.w,
+                numpy.sin(time) - velocity.v1 * abs(velocity.v1),
+                -0.1 * momentum.v2,
+            ],
+            inputs={"tail": "cos(2*t)"},
+        )
+        self.assertEqual(
+            system.force, {"w": "tail - k*w", "v1": "sin(t) - v1*abs(v1)", "v2": "-0.1*p_v2"}
+        )
+        by_text = actio.System(
+            "SE(2)",
+            self.SIMPLE,
+            parameters={"k": 0.3},
+            force=["tail - k*w", "sin(t) - v1*abs(v1)", "-0.1*p_v2"],
+            inputs={"tail": "cos(2*t)"},
+        )
+        runs = [each.run(**self.KEYS, quantities=["body_momentum"]) for each in (system, by_text)]
+        numpy.testing.assert_array_equal(runs[0].table, runs[1].table)
+        self.assertEqual(pickle.loads(pickle.dumps(system)).force, system.force)
+
+    def test_the_balance_of_the_momentum_holds_to_rounding(self):
+        system = actio.System("SE(2)", self.SIMPLE, force={"w": "cos(t)", "v2": "-v2*abs(v2)"})
+        run = system.run(**self.KEYS, quantities=["momentum_balance", "spatial_momentum"])
+        self.assertLess(run.drift["momentum_balance"], 1e-14)
+        self.assertGreater(abs(run["spatial_momentum"][-1] - run["spatial_momentum"][0]).max(), 0.1)
+
+    def test_mappings_of_some_components_and_rows_of_inputs(self):
+        system = actio.System(
+            "SO(3)",
+            "(w1^2 + 2*w2^2 + 3*w3^2)/2",
+            force=lambda velocity, inputs: {"w2": inputs.push, "w1": 0},
+            inputs={"push": [[0, 1], [1, 0]]},
+        )
+        self.assertEqual(system.force, {"w2": "push", "w1": 0.0})
+        run = system.run(velocity=[0, 0, 0], until=2, every=0.5, step=0.25, quantities=["body_momentum", "work"])
+        numpy.testing.assert_allclose(run["body_momentum_w2"], [0, 0.5, 1, 1, 1], atol=1e-15)
+        self.assertAlmostEqual(run["work"][-1], 0.25, 14)
+
+    def test_refusals(self):
+        def made(force, **others):
+            return actio.System("SE(2)", self.SIMPLE, force=force, **others)
+
+        for force, error, words in [
+            (lambda velocity: [1, 2], actio.SceneError, "3 numbers are expected of it.*list of 2"),
+            (lambda velocity: {"v3": 1}, actio.SceneError, "component 'v3'; there is w, v1, v2"),
+            (lambda velocity: [1, 2, "x"], actio.SceneError, "number is expected as its component v2"),
+            (lambda speed: [1, 2, 3], TypeError, "velocity, momentum.*found 'speed'"),
+            (lambda velocity: [velocity.w if velocity.w > 0 else 0, 0, 0], actio.SceneError, "a force is called"),
+            (lambda velocity: [numpy.trunc(velocity.w), 0, 0], actio.SceneError, "no function of a formula"),
+            (3, TypeError, "force: a function, a mapping"),
+        ]:
+            with self.assertRaisesRegex(error, words):
+                made(force)
+        with self.assertRaisesRegex(actio.SceneError, "inputs: w is a component of the velocity already"):
+            made(["w", 0, 0], inputs={"w": "t"})
+        with self.assertRaisesRegex(actio.SceneError, "inputs: u: a formula of t or rows"):
+            made(["u", 0, 0], inputs={"u": [1, 2]})
+        with self.assertRaisesRegex(actio.SceneError, "3 formulas are expected"):
+            made(["w", 0]).run(**self.KEYS)
+        with self.assertRaisesRegex(actio.SceneError, "lagrangian: .*`.*abs.*not smooth"):
+            actio.System("SE(2)", lambda xi: abs(xi.w) + xi @ xi)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -48,7 +48,7 @@ void turn_by_friction(ReducedSystem const& system, double h, std::vector<double>
                       std::vector<double>& near) {
   auto const& friction = *system.dissipation;
   auto const size = static_cast<Eigen::Index>(p.size());
-  Eigen::Map<Eigen::VectorXd> const momentum(p.data(), size);
+  Eigen::Map<Eigen::VectorXd> momentum(p.data(), size);
   Eigen::VectorXd const start = momentum;
   LegendreVelocity legendre(system);
   Eigen::VectorXd theta = Eigen::VectorXd::Zero(size);
@@ -56,7 +56,7 @@ void turn_by_friction(ReducedSystem const& system, double h, std::vector<double>
   for (int iteration = 0; iteration < 100; ++iteration) {
     legendre.solve(middle, {}, near);
     Eigen::Map<Eigen::VectorXd const> const v(near.data(), size);
-    Eigen::Map<Eigen::VectorXd> const now(middle.data(), size);
+    Eigen::Map<Eigen::VectorXd> now(middle.data(), size);
     Eigen::VectorXd const next =
         friction.rate * (friction.sharp * ad_star(system.algebra, v, Eigen::VectorXd(now)));
     double const change = (next - theta).cwiseAbs().maxCoeff(), length = next.cwiseAbs().maxCoeff();

@@ -82,10 +82,10 @@ struct AdvectedGalerkinStep {
       auto const p = gradient(holding(l, a), velocity);
       R const weight(h * path.weights[i]);
       if constexpr (forced) {
-        auto const F = force(h * path.nodes[i], velocity, a, p);
-        torque = torque + R(B(side)) * F;
-        out.impulse = out.impulse + weight * Ad_star(g, F);
-        out.work += weight * pair(F, velocity);
+        auto const acting = force(h * path.nodes[i], velocity, a, p);
+        torque = torque + R(B(side)) * acting;
+        out.impulse = out.impulse + weight * Ad_star(g, acting);
+        out.work += weight * pair(acting, velocity);
       }
       out.mu = out.mu + weight * R(B(side)) * Ad_star(g, torque);
       return AtNode<G, R>{p, R(h) * torque};

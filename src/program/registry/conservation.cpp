@@ -83,7 +83,7 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"euler_poincare",
          "body_momentum",
          {left_invariance, carried_vector, force, damping, friction_on_the_orbit}},
-        {"euler_poincare", "momentum_balance", {carried_vector, damping, friction_on_the_orbit}},
+        {"euler_poincare", "momentum_balance", {damping, friction_on_the_orbit}},
         {"vorticity_sphere", "energy", {}},
         {"vorticity_sphere", "enstrophy", {}},
         {"vorticity_sphere", "angular_momentum", {}},

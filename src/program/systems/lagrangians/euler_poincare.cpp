@@ -124,6 +124,14 @@ Companion companion_of(Request const& request, ReducedScheme const& scheme, Redu
   return out;
 }
 
+/// Refuses momentum_balance where carried vectors break the whole symmetry.
+void require_symmetry(Request const& request, ReducedScene const& scene) {
+  if (asked(request, {"momentum_balance"}) && conserved_directions(scene).empty())
+    request.file.section("output").fail(
+        "quantities",
+        "momentum_balance: every direction of the basis changes a carried vector, so that no component is left");
+}
+
 /// The instruments know the steps without friction alone.
 void require_no_friction(Request const& request, ReducedScene const& scene) {
   if (!scene.system->dissipation) return;
@@ -157,6 +165,7 @@ Simulation prepare(Request const& request) {
   std::vector<std::string> remarks;
   ReducedScene const scene = read_reduced_scene(request.file, remarks);
   require_no_friction(request, scene);
+  require_symmetry(request, scene);
   SceneTable method = request.file.section("method");
   ReducedScheme const scheme = scheme_of(request, scene);
   Simulation simulation(quantities_of(request.file, scene));
@@ -189,6 +198,12 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
+/// The cheapest one that takes what acts on the system.
+std::string method_for_accuracy(SceneFile const& file) {
+  SceneTable const system = file.section("system");
+  return force_keys.force.given(system) || system.has("dissipation") ? "natural_chart" : "momentum_level";
+}
+
 }  // namespace
 
 /// A Lagrangian of one's own on a group.
@@ -211,11 +226,7 @@ System euler_poincare_system() {
       named_quantities,
       {},
       {},
-      [](SceneFile const& file) {
-        SceneTable const system = file.section("system");
-        return force_keys.force.given(system) || system.has("dissipation") ? "natural_chart"
-                                                                           : "momentum_level";
-      }};
+      method_for_accuracy};
 }
 
 }  // namespace actio::scene

@@ -22,12 +22,12 @@ std::vector<double> list_of(Coordinates<G, double> const& x) { return {x.data(),
 using Step = std::function<AdvectedMomentumStep<G, double, Dynamic>(State const&, double)>;
 
 /// A step from a time on. Without vectors and forces the equations are shorter.
-Step step_of(ReducedScheme const& scheme, double start, double h) {
+Step step_of(ReducedScheme const& scheme, double start, double length) {
   systems::TapeLagrangian const l(scheme.system);
   bool const left = scheme.system->side == systems::Side::left;
   int const s = scheme.stages;
   if (scheme.system->force) {
-    systems::TapeForce const force(scheme.system, start, h);
+    systems::TapeForce const force(scheme.system, start, length);
     if (left) return forced_galerkin_step_left<double>(l, s, systems::EachVector{}, force);
     return forced_galerkin_step_right<double>(l, s, systems::EachVector{}, force);
   }
@@ -53,12 +53,11 @@ class GalerkinMotion : public ReducedMotion {
       : scheme_(std::move(scheme)),
         length_(step),
         begin_(start.time),
-        last_{{{group(), coordinates(start.momentum)},
-               coordinates(start.vectors),
-               {group(), coordinates(velocity)}},
-              scheme_.with_configuration ? configuration : Eigen::MatrixXd(),
-              start.time,
-              {}} {
+        last_{State{{group(), coordinates(start.momentum)},
+                    coordinates(start.vectors),
+                    {group(), coordinates(velocity)}},
+              scheme_.with_configuration ? configuration : Eigen::MatrixXd(), start.time},
+        shown_(last_) {
     if (scheme_.system->force && scheme_.with_configuration)
       last_.ledger.impulse.resize(start.momentum.size());
     step_of(scheme_, begin_, length_)(last_.state, length_);
@@ -110,8 +109,8 @@ class GalerkinMotion : public ReducedMotion {
   struct Now {
     State state;
     Eigen::MatrixXd configuration;
-    double time = 0;
-    systems::ForceLedger ledger;
+    double time;
+    systems::ForceLedger ledger = {};
   };
   G group() const { return G(Algebra(scheme_.system, &scheme_.system->algebra)); }
   void take(Now& now, double h) const {

@@ -83,13 +83,14 @@ std::vector<Quantity> quantities_of_forces() {
        Kind::list,
        "What the force has added since the start to the momentum that the symmetry conserves, in space "
        "on the left and of the body on the right.",
+       "\\sum\\tfrac h2(\\mathrm{Ad}^*_{g_k^{-1}}F_k + \\mathrm{Ad}^*_{g_{k+1}^{-1}}F_{k+1})",
        "energy x time",
        "",
        {}},
       {"momentum_balance",
        Kind::list,
        "The momentum that the symmetry conserves without the force, less the impulse: conserved to rounding "
-       "with any force, where no carried vector is in the Lagrangian.",
+       "with any force. Of its components those of the basis whose motions change no carried vector.",
        "\\mathrm{Ad}^*_{g^{-1}}\\,\\Pi - I",
        "energy x time",
        "",

@@ -83,6 +83,17 @@ QuantityGraph::NaturalUnit modulus_of(ReducedMotion const& motion) {
 
 }  // namespace
 
+std::vector<std::size_t> conserved_directions(ReducedScene const& scene) {
+  std::vector<std::size_t> out;
+  auto const& basis = scene.system->algebra.basis;
+  for (std::size_t i = 0; i < basis.size(); ++i)
+    if (std::ranges::all_of(scene.carried, [&](CarriedVector const& vector) {
+          return (basis[i] * vector.constant).cwiseAbs().maxCoeff() == 0;
+        }))
+      out.push_back(i);
+  return out;
+}
+
 void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion const& motion) {
   auto const& algebra = scene.system->algebra;
   auto const ends = ends_of(algebra.components);
@@ -97,11 +108,16 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   graph.define("force", ends, [reader](auto, double* out) { std::ranges::copy(reader->force(), out); });
   graph.define("work", {""}, [&motion](auto, double* out) { *out = motion.ledger().work; });
   graph.define("impulse", ends, [reader](auto, double* out) { std::ranges::copy(reader->impulse(), out); });
+  auto const conserved = conserved_directions(scene);
+  std::vector<std::string> conserved_ends;
+  for (std::size_t const i : conserved) conserved_ends.push_back(ends[i]);
   graph.define(
-      "momentum_balance", ends,
-      [reader](auto, double* out) {
-        reader->momentum_across(out);
-        for (double const done : reader->impulse()) *out++ -= done;
+      "momentum_balance", conserved_ends,
+      [reader, conserved](auto, double* out) {
+        std::vector<double> all(reader->impulse().size());
+        reader->momentum_across(all.data());
+        auto const done = reader->impulse();
+        for (std::size_t const i : conserved) *out++ = all[i] - done[i];
       },
       modulus_of(motion));
   graph.define(

@@ -10,4 +10,8 @@ namespace actio::scene {
 /// @param motion  whose state they are of
 void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion const& motion);
 
+/// The directions of the basis whose motions leave every carried vector as it is: along these the symmetry
+/// conserves the momentum, and momentum_balance has its components.
+std::vector<std::size_t> conserved_directions(ReducedScene const& scene);
+
 }  // namespace actio::scene
