@@ -129,7 +129,8 @@ void require_symmetry(Request const& request, ReducedScene const& scene) {
   if (asked(request, {"momentum_balance"}) && conserved_directions(scene).empty())
     request.file.section("output").fail(
         "quantities",
-        "momentum_balance: every direction of the basis changes a carried vector, so that no component is left");
+        "momentum_balance: every direction of the basis changes a carried vector, so that it has no "
+        "component");
 }
 
 /// The instruments know the steps without friction alone.

@@ -15,6 +15,7 @@
 #include "program/systems/formula.hpp"
 #include "program/systems/lagrangians/dissipation_input.hpp"
 #include "program/systems/lagrangians/force_input.hpp"
+#include "program/systems/lagrangians/shape_input.hpp"
 
 namespace actio::scene {
 namespace {
@@ -61,7 +62,7 @@ struct ReducedStartKeys : KeyTable {
           "The configuration at the start, as a matrix.", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]");
 } const reduced_start_keys{{"initial"}};
 
-systems::MatrixAlgebra read_algebra(SceneTable const& system) {
+systems::MatrixAlgebra read_algebra(SceneTable const& system, ShapeVariables const& shape) {
   bool const named = reduced_keys.group.given(system);
   if (named == reduced_keys.algebra.given(system))
     throw SceneError(named ? system.place("algebra") : system.place(),
@@ -70,8 +71,9 @@ systems::MatrixAlgebra read_algebra(SceneTable const& system) {
                              "'algebra', a basis of matrices");
   std::string const key = named ? "group" : "algebra";
   try {
-    return named ? systems::named_algebra(reduced_keys.group.read(system))
-                 : systems::spanned_algebra(system.matrices(key));
+    if (!named) return systems::spanned_algebra(system.matrices(key));
+    std::string const group = reduced_keys.group.read(system);
+    return shape.names.empty() ? systems::named_algebra(group) : shape.beside(group);
   } catch (SceneError const&) {
     throw;
   } catch (Error const& error) {
@@ -115,7 +117,8 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
                                  "force",
                                  "work",
                                  "impulse",
-                                 "momentum_balance"};
+                                 "momentum_balance",
+                                 "shape"};
   for (auto const& key : table.keys()) {
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
@@ -124,7 +127,7 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
       if (std::ranges::find(algebra.components, key + std::to_string(i)) != algebra.components.end())
         table.fail(key, fmt::format("the name '{}' is taken already: {}{} is a component of the velocity",
                                     key, key, i));
-    out.push_back({key, padded(table, key, algebra)});
+    out.push_back({key, padded(table, key, algebra), {}, 0});
   }
   if (out.size() * static_cast<std::size_t>(algebra.size) > 128)
     reduced_keys.advected.fail(system, fmt::format("at most 128 components together are expected, found {}",
@@ -134,6 +137,7 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
 
 /// The names of the components of a carried vector.
 std::vector<std::string> components_of(CarriedVector const& vector, systems::MatrixAlgebra const& algebra) {
+  if (!vector.components.empty()) return vector.components;
   std::vector<std::string> out;
   for (int i = 1; i <= algebra.size; ++i) out.push_back(vector.name + std::to_string(i));
   return out;
@@ -149,6 +153,13 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
   require_used_constants(system, "parameters", parameters, used, formulas);
   auto const asked = file.section("output").texts("quantities");
   for (auto const& vector : carried) {
+    for (std::size_t k = 0; k < vector.shown; ++k)
+      if (!used.contains(vector.components[k]) && std::ranges::find(asked, vector.name) == asked.end())
+        system.inside("shape").fail(
+            vector.components[k],
+            fmt::format("shape: '{0}' does not occur in the {1}, and output.quantities has no shape{2}",
+                        vector.components[k], formulas, meant_used_name(vector.components[k], used)));
+    if (vector.shown > 0) continue;
     bool const occurs = std::ranges::any_of(components_of(vector, algebra),
                                             [&used](auto const& one) { return used.contains(one); });
     if (!occurs && std::ranges::find(asked, vector.name) == asked.end())
@@ -257,7 +268,7 @@ systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const
 }  // namespace
 
 std::vector<Parameter> reduced_parameters() {
-  return records_of({reduced_keys, force_keys, dissipation_keys, reduced_start_keys});
+  return records_of({reduced_keys, shape_keys, force_keys, dissipation_keys, reduced_start_keys});
 }
 
 std::vector<std::string> carried_names(SceneFile const& file) {
@@ -268,11 +279,15 @@ std::vector<std::string> carried_names(SceneFile const& file) {
 
 ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>& remarks) {
   SceneTable system = file.section("system"), initial = file.section("initial");
-  systems::MatrixAlgebra algebra = read_algebra(system);
+  ShapeVariables const shape = read_shape(system);
+  systems::MatrixAlgebra algebra = read_algebra(system, shape);
   systems::Side const side =
       reduced_keys.side.read(system) == "left" ? systems::Side::left : systems::Side::right;
   ReducedScene scene;
   scene.carried = read_carried(system, algebra);
+  if (!shape.names.empty())
+    scene.carried.push_back(
+        {"shape", shape.carried(algebra, side), shape.components(algebra), shape.names.size()});
   auto [l, force] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);

@@ -16,6 +16,8 @@ namespace actio::scene {
 struct CarriedVector {
   std::string name;          ///< as the scene writes it
   Eigen::VectorXd constant;  ///< fixed in space (left-invariant) or in the body (right-invariant)
+  std::vector<std::string> components = {};  ///< their names; empty: that of the vector with a number
+  std::size_t shown = 0;                     ///< how many of them a quantity has; 0: all
 };
 
 /// A system and its start, as a scene gives them.

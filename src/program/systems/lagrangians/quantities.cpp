@@ -154,6 +154,8 @@ std::vector<Quantity> reduced_quantities() {
 
 std::vector<Quantity> named_quantities(SceneFile const& file) {
   std::vector<Quantity> out;
+  if (file.section("system").has("shape"))
+    out.push_back({"shape", Quantity::Kind::list, "The shape variables.", "x", "1", "", {}});
   for (auto const& name : carried_names(file))
     out.push_back(
         {name, Quantity::Kind::list, "The carried vector of that name.", "g^{-1}c,\\ g\\,c", "1", "", {}});

@@ -131,9 +131,14 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
             out, motion.configuration().rows(), motion.configuration().cols()) = motion.configuration();
       });
   for (std::size_t k = 0; k < scene.carried.size(); ++k) {
-    auto const n = static_cast<std::size_t>(algebra.size);
-    graph.define(scene.carried[k].name, numbered(1, algebra.size), [&motion, k, n](auto, double* out) {
-      std::copy_n(motion.point().vectors.begin() + static_cast<std::ptrdiff_t>(k * n), n, out);
+    auto const& vector = scene.carried[k];
+    auto const n = static_cast<std::size_t>(algebra.size), shown = vector.shown > 0 ? vector.shown : n;
+    auto const names = vector.shown > 0
+                           ? ends_of({vector.components.begin(),
+                                      vector.components.begin() + static_cast<std::ptrdiff_t>(shown)})
+                           : numbered(1, algebra.size);
+    graph.define(vector.name, names, [&motion, k, n, shown](auto, double* out) {
+      std::copy_n(motion.point().vectors.begin() + static_cast<std::ptrdiff_t>(k * n), shown, out);
     });
   }
 }
