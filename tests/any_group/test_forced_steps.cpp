@@ -288,6 +288,17 @@ BOOST_AUTO_TEST_CASE(the_time_of_a_step_is_a_multiple_of_its_length) {
   BOOST_TEST(run.point().time == 1000 * 0.1);
 }
 
+BOOST_AUTO_TEST_CASE(a_component_that_dies_out_between_two_equal_moments_stops_no_run) {
+  // Its rate is a difference of two equal products, whose roundings are larger than the component.
+  System const system = with_force(
+      own_system("SO(3) x R^1", Side::left, "(0.05*x1^2 + 4.3*x2^2 + 4.8*x3^2 + 0.5*(x2 + x4)^2)/2"),
+      {"0", "0", "0", "-20*x4"});
+  List const v{20, 4, 1, 0};
+  ChartIntegrator run(system, 0.02, suzuki<double>(), point_at(*system, v), v);
+  for (int k = 0; k < 20000; ++k) run.step();
+  BOOST_TEST(std::abs(run.point().momentum[0]) < 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(rows_of_an_input_are_checked) {
   using Rows = std::vector<std::pair<double, double>>;
   CHECK_REFUSED(HeldInput(Rows{}), OutsideDomain);

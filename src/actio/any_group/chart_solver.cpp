@@ -88,7 +88,7 @@ double ChartSolver::evaluate(ReducedPoint const& start) {
   for (std::size_t i = 0; i < d; ++i) {
     double const r = residual_[i] = step_.before[i] - start.momentum[i];
     if (!(r - r == 0)) return HUGE_VAL;
-    double scale = std::abs(start.momentum[i]) + std::abs(step_.before[i]);
+    double scale = std::abs(start.momentum[i]) + std::abs(step_.before[i]) + step_.sizes[i];
     for (std::size_t j = 0; j < d; ++j) scale += moduli_[i * d + j] * std::abs(v_[j]);
     if (r != 0) largest = std::max(largest, std::abs(r) / scale);
   }

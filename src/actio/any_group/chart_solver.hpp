@@ -85,7 +85,8 @@ class ChartSolver {
   /// The number of points that would have been best for the last velocity.
   void choose_points();
 
-  /// The residual at the velocity, and its size: in each component relative to what it is the sum of.
+  /// The residual at the velocity, and its size: in each component relative to what it is the sum of. The
+  /// parts of ad* p are among these: for two equal moments they cancel, and so do their derivatives.
   /// Infinite outside of the chart. It is minus the momentum equation of (3.10) or (3.11), by structure
   /// constants.
   double evaluate(ReducedPoint const& start);

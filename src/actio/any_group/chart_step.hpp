@@ -97,6 +97,7 @@ class ChartStep {
   std::vector<S> before,  ///< the momentum at the start; energy x time
       after,              ///< at the end
       vectors,            ///< at the end
+      sizes,              ///< of what A p is the sum of, over double: its roundings are these times epsilon
       force_before,       ///< the force at the start, energy; empty where there is none
       force_after;        ///< at the end
 
@@ -231,6 +232,10 @@ class ChartStep {
     auto const d = v.size();
     set_ad_star(h, v);
     apply_ad_star(p_, odd_);
+    if constexpr (std::is_same_v<S, double>) {
+      sizes.assign(d, 0.0);
+      for (auto const& entry : ad_star_) sizes[entry.row] += std::abs(entry.value * p_[entry.column]);
+    }
     if (alone) std::fill(before.begin(), before.end(), S(0)), std::fill(after.begin(), after.end(), S(0));
     for (std::size_t i = 0; i < d; ++i) {
       S const half = odd_[i] / S(2);
