@@ -25,11 +25,11 @@ using namespace actio;
 using namespace actio::bodies;
 using Both = DirectProduct<SE<3>, SE<3>>;
 using Places = std::array<Pose<double>, 2>;
-using SpaceArrow = Arrow<TwoPlaces, double>;
-using Momenta = DualPoint<TwoPlaces, double>;
+using SpaceArrow = Arrow<TwoPoses, double>;
+using Momenta = DualPoint<TwoPoses, double>;
 double const h = 0.02;
 int const steps = 200, order = 4;
-TwoPlaces const groupoid;
+TwoPoses const groupoid;
 
 // 1. Two ellipsoids, and the fast step that chapter 5 would use. Each is given by its principal axes.
 ExtendedBody const large = ellipsoid_body(0.8, {0.40, 0.36, 0.30}, order),
@@ -67,7 +67,7 @@ Residuals put_into_equations(PairOnGroupoid const& pair, std::vector<Places> con
   auto const L = pair.lagrangian(h);
   Residuals found;
   for (std::size_t k = 1; k + 1 < g.size(); ++k) {
-    SpaceArrow const before = TwoPlaces::reduced(g[k - 1], g[k]), after = TwoPlaces::reduced(g[k], g[k + 1]);
+    SpaceArrow const before = TwoPoses::reduced(g[k - 1], g[k]), after = TwoPoses::reduced(g[k], g[k + 1]);
     found.on_arrows = std::max(found.on_arrows, lagrange_equations(groupoid, L, before, after).norm());
     auto const both = [&](std::size_t i) { return element_of_product(g[i][0], g[i][1]); };
     PairArrow<Both, double> const first{both(k - 1), both(k)}, second{both(k), both(k + 1)};
@@ -81,7 +81,7 @@ Residuals put_into_equations(PairOnGroupoid const& pair, std::vector<Places> con
 // 3. The first arrow gives momenta, momenta the next arrow; the first body moves by the elements of the
 //    arrows.
 double put_together(PairOnGroupoid const& pair, std::vector<Places> const& g) {
-  SpaceArrow arrow = TwoPlaces::reduced(g[0], g[1]);
+  SpaceArrow arrow = TwoPoses::reduced(g[0], g[1]);
   Places at = g[0];
   double off = 0;
   for (int k = 1; k <= steps; ++k) {
@@ -114,9 +114,9 @@ template <class P, class T>
 auto wrong_side(PairOnGroupoid const& pair, P const& p, T const& t) {
   P const middle = pair.kicked(p, T(t / T(2)));
   auto const f = pair.free_motions(middle, t);
-  auto arrow = TwoPlaces::moving(p.base, f);
+  auto arrow = TwoPoses::moving(p.base, f);
   arrow.to[0] = inverse(f[0]) * f[1] * p.base.others[0];
-  P const end{TwoPlaces::target(arrow), PairOnGroupoid::carried(f, middle.components)};
+  P const end{TwoPoses::target(arrow), PairOnGroupoid::carried(f, middle.components)};
   return std::pair{arrow, pair.kicked(end, T(t / T(2)))};
 }
 
@@ -189,7 +189,7 @@ int main(int argc, char** argv) {
   program.figure("on_pairs", left.on_pairs, "residual of the discrete Euler-Lagrange equations on pairs");
   program.figure("momenta", left.momentum, "length of the momenta, for comparison");
 
-  SpaceArrow const first = TwoPlaces::reduced(g[0], g[1]);
+  SpaceArrow const first = TwoPoses::reduced(g[0], g[1]);
   auto const L = pair.lagrangian(h);
   Momenta const p = legendre_at_source(groupoid, L, first);
   auto const found = arrow_with_source_covector(groupoid, L, p.components, groupoid.unit(p.base));

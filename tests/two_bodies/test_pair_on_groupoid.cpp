@@ -18,9 +18,9 @@ using namespace actio::bodies;
 namespace {
 
 using Both = DirectProduct<SE<3>, SE<3>>;
-using Momenta = DualPoint<TwoPlaces, double>;
-using Step = std::pair<Arrow<TwoPlaces, double>, Momenta>;
-constexpr TwoPlaces gamma_{};
+using Momenta = DualPoint<TwoPoses, double>;
+using Step = std::pair<Arrow<TwoPoses, double>, Momenta>;
+constexpr TwoPoses gamma_{};
 /// Masses 0.8 and 0.2, G = 1, about one unit of length apart: an orbit takes some 6 units of time.
 constexpr double h = 0.02;
 constexpr int steps = 200;
@@ -33,7 +33,7 @@ PairOnGroupoid pair_of_order(int order) { return {large(), small(), order, 1}; }
 Momenta start() {
   Vector<double, 6> place;
   place << 0.4, -0.3, 0.2, 1.3, 0.2, -0.1;
-  Fibre<TwoPlaces, double> p;
+  Fibre<TwoPoses, double> p;
   p << 0.02, 0.03, 0.05, -0.01, -0.13, 0.02, 0.001, 0.0012, 0.002, -0.02, 0.16, 0.01;
   return {{{exp(velocity(SE<3>{}, place))}}, p};
 }
@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(the_fast_step_solves_the_equations_of_the_groupoid_and_of_p
     for (int k = 0; k < steps; ++k) fast.step(), g.push_back(places(fast));
     double reduced = 0, unreduced = 0, size = 0;
     for (std::size_t k = 1; k + 1 < g.size(); ++k) {
-      auto const before = TwoPlaces::reduced<double>(g[k - 1], g[k]),
-                 after = TwoPlaces::reduced<double>(g[k], g[k + 1]);
+      auto const before = TwoPoses::reduced<double>(g[k - 1], g[k]),
+                 after = TwoPoses::reduced<double>(g[k], g[k + 1]);
       reduced = std::max(reduced, lagrange_equations(gamma_, L, before, after).norm());
       size = std::max(size, legendre_at_target(gamma_, L, before).components.norm());
       auto const both = [&](std::size_t i) { return element_of_product(g[i][0], g[i][1]); };
@@ -109,8 +109,8 @@ BOOST_AUTO_TEST_CASE(the_fast_step_solves_the_equations_of_the_groupoid_and_of_p
     BOOST_TEST(unreduced <= 1e-13);
     // With moments of the other order it is no solution.
     auto const other = pair_of_order(6 - order).lagrangian(h);
-    auto const wrong = lagrange_equations(gamma_, other, TwoPlaces::reduced<double>(g[0], g[1]),
-                                          TwoPlaces::reduced<double>(g[1], g[2]));
+    auto const wrong = lagrange_equations(gamma_, other, TwoPoses::reduced<double>(g[0], g[1]),
+                                          TwoPoses::reduced<double>(g[1], g[2]));
     BOOST_TEST(wrong.norm() > 1e-7);
   }
 }
@@ -134,14 +134,14 @@ BOOST_AUTO_TEST_CASE(the_motion_is_put_together_from_arrows) {
   fast.step();
   // The first arrow from the fast step, all others by momenta; then the first body from the elements of
   // arrows.
-  auto arrow = TwoPlaces::reduced<double>(g, places(fast));
+  auto arrow = TwoPoses::reduced<double>(g, places(fast));
   for (int k = 1; k <= steps; ++k) {
     Pose<double> const first = g[0] * arrow.element;
     g = {first, first * arrow.to[0]};
     auto const there = places(fast);
     double const off = (g[0].value - there[0].value).norm() + (g[1].value - there[1].value).norm();
     BOOST_TEST(off <= 1e-12 * k);
-    DualPoint<TwoPlaces, double> const p = legendre_at_target(gamma_, pair.lagrangian(h), arrow);
+    DualPoint<TwoPoses, double> const p = legendre_at_target(gamma_, pair.lagrangian(h), arrow);
     arrow = pair.step(p, h).first;
     fast.step();
   }
@@ -167,9 +167,9 @@ BOOST_AUTO_TEST_CASE(the_step_is_a_poisson_map_and_stays_on_its_leaf) {
   auto const wrong_side = [&]<class T, class P>(T const& t, P const& p) {
     P const middle = pair.kicked(p, T(t / T(2)));
     auto const f = pair.free_motions(middle, t);
-    auto arrow = TwoPlaces::moving(p.base, f);
+    auto arrow = TwoPoses::moving(p.base, f);
     arrow.to[0] = inverse(f[0]) * f[1] * p.base.others[0];
-    P const end{TwoPlaces::target(arrow), PairOnGroupoid::carried(f, middle.components)};
+    P const end{TwoPoses::target(arrow), PairOnGroupoid::carried(f, middle.components)};
     return std::pair{arrow, pair.kicked(end, T(t / T(2)))};
   };
   auto const judged = [&](auto const& one) {
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(the_step_on_pairs_of_configurations_is_symplectic) {
     using T = typename std::decay_t<decltype(x)>::Scalar;
     auto const [g1, g2] = factors(x.first);
     auto const [later_1, later_2] = factors(x.second);
-    auto const arrow = TwoPlaces::reduced<T>({g1, g2}, {later_1, later_2});
+    auto const arrow = TwoPoses::reduced<T>({g1, g2}, {later_1, later_2});
     auto const next = pair.step(legendre_at_target(gamma_, L, arrow), T(h)).first;
     Pose<T> const first = later_1 * next.element;
     return PairArrow<Both, T>{x.second, element_of_product(first, Pose<T>(first * next.to[0]))};

@@ -106,7 +106,7 @@ std::vector<Quantity> of_the_state() {
       {"separation", Kind::scalar, "The distance of the centres of mass.", "|X|", "length", "", {"position"}},
       {"relative_position",
        Kind::vector,
-       "The position as the first body sees it, in its frame.",
+       "The position in the frame of the first body.",
        "R_1^TX",
        "length",
        "",
