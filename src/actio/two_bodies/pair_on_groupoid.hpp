@@ -4,7 +4,7 @@
 // Nothing here is fast: it says what moser_veselov_pair of pair_method.hpp solves, in terms that the Lagrange
 // equations on a groupoid, their Legendre maps and the instruments understand. A configuration is (g_1, g_2),
 // the principal axes of each body at its centre of mass; a point of the base is x = g_1^-1 g_2, the second
-// body as the first sees it. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the angular
+// body in the frame of the first. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the angular
 // momentum about its centre of mass and the linear one, in its own axes.
 #pragma once
 
@@ -19,11 +19,11 @@ namespace actio::bodies {
 
 /// The groupoid of two bodies in space.
 using TwoPoses = DiagonalQuotient<SE<3>, 2>;
-/// Place and attitude, as an element of SE(3).
+/// Position and attitude, as an element of SE(3).
 template <class T>
 using Pose = Element<SE<3>, T>;
 
-/// Two bodies, as mechanics on a groupoid sees them.
+/// Mechanics of two bodies on their groupoid.
 class PairOnGroupoid {
  public:
   /// @param order  N of the mutual potential
@@ -34,7 +34,7 @@ class PairOnGroupoid {
     MutualPotential<double>(bodies_[0].moments, bodies_[1].moments, order, G);
   }
 
-  /// What the bodies do to each other, in the axes of the first.
+  /// Potential, force and torques between the bodies, in the axes of the first.
   template <class T>
   Interaction<T> interaction(Pose<T> const& x) const {
     auto const& a = x.value;
