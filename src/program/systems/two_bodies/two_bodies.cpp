@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "program/catalogue/body_shape.hpp"
 #include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
+#include "program/systems/two_bodies/mass_input.hpp"
 #include "program/systems/two_bodies/quantities.hpp"
 
 namespace actio::scene {
@@ -111,23 +113,38 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
+/// Moments up to the second order are all that their pictures need.
+std::vector<OrbitingBody> bodies_of(SceneFile const& file) {
+  std::vector<OrbitingBody> out;
+  for (char const* const name : {"system.primary", "system.secondary"}) {
+    std::vector<std::string> told_before;
+    auto const body = read_mass(file.section(name), 2, told_before).body;
+    Matrix<double, 3, 1> const moments(body.inertia[0], body.inertia[1], body.inertia[2]);
+    out.push_back({body.mass(), body.radius, {inertia_from_moments<double>(moments), body.axes}});
+  }
+  return out;
+}
+
 }  // namespace
 
 /// Two bodies that attract each other.
 System two_bodies_system() {
-  return {"two_bodies",
-          "Two bodies that attract each other",
-          "Two rigid bodies of any shape under their mutual gravity, with a third body and tides where asked "
-          "for: binary asteroids, planets and moons.",
-          "chapter 10",
-          pair_parameters(),
-          methods(),
-          pair_quantities(),
-          prepare,
-          "[system]\nkind = \"two_bodies\"\nprimary = { ellipsoid = [394, 394, 290], density = 2800 }\n"
-          "secondary = { ellipsoid = [96, 74, 60], density = 2800 }\n[initial]\nposition = [1189, 0, 0]\n"
-          "velocity = [0, 0.17, 0]\n[run]\nuntil = 86400\nevery = 600\n[output]\n"
-          "quantities = [\"position\", \"libration\", \"energy\"]\n"};
+  System out{
+      "two_bodies",
+      "Two bodies that attract each other",
+      "Two rigid bodies of any shape under their mutual gravity, with a third body and tides where asked "
+      "for: binary asteroids, planets and moons.",
+      "chapter 10",
+      pair_parameters(),
+      methods(),
+      pair_quantities(),
+      prepare,
+      "[system]\nkind = \"two_bodies\"\nprimary = { ellipsoid = [394, 394, 290], density = 2800 }\n"
+      "secondary = { ellipsoid = [96, 74, 60], density = 2800 }\n[initial]\nposition = [1189, 0, 0]\n"
+      "velocity = [0, 0.17, 0]\n[run]\nuntil = 86400\nevery = 600\n[output]\n"
+      "quantities = [\"position\", \"libration\", \"energy\"]\n"};
+  out.bodies = bodies_of;
+  return out;
 }
 
 }  // namespace actio::scene
