@@ -4,8 +4,8 @@
 // Nothing here is fast: it says what moser_veselov_pair of pair_method.hpp solves, in terms that the Lagrange
 // equations on a groupoid, their Legendre maps and the instruments understand. A configuration is (g_1, g_2),
 // the principal axes of each body at its centre of mass; a point of the base is x = g_1^-1 g_2, the second
-// body in the frame of the first. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the angular
-// momentum about its centre of mass and the linear one, in its own axes.
+// body in the frame of the first. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the
+// angular momentum about its centre of mass and the linear one, in its own axes.
 #pragma once
 
 #include "actio/groupoid/diagonal_quotient.hpp"
@@ -148,9 +148,7 @@ class PairOnGroupoid {
 
  private:
   template <class T>
-  static Arrow<TwoPoses, T> const& on_arrows(Arrow<TwoPoses, T> const& arrow) {
-    return arrow;
-  }
+  static Arrow<TwoPoses, T> const& on_arrows(Arrow<TwoPoses, T> const& arrow) { return arrow; }
   template <class T>
   static Arrow<TwoPoses, T> on_arrows(PairArrow<DirectProduct<SE<3>, SE<3>>, T> const& pair) {
     auto const [g1, g2] = factors(pair.first);
