@@ -12,7 +12,8 @@ class PairMotion extends Motion {
     // The rate of playing, and whether one may interpolate, is that of the orbit.
     this.momenta = this.positions;
     this.turns_of = [1, 2].map((i) => this.rows(`attitude_${i}`, ["w", "x", "y", "z"]));
-    this.even = this.turns_of.map((rows) => rows && rows.every((q, i) => i === 0 || angleBetween(rows[i - 1], q) < Math.PI / 2));
+    this.widest_of = this.turns_of.map((rows) => rows && rows.reduce((most, q, i) => Math.max(most, i > 0 ? angleBetween(rows[i - 1], q) : 0), 0));
+    this.even = this.widest_of.map((angle) => angle !== null && angle < Math.PI / 2);
   }
   get playable() { return this.times.length > 1 && Boolean(this.positions); }
   state(between) {
@@ -21,7 +22,7 @@ class PairMotion extends Motion {
   }
   /** Rows, and times between them that are near enough for curves. */
   get fine() {
-    const pieces = Math.max(1, Math.min(8, Math.ceil(this.widest / 0.1), Math.floor(8000 / this.times.length)));
+    const angle = this.even[0] ? Math.max(this.widest, this.widest_of[0]) : this.widest, pieces = Math.max(1, Math.min(12, Math.ceil(angle / 0.1), Math.floor(8000 / this.times.length)));
     return this.times.flatMap((t, i) => Array.from({ length: i + 1 < this.times.length ? pieces : 1 }, (_, k) => t + (k / pieces) * ((this.times[i + 1] ?? t) - t)));
   }
 }
@@ -60,7 +61,9 @@ class PairView {
     this.stage.frame = frameAbout(this.stage.up);
     this.ways = [0, 1].map((k) => now.map((state) => this.centre(k, state)));
     const reach = [0, 1].flatMap((k) => this.ways[k].map((p) => norm(p) + this.sizes[k] * this.bodies[k].radius));
-    this.stage.nearness = 1.25 / reach.reduce((most, x) => Math.max(most, x), 0);
+    // An orbit is wider than high, as it is seen.
+    const { clientWidth, clientHeight } = this.stage.canvas, wide = Math.min(1.5, Math.max(1, clientWidth / clientHeight)) || 1;
+    this.stage.nearness = (1.25 * wide) / reach.reduce((most, x) => Math.max(most, x), 0);
     // Where the first body turns too far from row to row there is no curve in its frame, but its points.
     this.dotted = this.ofFirst && !motion.even[0];
     this.changed();
@@ -100,14 +103,13 @@ class PairView {
   }
   /** What is not to scale, or not to be seen, in words. */
   get said() {
-    const name = ["first", "second"];
-    return [0, 1].flatMap((k) => {
-      const times = this.sizes[k] / this.unit, rows = this.motion.turns_of[k];
-      return [
-        times > 1 && `The ${name[k]} body is drawn ${shownNumber(times, 2)} times as large as it is.`,
-        !rows && `Add "attitude_${k + 1}" to the quantities of [output] to see the ${name[k]} body turn: it is drawn as a ball.`,
-        rows && !this.motion.even[k] && `The ${name[k]} body turns by more than 90° from row to row: its attitude is shown at the rows alone.`,
-      ];
-    });
+    const { turns_of, even } = this.motion, name = ["first", "second"], both = [0, 1];
+    // A ball looks like one.
+    const unknown = both.filter((k) => !turns_of[k] && this.bodies[k].moments.some((m) => m < (1 - 1e-9) * Math.max(...this.bodies[k].moments)));
+    return [
+      ...both.map((k) => this.sizes[k] > this.unit && `The ${name[k]} body is drawn ${shownNumber(this.sizes[k] / this.unit, 2)} times as large as it is.`),
+      unknown.length > 0 && `Add ${unknown.map((k) => `"attitude_${k + 1}"`).join(" and ")} to the quantities of [output] to see the ${unknown.map((k) => name[k]).join(" and the ")} body turn, drawn as a ball here.`,
+      ...both.map((k) => turns_of[k] && !even[k] && `The ${name[k]} body turns by more than 90° from row to row: its attitude is shown at the rows alone.`),
+    ];
   }
 }
