@@ -109,14 +109,21 @@ class Chooser {
     return with_step({order, work, std::move(now), 0});
   }
 
-  /// The same by a pilot whose steps are near enough.
+  /// A pilot whose steps are near enough to those of a candidate; still nearer, down to these, as long as no
+  /// error is told.
+  Pilot confirming(Candidate& now) const {
+    double step = std::min(farthest * now.step, now.pilot.step / 2);
+    Pilot next = pilot_with(now.order, step, now.work);
+    if (!next.whole()) refuse_where_it_grows_too_much(now.pilot, now.order);
+    while (!next.whole() && step >= 2 * now.step) next = pilot_with(now.order, step /= 2, now.work);
+    if (!next.whole()) throw Refusal(untold(next, now.order));
+    return next;
+  }
+
+  /// The same by a pilot that confirms it.
   Candidate confirmed(Candidate now) const {
     for (bool sure = true; now.pilot.step > farthest * now.step || !sure;) {
-      Pilot next = pilot_with(now.order, std::min(farthest * now.step, now.pilot.step / 2), now.work);
-      if (!next.whole()) {
-        refuse_where_it_grows_too_much(now.pilot, now.order);
-        throw Refusal(untold(next, now.order));
-      }
+      Pilot next = confirming(now);
       bool const as_expected =
           next.told.back().error <= 10 * now.pilot.error_with(next.step, now.order.power);
       if (!sure && !as_expected)
