@@ -35,7 +35,7 @@ class Moments(unittest.TestCase):
 
     def refuses(self, error, *said, **arguments):
         with self.assertRaises(error) as caught:
-            actio.moments(**{"mesh": self.file(box(1, 1, 1)), **arguments})
+            actio.moments(**{"mesh": self.file(box(1, 1, 1), "unit_box.obj"), **arguments})
         for text in said:
             self.assertIn(text, str(caught.exception))
 
@@ -62,7 +62,8 @@ class Moments(unittest.TestCase):
         edges = [[p - q for p, q in zip(corner, corners[0])] for corner in corners[1:]]
         volume = fractions.Fraction(round(numpy.linalg.det(edges)), 6)
         self.assertNotEqual(volume, 0)
-        faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n" if volume > 0 else "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n"
+        outwards = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+        faces = outwards if volume > 0 else "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n"
         text = "".join("v {} {} {}\n".format(*corner) for corner in corners) + faces
 
         def exact(powers):
@@ -111,8 +112,10 @@ class Moments(unittest.TestCase):
     def test_what_is_no_body_is_refused(self):
         self.refuses(actio.FileError, "cannot be read", mesh="there/is/no/such.obj")
         self.refuses(actio.Error, "line 1: a vertex has three coordinates", mesh=self.file("v 1 2\n"))
-        self.refuses(actio.Error, "each edge must be met", mesh=self.file(box(1, 1, 1)[: -len("f 4 1 5 8\n")]))
-        inside_out = box(1, 1, 1).split("f")[0] + "f 2 3 4 1\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n"
+        is_open = box(1, 1, 1)[: -len("f 4 1 5 8\n")]
+        self.refuses(actio.Error, "each edge must be met", mesh=self.file(is_open))
+        turned = [" ".join(["f", *reversed(face.split()[1:])]) for face in FACES.splitlines()]
+        inside_out = box(1, 1, 1).split("f")[0] + "\n".join(turned)
         self.refuses(actio.Error, "the volume must be positive", mesh=self.file(inside_out))
         self.refuses(actio.SceneError, "order: a whole number from 0 to 16", order=17)
         self.refuses(actio.SceneError, "order: ", order=-1)
