@@ -16,7 +16,7 @@ using namespace actio;
 using namespace actio::bodies;
 using Eigen::Vector3d;
 
-// Runge-Kutta by hand: place, velocity, angular velocities and quaternions.
+// Runge-Kutta by hand: position, velocity, angular velocities and quaternions.
 struct Twenty {
   Three<double> x, v, w1, w2;
   Four<double> q1, q2;

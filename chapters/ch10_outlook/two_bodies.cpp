@@ -6,8 +6,10 @@
 // rate at which its pericentre turns, against the elongation of the moon. At last a ball about an oblate
 // body, with the angle between pericentres known in closed form. Read first. Section 10D.2.
 //
-//   X, P place of the moon from the primary, and momentum of the relative motion n rate of the orbit q, w
-//   attitude and angular velocity of a body, 1 the primary, 2 the moon h step
+//   X, P   position of the moon relative to the primary, and momentum of the relative motion
+//   n      rate of the orbit
+//   q, w   attitude and angular velocity of a body, 1 the primary, 2 the moon
+//   h      step
 //
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Geometry>
@@ -104,7 +106,7 @@ struct Equations {
 
 // 3. Sixty radians by each method: where the moon is, and how it is turned.
 struct End {
-  Vector3d place;
+  Vector3d position;
   Quaterniond moon;
 };
 using Run = std::function<End(long steps)>;
@@ -151,8 +153,9 @@ void compare(book::Program& program) {
       {"Kepler's splitting", splitting(d, kepler_splitting()), 7, {3, 5, 10}}};
   End const truth = runge_kutta<Fehlberg>(d)(60 * 160);
   std::vector<book::Program::Row> rows;
-  auto plot =
-      book::Plot("evaluations of the forces in a radian", "error of the place, in distances").log_x().log_y();
+  auto plot = book::Plot("evaluations of the forces in a radian", "error of the position, in distances")
+                  .log_x()
+                  .log_y();
   double kepler = 0, best_other = HUGE_VAL, last = 0;
   int colour = 0;
   for (auto const& method : methods) {
@@ -162,26 +165,27 @@ void compare(book::Program& program) {
       double seconds = HUGE_VAL;  // the shortest of some
       for (int k = 0; k < 5; ++k)
         seconds = std::min(seconds, book::seconds_of([&] { end = method.run(60 * steps); }));
-      double const place = (end.place - truth.place).norm() / Didymos::distance,
+      double const position = (end.position - truth.position).norm() / Didymos::distance,
                    attitude = end.moon.angularDistance(truth.moon);
       long const evaluations = steps * method.evaluations;
-      work.push_back(double(evaluations)), errors.push_back(place);
+      work.push_back(double(evaluations)), errors.push_back(position);
       rows.push_back({method.name, book::number(1 / d.n / double(steps)), std::to_string(evaluations),
-                      book::number(place, 2), book::number(attitude, 2),
+                      book::number(position, 2), book::number(attitude, 2),
                       book::number(1e6 * seconds / radians, 2)});
       // At five steps a radian Kepler's splitting has 35 evaluations: the others with up to three times as
       // many.
       bool const own = method.evaluations == 7;
-      if (own && steps == 5) kepler = place;
-      if (!own && evaluations <= 105) best_other = std::min(best_other, place);
-      if (own) last = place;
+      if (own && steps == 5) kepler = position;
+      if (!own && evaluations <= 105) best_other = std::min(best_other, position);
+      if (own) last = position;
     }
     plot.curve(work, errors, method.name, {.colour = ++colour});
   }
-  program.picture("work", plot.svg(), "Didymos over sixty radians: error of the moon's place against work.");
+  program.picture("work", plot.svg(),
+                  "Didymos over sixty radians: error of the moon's position against work.");
   program.table(
       "work",
-      {"method", "step, s", "evaluations in a radian", "error of the place, in distances",
+      {"method", "step, s", "evaluations in a radian", "error of the position, in distances",
        "error of the moon's attitude, rad", "microseconds in a radian"},
       rows,
       "Didymos over sixty radians, to order 2 of the potential; the truth is Fehlberg's method in 160 "

@@ -95,6 +95,7 @@ function addChoice(place, { label, title = label, options, chosen = 0, choose })
 /** What to ask for where there is nothing to see, or less than there could be. */
 function tellWhatIsMissing() {
   const asked = (name) => run.quantities.some((q) => q.name === name);
+  if (run.bodies && !asked("position")) return 'Add "position" to the quantities of [output] to see both bodies move.';
   if (run.body && !asked("attitude")) return 'Add "attitude" to the quantities of [output] to see the body turn.';
   const shown = (...ways) => Object.keys(run.scene.shown || {}).filter((name) => ways.includes(run.scene.shown[name]));
   const [planes] = shown("planes"), [frame] = shown("rotation", "motion"), momenta = shown("trajectory", "sphere");
@@ -120,7 +121,7 @@ function withoutStages() {
 /** The stages in use; the others are hidden. */
 function useStages(...names) {
   byId("motion").hidden = false;
-  for (const name of ["space", "sphere", "planes", "frame", "trajectory", "map", "medium"]) byId(name).hidden = !names.includes(name);
+  for (const name of ["space", "pair", "sphere", "planes", "frame", "trajectory", "map", "medium"]) byId(name).hidden = !names.includes(name);
 }
 function raise(name, theatre) {
   stages.push(theatre);
@@ -175,7 +176,17 @@ function raiseMaps() {
   say(times.length < of && `${times.length} of ${of} snapshots are shown.`);
   play(clockOf({ from: times, to: times }));
 }
+function raisePair() {
+  const motion = run.motion.columns.t.length > 1 ? new PairMotion(run) : null;
+  if (!motion || !motion.playable) return withoutStages();
+  useStages("pair");
+  const pair = new PairView(canvasOf("pair"), motion, changed);
+  raise("pair", pair);
+  tellLimits(motion, ...pair.said);
+  play(motion);
+}
 function raiseStages() {
+  if (run.bodies) return raisePair();
   if (!run.body) return raiseMaps();
   const motion = run.motion.columns.t.length > 1 ? new Motion(run) : null;
   if (!motion || !motion.playable) return withoutStages();

@@ -4,7 +4,7 @@
 
 /** Squared radii of gyration along the principal axes: (I2 + I3 - I1) / 2 and so on, per unit of mass. */
 function spreads(body) {
-  const [a, b, c] = body.moments, mass = body.top ? body.top.mass : 1;
+  const [a, b, c] = body.moments, mass = body.top ? body.top.mass : body.mass || 1;
   return [b + c - a, c + a - b, a + b - c].map((x) => Math.max(0, x) / 2 / mass);
 }
 /** Half the sides of the box, or the semi-axes of the ellipsoid; a plate keeps a little thickness, to be seen. */

@@ -11,6 +11,7 @@
 #include "program/registry/registry_json.hpp"
 #include "python/algebras.hpp"
 #include "python/memory_run.hpp"
+#include "python/moments.hpp"
 #include "python/registry.hpp"
 #include "python/run_watch.hpp"
 
@@ -176,4 +177,5 @@ PYBIND11_MODULE(_actio, m) {
   m.def("groups", &python::groups);
   m.def("named_algebra", &python::named_algebra);
   m.def("spanned_algebra", &python::spanned_algebra);
+  m.def("moments", &python::moments);
 }

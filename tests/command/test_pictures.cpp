@@ -191,13 +191,17 @@ BOOST_AUTO_TEST_CASE(the_page_plays_bodies_tops_and_momenta) {
     std::string scene, quantities;
     int stages;
   };
-  for (auto const& [scene, quantities, stages] : {Played{"t_handle", "", 2},
-                                                  {"t_handle", "[\"attitude\"]", 1},
-                                                  {"water", "", 2},
-                                                  {"nodding_top", "", 1},
-                                                  {"so4_body", "", 1},
-                                                  {"so4_body", "[\"energy\"]", 0},
-                                                  {"apophis", "[\"energy\"]", 0}}) {
+  for (auto const& [scene, quantities, stages] :
+       {Played{"t_handle", "", 2},
+        {"t_handle", "[\"attitude\"]", 1},
+        {"water", "", 2},
+        {"nodding_top", "", 1},
+        {"so4_body", "", 1},
+        {"so4_body", "[\"energy\"]", 0},
+        {"apophis", "[\"energy\"]", 0},
+        {"kw4", "", 1},
+        {"didymos_before", "[\"position\", \"attitude_1\", \"attitude_2\"]", 1},
+        {"didymos_before", "[\"energy\"]", 0}}) {
     std::vector<std::string> arguments{
         "run", ACTIO_DATA "/scenes/" + scene + ".toml", "--out", folder / scene, "--force", "--plots"};
     if (!quantities.empty()) arguments.insert(arguments.end(), {"--set", "output.quantities=" + quantities});
@@ -232,8 +236,8 @@ BOOST_AUTO_TEST_CASE(every_scene_of_a_body_in_space_asks_for_what_its_page_shows
   for (auto const& entry : std::filesystem::directory_iterator(ACTIO_DATA "/scenes")) {
     if (entry.path().extension() != ".toml") continue;
     std::string const text = command::contents(entry.path().string());
-    bool const in_space = text.find("\"rigid_body\"") != std::string::npos ||
-                          text.find("\"heavy_top\"") != std::string::npos;
+    bool const in_space =
+        text.find("\"rigid_body\"") != std::string::npos || text.find("\"heavy_top\"") != std::string::npos;
     if (in_space) BOOST_TEST(text.find("\"attitude\"") != std::string::npos, entry.path().filename());
   }
 }

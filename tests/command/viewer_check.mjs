@@ -138,6 +138,19 @@ function holdMedium(medium) {
   });
 }
 if (stages[0]?.medium) holdMedium(stages[0].medium);
+// The barycentre of two bodies is at rest in space, and the distance of their centres is that of the run; in the frame
+// of the first body the position is that of the run, turned back by its attitude.
+function holdPair(view) {
+  const { motion, unit, bodies } = view, [turned, inverse] = ['turned', 'inverse'].map((name) => vm.runInContext(name, sandbox));
+  const near = (a, b, what) => { if (!(Math.abs(a - b) <= 1e-5)) fail(`${what}: ${a} instead of ${b}`); };
+  for (let row = 0; row < motion.times.length; row += 1 + (motion.times.length >> 5)) {
+    const now = motion.at(motion.times[row]), X = ['x', 'y', 'z'].map((end) => unit * run.motion.columns[`position_${end}`][row]);
+    const [a, b] = [0, 1].map((k) => view.centre(k, now)), expected = view.ofFirst ? turned(inverse(motion.turns_of[0][row]), X) : X;
+    expected.forEach((x, i) => near(b[i] - a[i], x, `row ${row}: component ${i + 1} of the position`));
+    a.forEach((x, i) => near(view.ofFirst ? x : (bodies[0].mass * x + bodies[1].mass * b[i]) / (bodies[0].mass + bodies[1].mass), 0, `row ${row}: component ${i + 1} of what is at rest`));
+  }
+}
+if (stages[0]?.constructor.name === 'PairView') for (let i = stages[0].frames.length; i-- > 0;) stages[0].inFrame(i), holdPair(stages[0]);
 // Every choice beside a picture.
 for (const stage of stages)
   for (const [k, { options }] of (stage.choices ?? []).entries())

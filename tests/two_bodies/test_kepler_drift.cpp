@@ -45,9 +45,9 @@ BOOST_AUTO_TEST_CASE(ellipses_and_hyperbolas_are_met_in_double_and_in_fifty_digi
         double size = 0, off = 0, off_of_many = 0;
         for (int i = 0; i < 3; ++i) {
           size += static_cast<double>(abs(b.x[i] - a.x[i]) + abs(b.v[i] - a.v[i]));
-          off += std::abs(static_cast<double>(b.x[i] - a.x[i]) - few.place[i]) +
+          off += std::abs(static_cast<double>(b.x[i] - a.x[i]) - few.position[i]) +
                  std::abs(static_cast<double>(b.v[i] - a.v[i]) - few.velocity[i]);
-          off_of_many += static_cast<double>(abs(b.x[i] - a.x[i] - many.place[i]) +
+          off_of_many += static_cast<double>(abs(b.x[i] - a.x[i] - many.position[i]) +
                                              abs(b.v[i] - a.v[i] - many.velocity[i]));
         }
         double const near = 1 / std::abs(1 - e);
@@ -70,18 +70,18 @@ BOOST_AUTO_TEST_CASE(dual_numbers_give_the_derivative_of_the_motion) {
     auto const lifted = [](Three<double> const& y) { return Three<D>{D(y[0]), D(y[1]), D(y[2])}; };
     auto const at = kepler_drift<D>(lifted(x), lifted(v), D(1), variable(t));
     for (int i = 0; i < 3; ++i)
-      BOOST_TEST(std::abs(at.place[i].part[0] - (v[i] + at.velocity[i].value)) <= 1e-13);
+      BOOST_TEST(std::abs(at.position[i].part[0] - (v[i] + at.velocity[i].value)) <= 1e-13);
     // x(t; s^2 mu, s v) = x(s t; mu, v): the derivative by s at 1 is t times the velocity.
     D const s = variable(1.0);
     auto const scaled = kepler_drift<D>(lifted(x), {s * v[0], s * v[1], s * v[2]}, s * s, D(t));
     for (int i = 0; i < 3; ++i)
-      BOOST_TEST(std::abs(scaled.place[i].part[0] - t * (v[i] + at.velocity[i].value)) <= 1e-12);
+      BOOST_TEST(std::abs(scaled.position[i].part[0] - t * (v[i] + at.velocity[i].value)) <= 1e-12);
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_fall_into_the_centre_that_is_met_is_no_number) {
   auto const fall = kepler_drift<double>({1, 0, 0}, {0, 0, 0}, 1, 0.5);  // before the centre, at 1.11
-  BOOST_TEST(std::abs(fall.place[0]) < 0.2);
+  BOOST_TEST(std::abs(fall.position[0]) < 0.2);
   CHECK_REFUSED(kepler_drift<double>({1, 0, 0}, {0, std::nan(""), 0}, 1, 0.5), NotConverged);
 }
 

@@ -48,8 +48,8 @@ BOOST_AUTO_TEST_CASE(the_force_of_a_third_body_is_that_of_its_potential) {
   Vector3d const X(900, 500, -300);
   double const time = 2.3 * d.radian, m1 = d.primary.mass(), m2 = d.moon.mass(), M = m1 + m2;
   auto const moved =
-      kepler_drift<double>(third.start.place, third.start.velocity, third.mu, time - third.epoch);
-  Vector3d const R = vector(third.start.place) + vector(moved.place);
+      kepler_drift<double>(third.start.position, third.start.velocity, third.mu, time - third.epoch);
+  Vector3d const R = vector(third.start.position) + vector(moved.position);
   auto const q = [](Eigen::Quaterniond const& a) { return Four<double>{a.w(), a.x(), a.y(), a.z()}; };
   Kick<double> kick{};
   force.add_to(kick, three(X), q(d.q1), q(d.q2), time);
@@ -78,9 +78,9 @@ BOOST_AUTO_TEST_CASE(the_force_of_a_third_body_is_that_of_its_potential) {
   ThirdBody const sun = third_body(2e30, {.half_axis = 1.5e11, .eccentricity = 0.1}, M, Didymos::G);
   Kick<double> pull{};
   ThirdBodyForce(sun, d.primary, d.moon, Didymos::G).add_to(pull, three(X), q(d.q1), q(d.q2), 0);
-  Vector3d const b = vector(sun.start.place).normalized();
+  Vector3d const b = vector(sun.start.position).normalized();
   Vector3d const tidal =
-      m * Didymos::G * sun.mass / std::pow(vector(sun.start.place).norm(), 3) * (3 * b.dot(X) * b - X);
+      m * Didymos::G * sun.mass / std::pow(vector(sun.start.position).norm(), 3) * (3 * b.dot(X) * b - X);
   BOOST_TEST((vector(pull.force) - tidal).norm() <=
              1e-6 * tidal.norm());  // of the next term, 1e-8, and of the shapes
 }

@@ -152,7 +152,8 @@ BOOST_AUTO_TEST_CASE(two_balls_move_as_points_and_turn_uniformly) {
     auto const s = pair.state();
     auto const orbit = kepler_drift<double>({X[0], X[1], X[2]}, {V[0], V[1], V[2]}, mu, time);
     double const room = 20 * eps * time * double(steps);
-    BOOST_TEST((s.position - X - Vector3d(orbit.place[0], orbit.place[1], orbit.place[2])).norm() <= room);
+    BOOST_TEST((s.position - X - Vector3d(orbit.position[0], orbit.position[1], orbit.position[2])).norm() <=
+               room);
     BOOST_TEST(apart(s.first.attitude, element(q1 * Eigen::Quaterniond(Eigen::AngleAxisd(
                                                         w1.norm() * time, w1.normalized())))) <= room);
     BOOST_TEST(apart(s.second.attitude, element(q2 * Eigen::Quaterniond(Eigen::AngleAxisd(

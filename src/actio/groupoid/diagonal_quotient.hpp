@@ -1,7 +1,7 @@
 // The groupoid (M x M)/K of n copies of a group, M = K^n, which K moves all together from the left: what n
-// bodies do in a step, as one of them sees it.
+// bodies do in a step, in the frame of one of them.
 //
-// The copies are g_1, ..., g_n. A point of the base is where the others are as seen from the first, x_i =
+// The copies are g_1, ..., g_n. A point of the base is where the others are in the frame of the first, x_i =
 // g_1^-1 g_i for i > 1; an arrow is (x, y, k), from x to y, with the motion k = g_1^-1 g_1' of the first. For
 // n = 1 it is the group. Unlike that of gauge_groupoid.hpp its base is no vector space, but K^(n-1).
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace actio {
 
-/// Copies 2 to n of a group as seen from the first, \f$x_i = g_1^{-1}g_i\f$.
+/// Relative configurations: of copies 2 to n in the frame of the first, \f$x_i = g_1^{-1}g_i\f$.
 template <Group K, int n, Scalar S>
 struct SeenFromFirst {
   using Scalar = S;
@@ -27,7 +27,7 @@ struct QuotientArrow {
   std::array<Element<K, S>, n - 1> to;    ///< y
   Element<K, S> element;                  ///< k
 
-  /// \f$g_i^{-1}g_i' = x_i^{-1}ky_i\f$: how the i-th copy moves, as it sees it itself; i = 0 is the first.
+  /// \f$g_i^{-1}g_i' = x_i^{-1}ky_i\f$: how the i-th copy moves in its own frame; i = 0 is the first.
   Element<K, S> motion(int i) const { return i == 0 ? element : inverse(from[i - 1]) * element * to[i - 1]; }
 };
 
@@ -35,7 +35,7 @@ struct QuotientArrow {
 /// \f$(x, y, k)(y, z, l) = (x, z, kl)\f$.
 ///
 /// A vector of the algebroid is \f$(g_1^{-1}\delta g_1, \dots, g_n^{-1}\delta g_n)\f$, the velocity of each
-/// copy as it sees it itself.
+/// copy in its own frame.
 template <Group K, int n>
 struct DiagonalQuotient {
   static_assert(n >= 2, "a single copy is GroupAsGroupoid");

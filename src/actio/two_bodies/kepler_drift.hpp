@@ -1,4 +1,4 @@
-// The motion of two points that attract each other, over any time, as a change of place and velocity.
+// The motion of two points that attract each other, over any time, as a change of position and velocity.
 //
 // With the variable s, dt = r ds, and G_n(s) = s^n c_n(beta s^2), Stumpff's functions c_n and
 // beta = 2 mu/r_0 - v_0^2, one formula holds for ellipses, parabolas and hyperbolas:
@@ -17,10 +17,10 @@
 
 namespace actio::bodies {
 
-/// How place and velocity change.
+/// How position and velocity change.
 template <class S>
 struct PointMotion {
-  Three<S> place;     ///< length
+  Three<S> position;  ///< length
   Three<S> velocity;  ///< length/time
 };
 
@@ -42,7 +42,7 @@ template <Real S>
   while (magnitude(base_value(x)) > Base<S>(fast ? 0.1 : 0.5)) x = x * Base<S>(0.25), ++halves;
   S c2, c3;
   if constexpr (fast) {
-    // What is left out is below a fifth of the rounding.
+    // The rest of the series is below a fifth of the rounding.
     S const y = x * x, z = y * y;
     c3 = ((1. / 6 - x / 120) + y * (1. / 5040 - x / 362880)) + z * (1. / 39916800 - x / 6227020800);
     c2 = ((1. / 2 - x / 24) + y * (1. / 720 - x / 40320)) + z * (1. / 3628800 - x / 479001600);
@@ -76,7 +76,7 @@ template <Real S>
 struct TimeEquation {
   S r, eta, beta, zeta, t;
 
-  /// The last place at which the functions were evaluated, and the step from there back to the solution.
+  /// The last s at which the functions were evaluated, and the step from there back to the solution.
   struct Solution {
     UniversalFunctions<S> at;
     S step;
@@ -146,11 +146,11 @@ struct TimeEquation {
 
 }  // namespace detail
 
-/// Place and velocity after a time t under \f$\ddot x=-\mu x/r^3\f$, less what they are now.
-/// @param x,v  place, not zero, and velocity
+/// Position and velocity after a time t under \f$\ddot x=-\mu x/r^3\f$, less what they are now.
+/// @param x,v  position, not zero, and velocity
 /// @param mu   length^3/time^2
 /// @param t    of any sign and length
-/// @throws NotConverged  where place or velocity is no number, or a collision is met
+/// @throws NotConverged  where position or velocity is no number, or a collision is met
 /// Accuracy: a few epsilon of the angle that is passed.
 template <Real S>
 [[gnu::always_inline]] inline PointMotion<S> kepler_drift(Three<S> const& x, Three<S> const& v, S const& mu,

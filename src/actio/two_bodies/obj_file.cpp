@@ -21,11 +21,11 @@ int corner(std::string const& word, int vertices, int line) {
   }
   if (used == 0 || (used < word.size() && word[used] != '/'))
     refuse(line, "'" + word + "' is no vertex of a face");
-  long const place = index < 0 ? vertices + index : index - 1;
-  if (index == 0 || place < 0 || place >= vertices)
+  long const vertex = index < 0 ? vertices + index : index - 1;
+  if (index == 0 || vertex < 0 || vertex >= vertices)
     refuse(line, "vertex " + std::to_string(index) + " is named, and there are " + std::to_string(vertices) +
                      " so far");
-  return static_cast<int>(place);
+  return static_cast<int>(vertex);
 }
 
 }  // namespace

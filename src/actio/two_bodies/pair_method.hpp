@@ -1,5 +1,5 @@
 // How a step of two bodies is made: drifts, in which the bodies turn freely and the orbit is straight or
-// Kepler's, and kicks by what is left of the mutual potential.
+// Kepler's, and kicks by the rest of the mutual potential.
 //
 // A drift is the exact flow of the kinetic energy, of the orbit by Kepler with the attraction of the masses
 // as points, or of a discrete Lagrangian (Moser and Veselov); a kick that of a potential. So each step is

@@ -4,8 +4,8 @@
 // Nothing here is fast: it says what moser_veselov_pair of pair_method.hpp solves, in terms that the Lagrange
 // equations on a groupoid, their Legendre maps and the instruments understand. A configuration is (g_1, g_2),
 // the principal axes of each body at its centre of mass; a point of the base is x = g_1^-1 g_2, the second
-// body as the first sees it. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the angular
-// momentum about its centre of mass and the linear one, in its own axes.
+// body in the frame of the first. A momentum of the algebroid is (M_1, p_1, M_2, p_2): of each body the
+// angular momentum about its centre of mass and the linear one, in its own axes.
 #pragma once
 
 #include "actio/groupoid/diagonal_quotient.hpp"
@@ -18,12 +18,12 @@
 namespace actio::bodies {
 
 /// The groupoid of two bodies in space.
-using TwoPlaces = DiagonalQuotient<SE<3>, 2>;
-/// Place and attitude, as an element of SE(3).
+using TwoPoses = DiagonalQuotient<SE<3>, 2>;
+/// Position and attitude, as an element of SE(3).
 template <class T>
 using Pose = Element<SE<3>, T>;
 
-/// Two bodies, as mechanics on a groupoid sees them.
+/// Mechanics of two bodies on their groupoid.
 class PairOnGroupoid {
  public:
   /// @param order  N of the mutual potential
@@ -34,7 +34,7 @@ class PairOnGroupoid {
     MutualPotential<double>(bodies_[0].moments, bodies_[1].moments, order, G);
   }
 
-  /// What the bodies do to each other, in the axes of the first.
+  /// Potential, force and torques between the bodies, in the axes of the first.
   template <class T>
   Interaction<T> interaction(Pose<T> const& x) const {
     auto const& a = x.value;
@@ -56,7 +56,7 @@ class PairOnGroupoid {
     return sum / T(h);
   }
 
-  /// The discrete Lagrangian of steps h, on arrows of \ref TwoPlaces and on pairs of configurations,
+  /// The discrete Lagrangian of steps h, on arrows of \ref TwoPoses and on pairs of configurations,
   /// \f[ L_d=\sum_i\Big[\frac{m_i|\Delta x_i|^2}{2h}+\frac{\mathrm{tr}((1-F_i)J_i)}h\Big]-\frac h2(V_0+V_1).
   ///   \f]
   auto lagrangian(double h) const {
@@ -72,7 +72,7 @@ class PairOnGroupoid {
 
   /// Momenta after a kick by the potential for a time.
   template <class T>
-  DualPoint<TwoPlaces, T> kicked(DualPoint<TwoPlaces, T> p, T const& time) const {
+  DualPoint<TwoPoses, T> kicked(DualPoint<TwoPoses, T> p, T const& time) const {
     auto const& x = p.base.others[0].value;
     auto const k = interaction(p.base.others[0]);
     for (int i = 0; i < 3; ++i) {
@@ -109,22 +109,22 @@ class PairOnGroupoid {
   }
   /// How both move freely.
   template <class T>
-  std::array<Pose<T>, 2> free_motions(DualPoint<TwoPlaces, T> const& p, T const& h) const {
+  std::array<Pose<T>, 2> free_motions(DualPoint<TwoPoses, T> const& p, T const& h) const {
     return {free_motion<T>(0, p.components.template head<6>(), h),
             free_motion<T>(1, p.components.template tail<6>(), h)};
   }
   /// The arrow along which bodies with these momenta move freely, and the momenta at its end.
   template <class T>
-  std::pair<Arrow<TwoPlaces, T>, DualPoint<TwoPlaces, T>> drift(DualPoint<TwoPlaces, T> const& p,
-                                                                T const& h) const {
+  std::pair<Arrow<TwoPoses, T>, DualPoint<TwoPoses, T>> drift(DualPoint<TwoPoses, T> const& p,
+                                                              T const& h) const {
     auto const f = free_motions(p, h);
-    auto const arrow = TwoPlaces::moving(p.base, f);
-    return {arrow, {TwoPlaces::target(arrow), carried(f, p.components)}};
+    auto const arrow = TwoPoses::moving(p.base, f);
+    return {arrow, {TwoPoses::target(arrow), carried(f, p.components)}};
   }
   /// \f$F_i^T\f$ applied to both momenta of each body.
   template <class T>
-  static Fibre<TwoPlaces, T> carried(std::array<Pose<T>, 2> const& f, Fibre<TwoPlaces, T> const& p) {
-    Fibre<TwoPlaces, T> moved;
+  static Fibre<TwoPoses, T> carried(std::array<Pose<T>, 2> const& f, Fibre<TwoPoses, T> const& p) {
+    Fibre<TwoPoses, T> moved;
     for (int part = 0; part < 4; ++part)
       for (int i = 0; i < 3; ++i) {
         T sum(0);
@@ -137,8 +137,8 @@ class PairOnGroupoid {
   /// an iteration on the groupoid.
   /// @param p  the momentum at the start of the arrow, `legendre_at_source`
   template <class T>
-  std::pair<Arrow<TwoPlaces, T>, DualPoint<TwoPlaces, T>> step(DualPoint<TwoPlaces, T> const& p,
-                                                               T const& h) const {
+  std::pair<Arrow<TwoPoses, T>, DualPoint<TwoPoses, T>> step(DualPoint<TwoPoses, T> const& p,
+                                                             T const& h) const {
     // [pair_step]
     T const half = h / T(2);
     auto const [arrow, end] = drift(kicked(p, half), h);
@@ -148,12 +148,12 @@ class PairOnGroupoid {
 
  private:
   template <class T>
-  static Arrow<TwoPlaces, T> const& on_arrows(Arrow<TwoPlaces, T> const& arrow) { return arrow; }
+  static Arrow<TwoPoses, T> const& on_arrows(Arrow<TwoPoses, T> const& arrow) { return arrow; }
   template <class T>
-  static Arrow<TwoPlaces, T> on_arrows(PairArrow<DirectProduct<SE<3>, SE<3>>, T> const& pair) {
+  static Arrow<TwoPoses, T> on_arrows(PairArrow<DirectProduct<SE<3>, SE<3>>, T> const& pair) {
     auto const [g1, g2] = factors(pair.first);
     auto const [later_1, later_2] = factors(pair.second);
-    return TwoPlaces::reduced<T>({g1, g2}, {later_1, later_2});
+    return TwoPoses::reduced<T>({g1, g2}, {later_1, later_2});
   }
   double mass_moment(int body, int i) const {
     auto const& I = bodies_[body].inertia;

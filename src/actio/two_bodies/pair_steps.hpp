@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "actio/two_bodies/kepler_drift.hpp"
+#include "actio/two_bodies/nearest_approach.hpp"
 #include "actio/two_bodies/pair_method.hpp"
 #include "actio/two_bodies/rotor_drift.hpp"
 #include "actio/two_bodies/second_order_force.hpp"
@@ -30,7 +30,7 @@ struct Summed {
 /// for each.
 template <class T>
 struct PairState {
-  Summed<T, 3> place;       ///< of the second from the first, in space
+  Summed<T, 3> position;    ///< of the second from the first, in space
   Summed<T, 3> momentum;    ///< reduced mass times velocity
   Summed<T, 3> body_1;      ///< p of the first body, in its axes
   Summed<T, 3> body_2;      ///< p of the second body, in its axes
@@ -85,32 +85,48 @@ struct PairSteps {
   long from, count;
   PairState<T> state;
   int terms_1, terms_2;
+  /// of the least distance in all drifts so far; followed in double precision only
+  double nearest_square = std::numeric_limits<double>::infinity();
 
   [[gnu::always_inline]] void kick(double part, double time, PairState<T>& at) const {
-    auto const k = force(at.place.value, at.attitude_1.value, at.attitude_2.value, time);
+    auto const k = force(at.position.value, at.attitude_1.value, at.attitude_2.value, time);
     Three<T> push = k.force;
     if (!setting.kepler) {
       T const pull = -setting.strength * (k.inverse * k.inverse * k.inverse);
-      for (int i = 0; i < 3; ++i) push[i] += pull * at.place.value[i];
+      for (int i = 0; i < 3; ++i) push[i] += pull * at.position.value[i];
     }
     double const c1 = part * setting.unit_1, c2 = part * setting.unit_2;
     at.momentum.add({part * push[0], part * push[1], part * push[2]});
     at.body_1.add({c1 * k.torque_1[0], c1 * k.torque_1[1], c1 * k.torque_1[2]});
     at.body_2.add({c2 * k.torque_2[0], c2 * k.torque_2[1], c2 * k.torque_2[2]});
   }
+  /// Follows the least distance through a drift.
+  /// @param x,v   position and velocity at its start
+  /// @param at    the state at its end
+  /// @param time  that it takes
+  /// @param least the square of the least distance
+  [[gnu::always_inline]] void follow_distance(Three<double> const& x, Three<double> const& v,
+                                              PairState<double> const& at, double time, double& least) const {
+    auto const &y = at.position.value, &w = at.momentum.value;
+    least = std::min(least, dot(y, y));
+    if (may_pass_the_nearest(x, v, y, w, time, setting.kepler, setting.mu)) [[unlikely]]
+      least = std::min(
+          least, setting.kepler ? square_in_pericentre(x, v, y, w, time, setting.mu) : square_at_foot(x, v));
+  }
   [[gnu::always_inline]] void drift(PairStage<T> const& stage, PairState<T>& at, int& terms_of_1,
-                                    int& terms_of_2) const {
+                                    int& terms_of_2, double& least) const {
     T const inverse = T{} + 1.0 / setting.reduced_mass;
     Three<T> const& P = at.momentum.value;
-    Three<T> const v{inverse * P[0], inverse * P[1], inverse * P[2]};
+    Three<T> const v{inverse * P[0], inverse * P[1], inverse * P[2]}, x = at.position.value;
     if (setting.kepler) {
-      auto const d = kepler_drift<T>(at.place.value, v, T{} + setting.mu, T{} + stage.time);
+      auto const d = kepler_drift<T>(x, v, T{} + setting.mu, T{} + stage.time);
       double const m = setting.reduced_mass;
-      at.place.add(d.place);
+      at.position.add(d.position);
       at.momentum.add({m * d.velocity[0], m * d.velocity[1], m * d.velocity[2]});
     } else {
-      at.place.add({stage.time * v[0], stage.time * v[1], stage.time * v[2]});
+      at.position.add({stage.time * v[0], stage.time * v[1], stage.time * v[2]});
     }
+    if constexpr (std::is_same_v<T, double>) follow_distance(x, v, at, stage.time, least);
     if (setting.moser_veselov) [[unlikely]] {
       turn(at.body_1, at.attitude_1, moser_veselov_rotor<T>(stage.body_1, at.body_1.value));
       turn(at.body_2, at.attitude_2, moser_veselov_rotor<T>(stage.body_2, at.body_2.value));
@@ -123,6 +139,7 @@ struct PairSteps {
   [[gnu::always_inline]] void operator()() {
     PairState<T> at = state;
     int t1 = terms_1, t2 = terms_2;
+    double least = nearest_square;
     int const size = static_cast<int>(stages.size()) - 1;
     bool const drift_first = first_kick == 0;
     for (long n = 0; n < count; ++n) {
@@ -134,7 +151,7 @@ struct PairSteps {
         double part = first_kick;
         if (k >= 0) {
           if (!drift_first || k > 0 || n == 0)
-            drift(drift_first && joined ? stages[size] : stages[k], at, t1, t2);
+            drift(drift_first && joined ? stages[size] : stages[k], at, t1, t2, least);
           reached = end ? start + double(from + n + 1) * h : reached + stages[k].time;
           part = !end ? stages[k].kick : joined && !drift_first ? first_kick + last_kick : last_kick;
         }
@@ -142,7 +159,7 @@ struct PairSteps {
       }
       if ((from + n) % 64 == 63) tidy(at.attitude_1), tidy(at.attitude_2);
     }
-    state = at, terms_1 = t1, terms_2 = t2;
+    state = at, terms_1 = t1, terms_2 = t2, nearest_square = least;
   }
 };
 

@@ -8,8 +8,8 @@
 namespace actio::bodies {
 namespace {
 
-/// Tangent vectors in the axes of the steps: place, momentum, and of each body the turn q -> q exp(theta) and
-/// the body momentum.
+/// Tangent vectors in the axes of the steps: position, momentum, and of each body the turn q -> q exp(theta)
+/// and the body momentum.
 using Tangent = Eigen::Matrix<double, 18, 1>;
 
 using D = Dual<double>;
@@ -33,8 +33,8 @@ Summed<D, n> lifted(Summed<double, n> const& sum) {
 }
 /// A state without its tangent vector.
 PairState<D> lifted(PairState<double> const& s) {
-  return {lifted(s.place),  lifted(s.momentum),   lifted(s.body_1),
-          lifted(s.body_2), lifted(s.attitude_1), lifted(s.attitude_2)};
+  return {lifted(s.position), lifted(s.momentum),   lifted(s.body_1),
+          lifted(s.body_2),   lifted(s.attitude_1), lifted(s.attitude_2)};
 }
 Four<double> values(Summed<D, 4> const& q) {
   return {q.value[0].value, q.value[1].value, q.value[2].value, q.value[3].value};
@@ -49,7 +49,7 @@ void set_direction(PairState<D>& state, Tangent const& v, PairSetting const& set
   auto const shift = [&](Summed<D, 3>& x, int at, double unit) {
     for (int i = 0; i < 3; ++i) x.value[i].part[0] = unit * v[at + i], x.rest[i].part[0] = 0;
   };
-  shift(state.place, 0, 1), shift(state.momentum, 3, 1);
+  shift(state.position, 0, 1), shift(state.momentum, 3, 1);
   turn(state.attitude_1, 6), shift(state.body_1, 9, setting.unit_1);
   turn(state.attitude_2, 12), shift(state.body_2, 15, setting.unit_2);
 }
@@ -65,7 +65,7 @@ Tangent direction(PairState<D> const& state, PairSetting const& setting) {
   auto const shift = [&](Summed<D, 3> const& x, int at, double unit) {
     for (int i = 0; i < 3; ++i) v[at + i] = x.value[i].part[0] / unit;
   };
-  shift(state.place, 0, 1), shift(state.momentum, 3, 1);
+  shift(state.position, 0, 1), shift(state.momentum, 3, 1);
   turn(state.attitude_1, 6), shift(state.body_1, 9, setting.unit_1);
   turn(state.attitude_2, 12), shift(state.body_2, 15, setting.unit_2);
   return v;
@@ -115,7 +115,7 @@ double TwoBodies::lyapunov_exponent(long count, long every) const {
     throw OutsideDomain("Lyapunov exponent", "numbers of steps must be positive",
                         static_cast<double>(std::min(count, every)), 1);
   // Each part of a tangent vector in units of the motion itself.
-  double const length = std::sqrt(dot(state_.place.value, state_.place.value)),
+  double const length = std::sqrt(dot(state_.position.value, state_.position.value)),
                rate = std::sqrt(setting_.mu / (length * length * length));
   Tangent unit = Tangent::Ones();
   unit.head<3>() *= length, unit.segment<3>(3) *= setting_.reduced_mass * length * rate;

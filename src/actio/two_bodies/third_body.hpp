@@ -24,7 +24,7 @@ struct OrbitElements {
   double pericentre = 0;   ///< argument of the pericentre, rad
   double time = 0;         ///< of the passage through the pericentre
 };
-/// Place and velocity in the pericentre.
+/// Position and velocity in the pericentre.
 /// @param mu  of the orbit, length^3/time^2
 /// @throws NotFinite, OutsideDomain  where a number is none, e negative, or the signs of a and 1 - e differ
 PointMotion<double> at_pericentre(OrbitElements const& orbit, double mu);
@@ -32,7 +32,7 @@ PointMotion<double> at_pericentre(OrbitElements const& orbit, double mu);
 /// A point of mass m3 that moves about the barycentre of two bodies on an orbit of Kepler.
 struct ThirdBody {
   double mass;                ///< m3
-  PointMotion<double> start;  ///< place and velocity from the barycentre at `epoch`
+  PointMotion<double> start;  ///< position and velocity from the barycentre at `epoch`
   double epoch;               ///< time
   double mu;                  ///< of its orbit, length^3/time^2
 };
@@ -60,11 +60,11 @@ class ThirdBodyForce {
   template <class T>
   void add_to(Kick<T>& kick, Three<T> const& X, Four<T> const& q1, Four<T> const& q2, double time) const {
     auto const moved =
-        kepler_drift<double>(third_.start.place, third_.start.velocity, third_.mu, time - third_.epoch);
+        kepler_drift<double>(third_.start.position, third_.start.velocity, third_.mu, time - third_.epoch);
     double const M = m1_ + m2_, m = m1_ / M * m2_;
     Three<T> d1, d2;
     for (int i = 0; i < 3; ++i) {
-      double const R = third_.start.place[i] + moved.place[i];
+      double const R = third_.start.position[i] + moved.position[i];
       d1[i] = R + m2_ / M * X[i], d2[i] = R - m1_ / M * X[i];
     }
     using std::sqrt;

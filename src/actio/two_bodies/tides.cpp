@@ -35,7 +35,7 @@ Tides::Tides(Tide const& first, Tide const& second, ExtendedBody const& one, Ext
       slow_2_(slow_of(second, two.inertia, G)) {}
 
 Tides::Rates Tides::rates(PairState<double> const& state, PairSetting const& setting) const {
-  auto const &X = state.place.value, &P = state.momentum.value;
+  auto const &X = state.position.value, &P = state.momentum.value;
   double const square = dot(X, X), sixth = square * square * square;
   Three<double> orbit = cross_product(X, P);
   for (double& x : orbit) x /= setting.reduced_mass * square;

@@ -24,9 +24,7 @@ Eigen::Quaterniond quaternion(Four<double> const& q) { return {q[0], q[1], q[2],
 Four<double> four(Eigen::Quaterniond const& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 Three<double> three(Eigen::Vector3d const& v) { return {v[0], v[1], v[2]}; }
 template <class V>
-Eigen::Vector3d vector(V const& v) {
-  return {v[0], v[1], v[2]};
-}
+Eigen::Vector3d vector(V const& v) { return {v[0], v[1], v[2]}; }
 
 std::vector<PairStage<double>> stages_of(Splitting const& splitting, ExtendedBody const& first,
                                          ExtendedBody const& second, double h) {
@@ -105,24 +103,24 @@ void TwoBodies::step(long count) {
   PairState<double> const before = state_;
   long const steps_before = steps_;
   try {
-    if (!tides_) take(count);
+    double nearest = tides_ ? HUGE_VAL : take(count);
     double const half = options_.step / 2;
     for (long k = 0; tides_ && k < count; ++k) {
       tides_->kick(state_, setting_, half);
-      take(1);
+      nearest = std::min(nearest, take(1));
       tides_->kick(state_, setting_, half);
     }
-    require_apart("in the course of the motion");
+    require_apart("in the course of the motion", nearest);
   } catch (...) {
     state_ = before, steps_ = steps_before;
     throw;
   }
 }
 
-void TwoBodies::take(long count) {
+double TwoBodies::take(long count) {
   auto const& kicks = options_.method.splitting.kicks;
   double const h = options_.step;
-  std::visit(
+  double const nearest = std::visit(
       [&]<class F>(F const& force) {
         detail::InTime<double, F> const in_time{force, third_ ? &*third_ : nullptr};
         detail::PairSteps<double, detail::InTime<double, F>> steps{
@@ -130,13 +128,15 @@ void TwoBodies::take(long count) {
             count,    state_,  terms_1_,          terms_2_};
         run_on_best_machine(steps);
         state_ = steps.state, terms_1_ = steps.terms_1, terms_2_ = steps.terms_2;
+        return std::sqrt(steps.nearest_square);
       },
       force_);
   steps_ += count;
+  return nearest;
 }
 
 TwoBodyState TwoBodies::state() const {
-  return {vector(state_.place.value), vector(state_.momentum.value),
+  return {vector(state_.position.value), vector(state_.momentum.value),
           left(first_, state_.body_1, state_.attitude_1, options_.step),
           left(second_, state_.body_2, state_.attitude_2, options_.step)};
 }
@@ -144,7 +144,7 @@ TwoBodyState TwoBodies::state() const {
 Kick<double> TwoBodies::interaction() const {
   return std::visit(
       [&](auto const& force) {
-        return force(state_.place.value, state_.attitude_1.value, state_.attitude_2.value);
+        return force(state_.position.value, state_.attitude_1.value, state_.attitude_2.value);
       },
       force_);
 }
@@ -163,17 +163,17 @@ double TwoBodies::energy() const {
          potential();
 }
 Eigen::Vector3d TwoBodies::angular_momentum() const {
-  Eigen::Vector3d const X = vector(state_.place.value), P = vector(state_.momentum.value);
+  Eigen::Vector3d const X = vector(state_.position.value), P = vector(state_.momentum.value);
   return X.cross(P) + vector(turned_by(state_.attitude_1.value, state_.body_1.value)) / setting_.unit_1 +
          vector(turned_by(state_.attitude_2.value, state_.body_2.value)) / setting_.unit_2;
 }
 double TwoBodies::nearness() const {
-  return (first_.radius + second_.radius) / vector(state_.place.value).norm();
+  return (first_.radius + second_.radius) / vector(state_.position.value).norm();
 }
 
-void TwoBodies::require_apart(char const* when) const {
-  double const near = nearness();
-  if (!is_finite(near) || !is_finite(state_.momentum.value[0]))
+void TwoBodies::require_apart(char const* when, double nearest) const {
+  double const here = nearness(), near = std::max(here, (first_.radius + second_.radius) / nearest);
+  if (!is_finite(here) || !is_finite(state_.momentum.value[0]))
     throw NotFinite(std::string("two bodies, ") + when);
   if (near >= 1)
     throw OutsideDomain(

@@ -4,8 +4,8 @@
 //                    {.order = 4, .step = 1200});
 //     pair.step(100);
 //
-// The state is that of T*(SE(3) x SE(3)) with the barycentre at rest: the place of the second body from the
-// first, their relative momentum, both attitudes, both body momenta. Sums are compensated, so that the
+// The state is that of T*(SE(3) x SE(3)) with the barycentre at rest: the position of the second body from
+// the first, their relative momentum, both attitudes, both body momenta. Sums are compensated, so that the
 // momentum of the whole is constant to rounding over very many steps.
 #pragma once
 
@@ -51,8 +51,9 @@ class TwoBodies {
   TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const& start, TwoBodyOptions options);
 
   /// So many steps.
-  /// @throws OutsideDomain  where the count is negative, or at the end the bodies are too near to each other;
-  ///                        the state is the one before then
+  /// @throws OutsideDomain  where the count is negative, or on the way the bodies come too near to each
+  ///                        other; the state is the one before then. The way is that of the drifts, from end
+  ///                        to end: no step is so long that a passage between its ends is missed
   /// @throws NotFinite, NotConverged  where the motion has no numbers any more
   void step(long count = 1);
   /// The state now.
@@ -75,7 +76,8 @@ class TwoBodies {
   double potential() const;
   /// The angular momentum about the barycentre, in space: \f$X\times P+R_1M_1+R_2M_2\f$.
   Eigen::Vector3d angular_momentum() const;
-  /// The sum of the radii over the distance: powers of it are what a cut potential leaves out.
+  /// The sum of the radii over the distance: the terms of the potential beyond its order are
+  /// powers of it.
   double nearness() const;
 
   /// How the state after so many steps from now changes with the state now, by dual numbers; the pair stays
@@ -92,17 +94,15 @@ class TwoBodies {
 
   /// Saves, or restores, what the next step depends on besides bodies and options.
   template <class Memory>
-  void remember(Memory& memory) {
-    memory(state_, terms_1_, terms_2_, steps_);
-  }
+  void remember(Memory& memory) { memory(state_, terms_1_, terms_2_, steps_); }
 
  private:
   using Force =
       std::variant<SecondOrderForce, FourthOrderForce<true>, FourthOrderForce<false>, AnyOrderForce<>>;
 
-  void require_apart(char const* when) const;
+  void require_apart(char const* when, double nearest = HUGE_VAL) const;
   Kick<double> interaction() const;
-  void take(long count);
+  double take(long count);  // the least distance on the way
   PairState<Dual<double>> moved(PairState<Dual<double>> const& from, long first, long count) const;
 
   ExtendedBody first_, second_;

@@ -29,6 +29,7 @@ extern std::string_view const viewer_algebra,  ///< data/viewer/algebra.js
     viewer_shapes,                             ///< data/viewer/shapes.js
     viewer_motion,                             ///< data/viewer/motion.js
     viewer_space,                              ///< data/viewer/space.js
+    viewer_pair,                               ///< data/viewer/pair.js
     viewer_momentum_sphere,                    ///< data/viewer/momentum_sphere.js
     viewer_curves,                             ///< data/viewer/curves.js
     viewer_planes,                             ///< data/viewer/planes.js

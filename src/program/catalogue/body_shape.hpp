@@ -33,6 +33,13 @@ struct BodyShape {
   bool torqued = false;          ///< whether a torque changes the modulus of its momentum
 };
 
+/// One of two bodies that move about each other.
+struct OrbitingBody {
+  double mass;               ///< of the body
+  double radius;             ///< no part of it is farther from its centre of mass
+  PrincipalInertia inertia;  ///< about its centre of mass, in the frame in which its attitude is
+};
+
 /// What a body of the catalogue is made of: cylinders as they are, point masses as balls.
 std::vector<BodyShape::Part> parts_of(Body const& body);
 

@@ -187,6 +187,8 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
   for (auto const& [name, picture] : pictures) write_whole_file(folder + "/" + name, picture);
   if (!quiet && scene.system->shape && !overview.find("attitude"))
     say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
+  if (!quiet && scene.system->bodies && !overview.find("position"))
+    say(stderr, "pictures: add \"position\" to output.quantities to see both bodies move\n");
   if (!quiet && scene.system->snapshots && !scene.snapshots)
     say(stderr, "pictures: add snapshots = [] and snapshot_every to [output] to see it move\n");
 }

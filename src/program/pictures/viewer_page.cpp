@@ -99,14 +99,17 @@ std::string motion(Overview const& overview) {
 
 Json list(Eigen::Vector3d const& v) { return {v[0], v[1], v[2]}; }
 
+Json axes_and_moments(PrincipalInertia const& of) {
+  auto const& [inertia, axes] = of;
+  return {{"moments", list(inertia.moments)},
+          {"axes", {list(axes.col(0)), list(axes.col(1)), list(axes.col(2))}}};
+}
+
 Json body(Scene const& scene) {
   if (!scene.system->shape) return nullptr;
   BodyShape const shape = scene.system->shape(scene.file);
-  auto const& [inertia, axes] = shape.inertia;
-  Json out{{"moments", list(inertia.moments)},
-           {"axes", {list(axes.col(0)), list(axes.col(1)), list(axes.col(2))}},
-           {"parts", Json::array()},
-           {"torqued", shape.torqued}};
+  Json out = axes_and_moments(shape.inertia);
+  out["parts"] = Json::array(), out["torqued"] = shape.torqued;
   for (auto const& part : shape.parts)
     out["parts"].push_back({{"cylinder", part.cylinder},
                             {"radius", part.radius},
@@ -117,6 +120,17 @@ Json body(Scene const& scene) {
     out["top"] = {{"mass", shape.top->mass},
                   {"centre_of_mass", list(shape.top->centre_of_mass)},
                   {"gravity", list(shape.top->gravity)}};
+  return out;
+}
+
+/// Two bodies; null where the scene is none of such.
+Json bodies(Scene const& scene) {
+  if (!scene.system->bodies) return nullptr;
+  Json out;
+  for (auto const& one : scene.system->bodies(scene.file)) {
+    out.push_back(axes_and_moments(one.inertia));
+    out.back()["mass"] = one.mass, out.back()["radius"] = one.radius;
+  }
   return out;
 }
 
@@ -178,10 +192,11 @@ std::string run_json(Scene const& scene, Overview const& overview, std::string c
                                                 *times, [](auto const& p) { return p.last.t; }, 12))
                               : std::string("null");
   std::string const json = fmt::format(
-      "{{\"scene\":{},\n\"body\":{},\n\"summary\":{},\n\"times\":{},\n\"quantities\":{},\n\"drifts\":{},\n"
-      "\"motion\":{},\n\"maps\":{},\n\"medium\":{}}}",
-      head(scene).dump(), body(scene).dump(), told.is_discarded() ? "null" : told.dump(), t,
-      curves(scene, overview), drifts(overview), motion(overview), maps, medium);
+      "{{\"scene\":{},\n\"body\":{},\n\"bodies\":{},\n\"summary\":{},\n\"times\":{},\n\"quantities\":{},\n"
+      "\"drifts\":{},\n\"motion\":{},\n\"maps\":{},\n\"medium\":{}}}",
+      head(scene).dump(), body(scene).dump(), bodies(scene).dump(),
+      told.is_discarded() ? "null" : told.dump(), t, curves(scene, overview), drifts(overview),
+      motion(overview), maps, medium);
   std::string out;
   for (char const c : json) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
@@ -208,10 +223,10 @@ std::string viewer_page(Scene const& scene, Overview const& overview, std::strin
   std::string script;
   for (auto const piece :
        {embedded::viewer_algebra, embedded::viewer_stage, embedded::viewer_shapes, embedded::viewer_motion,
-        embedded::viewer_space, embedded::viewer_momentum_sphere, embedded::viewer_curves,
-        embedded::viewer_planes, embedded::viewer_box, embedded::viewer_frame_motion, embedded::viewer_frame,
-        embedded::viewer_trajectory, embedded::viewer_map, embedded::viewer_medium, embedded::viewer_player,
-        embedded::viewer_page})
+        embedded::viewer_space, embedded::viewer_pair, embedded::viewer_momentum_sphere,
+        embedded::viewer_curves, embedded::viewer_planes, embedded::viewer_box, embedded::viewer_frame_motion,
+        embedded::viewer_frame, embedded::viewer_trajectory, embedded::viewer_map, embedded::viewer_medium,
+        embedded::viewer_player, embedded::viewer_page})
     script.append(piece);
   return filled(embedded::viewer_html,
                 {{"<!-- title -->", book::svg::escape(printable(scene.title))},

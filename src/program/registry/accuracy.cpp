@@ -15,7 +15,7 @@ constexpr double safety = 3,  // an estimate of an error is within this factor o
 
 /// An order, and the longest step with which it has the accuracy.
 struct Candidate {
-  int order;
+  WrittenOrder order;
   double work;  // of a step
   Pilot pilot;
   double step;
@@ -39,11 +39,12 @@ class Chooser {
         stop_(stop) {}
 
   /// The cheapest of some orders, which increase.
-  Candidate choose(std::vector<int> const& orders) const {
+  Candidate choose(std::vector<WrittenOrder> const& orders) const {
     std::optional<Candidate> best;
     std::string why;
-    for (int const order : orders) try {
-        Candidate const one = longest_step(order, best ? cost(*best) : HUGE_VAL, order == orders.back());
+    for (auto const& order : orders) try {
+        Candidate const one =
+            longest_step(order, best ? cost(*best) : HUGE_VAL, order.written == orders.back().written);
         if (best && cost(one) >= cost(*best)) break;
         best = one;
       } catch (Refusal const& refusal) {
@@ -64,10 +65,10 @@ class Chooser {
   }
 
   /// @param work  is told that of a step
-  Pilot pilot_with(int order, double step, double& work) const {
+  Pilot pilot_with(WrittenOrder const& order, double step, double& work) const {
     SceneFile const file = request_.file.copy();
     SceneTable method = file.section("method");
-    method.set("order", long{order}), method.set("step", step);
+    order.write(method), method.set("step", step);
     try {
       Simulation simulation = system_.prepare({file, request_.schedule, request_.quantities, true});
       work = simulation.work;
@@ -82,7 +83,7 @@ class Chooser {
   /// By the longest steps whose error can be told.
   /// @param limit  more than this the run shall not cost
   /// @param last   whether there is no higher order, which would do with longer steps
-  Candidate longest_step(int order, double limit, bool last) const {
+  Candidate longest_step(WrittenOrder const& order, double limit, bool last) const {
     double work = 1, step = std::min(4 * default_step_, until_ / fewest);
     Pilot now = pilot_with(order, step, work);
     bool const at_once = now.whole();
@@ -99,27 +100,37 @@ class Chooser {
       if (told) now = std::move(then);
       return told;
     };
-    auto const wanted = [&] { return std::min(now.step_for(accuracy_ / safety, order), until_ / fewest); };
+    auto const wanted = [&] {
+      return std::min(now.step_for(accuracy_ / safety, order.power), until_ / fewest);
+    };
     while (at_once && wanted() >= 2 * now.step && longer(2 * now.step)) {
     }
     if (wanted() > 1.1 * now.step) longer(std::min(wanted(), 1.4 * now.step));
     return with_step({order, work, std::move(now), 0});
   }
 
-  /// The same by a pilot whose steps are near enough.
+  /// A pilot whose steps are near enough to those of a candidate; still nearer, down to these, as long as no
+  /// error is told.
+  Pilot confirming(Candidate& now) const {
+    double step = std::min(farthest * now.step, now.pilot.step / 2);
+    Pilot next = pilot_with(now.order, step, now.work);
+    if (!next.whole()) refuse_where_it_grows_too_much(now.pilot, now.order);
+    while (!next.whole() && step >= 2 * now.step) next = pilot_with(now.order, step /= 2, now.work);
+    if (!next.whole()) throw Refusal(untold(next, now.order));
+    return next;
+  }
+
+  /// The same by a pilot that confirms it.
   Candidate confirmed(Candidate now) const {
     for (bool sure = true; now.pilot.step > farthest * now.step || !sure;) {
-      Pilot next = pilot_with(now.order, std::min(farthest * now.step, now.pilot.step / 2), now.work);
-      if (!next.whole()) {
-        refuse_where_it_grows_too_much(now.pilot, now.order);
-        throw Refusal(untold(next, now.order));
-      }
-      bool const as_expected = next.told.back().error <= 10 * now.pilot.error_with(next.step, now.order);
+      Pilot next = confirming(now);
+      bool const as_expected =
+          next.told.back().error <= 10 * now.pilot.error_with(next.step, now.order.power);
       if (!sure && !as_expected)
         throw Refusal(fmt::format(
             "with steps of {:.3g} the error is {}, and shorter ones of order {} do not lessen it, where {} "
             "is asked",
-            next.step, in_words(next.told.back()), now.order, accuracy_));
+            next.step, in_words(next.told.back()), now.order.written, accuracy_));
       sure = as_expected, now.pilot = std::move(next);
       now = with_step(std::move(now));
     }
@@ -127,28 +138,28 @@ class Chooser {
   }
 
   Candidate with_step(Candidate one) const {
-    one.step = std::min(one.pilot.step, one.pilot.step_for(accuracy_ / safety, one.order));
+    one.step = std::min(one.pilot.step, one.pilot.step_for(accuracy_ / safety, one.order.power));
     if (one.step > 0) return one;
     double const of_method = std::max(one.pilot.told.back().error, accuracy_),
-                 step = one.pilot.step * std::pow(accuracy_ / safety / of_method, 1.0 / one.order);
+                 step = one.pilot.step * std::pow(accuracy_ / safety / of_method, 1.0 / one.order.power);
     throw Refusal(
         fmt::format("{} is asked, and rounding alone adds up to {:.1e} over the {:.3g} steps of order {}; "
                     "{:.0e} can be met",
-                    accuracy_, one.pilot.rounding(step), until_ / step, one.order,
+                    accuracy_, one.pilot.rounding(step), until_ / step, one.order.written,
                     2 * safety * one.pilot.rounding(step)));
   }
 
-  void refuse_where_it_grows_too_much(Pilot const& pilot, int order) const {
+  void refuse_where_it_grows_too_much(Pilot const& pilot, WrittenOrder const& order) const {
     double const met = pilot.met_until(accuracy_ / safety);
     if (met < until_)
       throw Refusal(fmt::format(
           "errors grow so much that no step of order {} meets {} until t = {}: with steps of {:.3g} the "
           "error is {} already; it would be met until about t = {:.3g}",
-          order, accuracy_, until_, pilot.step, in_words(pilot.told.back()), met));
+          order.written, accuracy_, until_, pilot.step, in_words(pilot.told.back()), met));
   }
-  std::string untold(Pilot const& pilot, int order) const {
-    return fmt::format("with steps of {:.3g} of order {} no error is told at t = {}: {}", pilot.step, order,
-                       until_, pilot.untold);
+  std::string untold(Pilot const& pilot, WrittenOrder const& order) const {
+    return fmt::format("with steps of {:.3g} of order {} no error is told at t = {}: {}", pilot.step,
+                       order.written, until_, pilot.untold);
   }
   static std::string in_words(Pilot::Point const& at) {
     return fmt::format("{:.1e}{} of the {} at t = {:.6g}", at.error, at.unit, at.of, at.time);
@@ -161,12 +172,12 @@ class Chooser {
 };
 
 /// The orders to choose from: that of the scene, or all of its method, in increasing order.
-std::vector<int> orders_of(System const& system, SceneTable const& method, bool given) {
-  if (given) return {static_cast<int>(method.integer("order", 1, 1000))};
-  std::vector<int> out;
+std::vector<WrittenOrder> orders_of(System const& system, SceneTable const& method, bool given) {
+  if (given) return {WrittenOrder::of(method)};
+  std::vector<WrittenOrder> out;
   for (auto const& order : std::ranges::find(system.methods, method.text("name"), &Method::name)->orders)
-    if (order != "exact") out.push_back(std::stoi(order));
-  std::ranges::sort(out);
+    if (order != "exact") out.emplace_back(order);
+  std::ranges::sort(out, {}, &WrittenOrder::power);
   return out;
 }
 
@@ -190,6 +201,19 @@ bool is_chosen(SceneFile const& file, double accuracy) {
 
 }  // namespace
 
+WrittenOrder::WrittenOrder(std::string text)
+    : written(std::move(text)), power(std::stoi(written.substr(written.rfind(',') + 1))) {}
+WrittenOrder WrittenOrder::of(SceneTable const& method) {
+  return WrittenOrder(method.is_text("order") ? method.text("order")
+                                              : std::to_string(method.integer("order", 1, 1000)));
+}
+void WrittenOrder::write(SceneTable& method) const {
+  if (written == std::to_string(power))
+    method.set("order", long{power});
+  else
+    method.set("order", written);
+}
+
 Pattern<double> AccuracyKeys::small_positive() {
   std::string const expects = "a number > 0, and 0.1 at most";
   return {expects,
@@ -206,14 +230,14 @@ Pattern<double> AccuracyKeys::small_positive() {
 std::string ChosenSteps::in_words(Simulation const& simulation) const {
   if (simulation.exact || simulation.companion.exact)
     return fmt::format("accuracy {}: the method is exact, and has no error but that of rounding", accuracy);
-  std::string const steps =
-      fmt::format("accuracy {}: {} of order {} with steps of {}", accuracy, method, order, simulation.step);
+  std::string const steps = fmt::format("accuracy {}: {} of order {} with steps of {}", accuracy, method,
+                                        order->written, simulation.step);
   if (!pilot) return steps + ", as they were chosen for it";
   auto const& end = pilot->told.back();
   auto const largest =
       std::ranges::find_if(pilot->told, [&](auto const& at) { return at.error >= 0.99 * end.error; });
   return fmt::format("{}, estimated error {:.1e}{} of the {} at t = {:.6g}", steps,
-                     pilot->error_with(simulation.step, order), end.unit, end.of, largest->time);
+                     pilot->error_with(simulation.step, order->power), end.unit, end.of, largest->time);
 }
 
 std::optional<ChosenSteps> choose_steps(System const& system, Request const& request, Pilots const& pilots) {
@@ -233,10 +257,10 @@ std::optional<ChosenSteps> choose_steps(System const& system, Request const& req
   ChosenSteps out{*accuracy, method.text("name"), {}};
   if (first.exact || first.companion.exact) return out;
   if (!pilots.made && !chosen) return {};
-  if (chosen) return out.order = static_cast<int>(method.integer("order", 1, 1000)), out;
+  if (chosen) return out.order = WrittenOrder::of(method), out;
   Candidate const best =
       Chooser(system, request, first, *accuracy, pilots.stop).choose(orders_of(system, method, order_given));
-  method.set("order", long{best.order}), method.set("step", request.schedule.default_step(best.step));
+  best.order.write(method), method.set("step", request.schedule.default_step(best.step));
   accuracy_keys.chosen_for.write(run, *accuracy);
   out.order = best.order, out.pilot = best.pilot;
   return out;

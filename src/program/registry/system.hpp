@@ -33,6 +33,7 @@ struct Request {
 };
 
 struct BodyShape;
+struct OrbitingBody;
 struct Overview;
 struct Scene;
 
@@ -80,6 +81,9 @@ struct System {
   std::optional<SnapshotMaps> maps = {};       ///< how they are drawn as maps; none: they are not
   /// The method that a scene with run.accuracy takes where it leaves method and order out; null: the first.
   std::string (*method_for_accuracy)(SceneFile const& file) = nullptr;
+  /// The two bodies that move about each other in a scene, in the order of their attitudes; null where none
+  /// do.
+  std::vector<OrbitingBody> (*bodies)(SceneFile const& file) = nullptr;
 };
 
 /// All systems, in the order in which they are told.

@@ -9,7 +9,8 @@
     actio.System("SO(3)", lambda w: w[0]**2 + 2*w[1]**2 + 3*w[2]**2)    # a system of one's own
 
 `run`, `load` and `sweep` make runs, and so does `System.run`; `systems`, `quantities`, `bodies` and `groups`
-tell what there is. `sin`, `cos`, ... are functions for Lagrangians.
+tell what there is. `moments` are those of the mass within a surface. `sin`, `cos`, ... are functions for
+Lagrangians.
 """
 
 try:
@@ -43,6 +44,7 @@ from actio._functions import (
     tan,
     tanh,
 )
+from actio._moments import moments
 from actio._registry import bodies, groups, quantities, systems
 from actio._run import Run
 from actio._snapshots import Snapshots
@@ -81,6 +83,7 @@ __all__ = [
     "log",
     "log10",
     "log2",
+    "moments",
     "quantities",
     "run",
     "sin",

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/systems/bodies/angle_input.hpp"
 #include "program/systems/bodies/body_input.hpp"
@@ -17,7 +18,7 @@ namespace {
 struct PairKeys : KeyTable {
   Key<int> order =
       key("order", whole("a whole number from 2 to 8", 2, 8), 4,
-          "The order of the mutual potential: powers of size over distance up to it are kept.", "4");
+          "The order of the mutual potential: its terms up to this power of size over distance.", "4");
   Key<double> G =
       key("G", positive.in("length^3/(mass time^2)"), 6.67430e-11,
           "The constant of gravitation; by default that of SI units, CODATA 2018.", "6.67430e-11");
@@ -74,8 +75,9 @@ struct StartKeys : KeyTable {
   Key<Eigen::Vector3d> position =
       key("position", vector.in("length"), LeftOut{"or initial.orbit"},
           "From the centre of mass of the first body to that of the second, in space.", "[1189, 0, 0]");
-  Key<Eigen::Vector3d> velocity = key("velocity", vector.in("length/time"), LeftOut{"or initial.orbit"},
-                                      "The rate of that.", "[0, 0.17, 0]");
+  Key<Eigen::Vector3d> velocity =
+      key("velocity", vector.in("length/time"), LeftOut{"or initial.orbit"},
+          "The velocity of the second body relative to the first, in space.", "[0, 0.17, 0]");
 } const start_keys{{"initial"}};
 
 /// Attitude and angular velocity of one body: as of a single one, in a table of its own.
@@ -109,18 +111,18 @@ StepKeys const pair_step{
     "and a sixty-fourth.",
     "600"};
 
-/// Place and velocity at the time 0.
-std::pair<Eigen::Vector3d, Eigen::Vector3d> read_place(SceneFile const& file, double mu) {
+/// Position and velocity at the time 0.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> read_orbit(SceneFile const& file, double mu) {
   SceneTable const initial = file.section("initial");
-  bool const placed = start_keys.position.given(initial) || start_keys.velocity.given(initial);
   if (!initial.has("orbit")) return {start_keys.position.read(initial), start_keys.velocity.read(initial)};
-  if (placed) initial.fail("orbit", "orbit excludes position and velocity");
+  if (start_keys.position.given(initial) || start_keys.velocity.given(initial))
+    initial.fail("orbit", "orbit excludes position and velocity");
   return refused_at(initial, "orbit", [&]() -> std::pair<Eigen::Vector3d, Eigen::Vector3d> {
     auto const elements = orbit_keys.read(initial.inside("orbit"));
     auto const from = bodies::at_pericentre(elements, mu);
-    auto const by = bodies::kepler_drift<double>(from.place, from.velocity, mu, -elements.time);
-    Eigen::Vector3d const x(from.place.data()), v(from.velocity.data());
-    return {x + Eigen::Vector3d(by.place.data()), v + Eigen::Vector3d(by.velocity.data())};
+    auto const by = bodies::kepler_drift<double>(from.position, from.velocity, mu, -elements.time);
+    Eigen::Vector3d const x(from.position.data()), v(from.velocity.data());
+    return {x + Eigen::Vector3d(by.position.data()), v + Eigen::Vector3d(by.velocity.data())};
   });
 }
 
@@ -147,6 +149,14 @@ std::array<bodies::Tide, 2> read_tides(PairScene const& scene, SceneTable const&
   });
 }
 
+/// The angular velocity in the pericentre of an orbit of two points: h/q^2 with q = p/(1 + e).
+double rate_in_pericentre(Eigen::Vector3d const& position, Eigen::Vector3d const& velocity, double mu) {
+  double const r = position.norm(), slowest = std::sqrt(mu / r) / r;
+  Eigen::Vector3d const h = position.cross(velocity), e = velocity.cross(h) / mu - position / r;
+  double const p = h.squaredNorm() / mu;
+  return p > 0 ? std::max(slowest, h.norm() * std::pow((1 + e.norm()) / p, 2)) : slowest;
+}
+
 /// The longest parts of a revolution in a default step: of the orbit, radians, and how many steps a body
 /// takes to turn once.
 struct Pace {
@@ -164,80 +174,94 @@ std::vector<Parameter> pair_parameters() {
                      mass_parameters("system.secondary", "second body"), third_keys, third_orbit_keys,
                      tide_keys, start_keys, orbit_keys, first_spin.table, first_spin.attitude,
                      first_spin.angular_velocity, second_spin.table, second_spin.attitude,
-                     second_spin.angular_velocity, pair_step});
+                     second_spin.angular_velocity, pair_step, accuracy_keys});
 }
 
 PairScene::PairScene(Request const& request, std::vector<Method> const& methods) {
-  SceneFile const& file = request.file;
-  SceneTable const system = file.section("system"), initial = file.section("initial");
-  SceneTable method = file.section("method");
-  options.order = pair_keys.order.read(file), options.G = pair_keys.G.read(file);
-  SceneTable const one_table = file.section("system.primary"), two_table = file.section("system.secondary");
-  for (auto const* const table : {&one_table, &two_table})
-    if (options.order > 2 && is_of_order_two(*table)) {
+  read_bodies(request.file);
+  read_surroundings(request.file);
+  read_start(request.file);
+  require_apart(request.file.section("initial"));
+  read_steps(request, methods);
+}
+
+void PairScene::read_bodies(SceneFile const& file) {
+  SceneTable const one = file.section("system.primary"), two = file.section("system.secondary");
+  int& order = options.order;
+  order = pair_keys.order.read(file), options.G = pair_keys.G.read(file);
+  for (auto const* const table : {&one, &two})
+    if (order > 2 && is_of_order_two(*table)) {
       remarks.push_back(
           fmt::format("system.order: of a body of the library moments of order 2 are known; the potential is "
                       "taken to order 2, not {}",
-                      options.order));
-      options.order = 2;
+                      order));
+      order = 2;
     }
-  auto first = read_mass(one_table, options.order, remarks),
-       second = read_mass(two_table, options.order, remarks);
+  auto first = read_mass(one, order, remarks), second = read_mass(two, order, remarks);
   primary = std::move(first.body), secondary = std::move(second.body);
   densities = {first.density, second.density};
-  if (options.order % 2 && has_planes_of_symmetry(primary) && has_planes_of_symmetry(secondary))
-    remarks.push_back(
-        fmt::format("system.order: bodies with three planes of symmetry have no terms of odd order; {} is "
-                    "the same as {}",
-                    options.order, options.order - 1)),
-        --options.order;
-  double const inner = primary.mass() + secondary.mass(), mu = options.G * inner;
+  if (order % 2 == 0 || !has_planes_of_symmetry(primary) || !has_planes_of_symmetry(secondary)) return;
+  remarks.push_back(
+      fmt::format("system.order: bodies with three planes of symmetry have no terms of odd order; {} is the "
+                  "same as {}",
+                  order, order - 1));
+  --order;
+}
+
+void PairScene::read_surroundings(SceneFile const& file) {
+  SceneTable const system = file.section("system");
   if (system.has("third_body")) {
     SceneTable const third = system.inside("third_body");
     auto const elements = third_orbit_keys.read(third.inside("orbit"));
     options.third = refused_at(third, "orbit", [&] {
-      return bodies::third_body(third_keys.mass.read(third), elements, inner, options.G);
+      return bodies::third_body(third_keys.mass.read(third), elements, mass(), options.G);
     });
   }
   if (system.has("tides")) options.tides = read_tides(*this, system.inside("tides"));
+}
 
-  auto const [position, velocity] = read_place(file, mu);
+void PairScene::read_start(SceneFile const& file) {
+  double const mu = options.G * mass();
+  auto const [position, velocity] = read_orbit(file, mu);
   Spin const one = read_spin(first_spin, file, remarks), two = read_spin(second_spin, file, remarks);
   start = bodies::state_of_velocities(primary, secondary, position, velocity, one.attitude, one.rate,
                                       two.attitude, two.rate);
-  double const r = position.norm(), near = (primary.radius + secondary.radius) / r;
-  std::string const place = initial.has("orbit") ? "orbit" : "position";
+  fastest_orbit = rate_in_pericentre(position, velocity, mu);
+  fastest_turn = std::max(one.rate.norm(), two.rate.norm());
+}
+
+void PairScene::require_apart(SceneTable const& initial) {
+  double const r = start.position.norm(), near = (primary.radius + secondary.radius) / r;
+  std::string const key = initial.has("orbit") ? "orbit" : "position";
   if (!(near < 1))
     initial.fail(
-        place,
+        key,
         fmt::format("{}: the bodies are too near for the series of their potential: the radii of the spheres "
                     "about them, {:.6g} and {:.6g}, are {:.4g} of the distance {:.6g} together, and less "
                     "than 1 is needed",
-                    place, primary.radius, secondary.radius, near, r));
+                    key, primary.radius, secondary.radius, near, r));
   if (near > 0.6)
     remarks.push_back(
-        fmt::format("{}: the radii of the spheres about the bodies are {:.2g} of the distance together; what "
-                    "order {} leaves out is about the power {} of that",
-                    place, near, options.order, options.order + 1));
+        fmt::format("{}: the radii of the spheres about the bodies are {:.2g} of the distance together; the "
+                    "terms of the potential beyond order {} are about the power {} of that",
+                    key, near, options.order, options.order + 1));
+}
 
-  // The angular velocity in the pericentre: h/q^2 with q = p/(1 + e).
-  Eigen::Vector3d const h = position.cross(velocity), e = velocity.cross(h) / mu - position / r;
-  double const slowest = std::sqrt(mu / r) / r, p = h.squaredNorm() / mu;
-  fastest_orbit = p > 0 ? std::max(slowest, h.norm() * std::pow((1 + e.norm()) / p, 2)) : slowest;
-  fastest_turn = std::max(one.rate.norm(), two.rate.norm());
+void PairScene::read_steps(Request const& request, std::vector<Method> const& methods) {
+  SceneTable const method = request.file.section("method");
   choice = read_method(method, methods);
   options.method = choice.name == "kepler_splitting" ? bodies::kepler_splitting()
                    : choice.name == "splitting"      ? bodies::pair_splitting(choice.number())
                                                      : bodies::moser_veselov_pair();
-  Pace const pace = pace_of(choice);
   constexpr double full = 2 * std::numbers::pi;
+  Pace const pace = pace_of(choice);
   options.step = read_step(method, request.schedule,
                            std::max(fastest_orbit / pace.orbit, fastest_turn * pace.turns / full), 1);
-  if (fastest_turn * options.step > full / 6)
+  if (double const turns = fastest_turn * options.step / full; turns > 1 / 6.)
     remarks.push_back(
         fmt::format("step: the faster body turns by {:.2g} of a revolution in a step of {}; up to a sixth, a "
                     "step of {:.3g}, the method is accurate",
-                    fastest_turn * options.step / full, options.step, full / 6 / fastest_turn));
+                    turns, options.step, full / 6 / fastest_turn));
 }
 
 }  // namespace actio::scene

@@ -25,6 +25,14 @@ struct PairScene {
   /// @throws SceneError  where a value is missing or wrong, with its place: a body that is none, an order
   ///                     that the moments do not have, bodies so near that the series need not converge
   PairScene(Request const& request, std::vector<Method> const& methods);
+
+ private:
+  double mass() const { return primary.mass() + secondary.mass(); }
+  void read_bodies(SceneFile const& file);        // and the order and the constant of their potential
+  void read_surroundings(SceneFile const& file);  // a third body, and tides
+  void read_start(SceneFile const& file);
+  void require_apart(SceneTable const& initial);
+  void read_steps(Request const& request, std::vector<Method> const& methods);
 };
 
 /// The records of [system], [initial] and [method].

@@ -99,7 +99,7 @@ PairMotion::PairMotion(PairScene const& scene, double step, Follows follows)
 }
 
 void PairMotion::move(State& state, long count) const {
-  // Whether the bodies come too near is seen after each piece; a tangent vector loses no digits in one.
+  // Where the bodies come too near the piece is refused as a whole; a tangent vector loses no digits in one.
   long const most = follows_.way ? 1 : 4;
   for (long left = count; left > 0;) {
     long const next = std::min(left, most);

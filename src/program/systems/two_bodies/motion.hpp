@@ -61,7 +61,7 @@ class PairMotion : public Motion {
   void look_ahead(double time) override;
   void change_step(double first, double step, long made) override;
   void remember(CheckpointStream& stream) override;
-  /// The larger one of the angles between both attitudes, and the distance of the places.
+  /// The larger one of the angles between both attitudes, and the distance of the positions.
   StateDistance distance(Motion const& other) const override;
 
   bodies::TwoBodies const& pair() const { return now().pair; }   ///< that quantities are those of
