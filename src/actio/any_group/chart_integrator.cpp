@@ -23,6 +23,19 @@ void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<doubl
   }
 }
 
+void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v, Eigen::MatrixXd& g) {
+  bool const left = system.side == Side::left;
+  if (system.chart == Chart::cayley) {
+    Eigen::MatrixXd const c = cayley(hat_of_step(system.algebra, h, v));
+    g = left ? Eigen::MatrixXd(g * c) : Eigen::MatrixXd(c * g);
+    return;
+  }
+  if (!left) return apply_exponential(system.algebra, h, v, g);
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(g.rows(), g.cols());
+  apply_exponential(system.algebra, h, v, moved);
+  g = g * moved;
+}
+
 ChartIntegrator::ChartIntegrator(std::shared_ptr<ReducedSystem const> system, double h,
                                  std::vector<double> const& fractions, ReducedPoint start,
                                  std::vector<double> const& velocity)
@@ -38,26 +51,12 @@ void ChartIntegrator::step() {
   try {
     for (auto& substep : substeps_) {
       substep(point_);
-      if (configuration_.size()) move_configuration(substep);
+      if (configuration_.size()) move_configuration(*system_, substep.length(), substep.velocity(), configuration_);
     }
   } catch (...) {
     point_ = point_before_, configuration_ = configuration_before_;
     throw;
   }
-}
-
-void ChartIntegrator::move_configuration(ChartSolver const& substep) {
-  if (system_->chart == Chart::cayley) {
-    Eigen::MatrixXd const c = cayley(hat_of_step(system_->algebra, substep.length(), substep.velocity()));
-    configuration_ = system_->side == Side::left ? Eigen::MatrixXd(configuration_ * c)
-                                                 : Eigen::MatrixXd(c * configuration_);
-    return;
-  }
-  if (system_->side == Side::right)
-    return apply_exponential(system_->algebra, substep.length(), substep.velocity(), configuration_);
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());
-  apply_exponential(system_->algebra, substep.length(), substep.velocity(), moved);
-  configuration_ = configuration_ * moved;
 }
 
 }  // namespace actio::systems

@@ -16,6 +16,11 @@ namespace actio::systems {
 void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
                        Eigen::MatrixXd& g);
 
+/// Moves a configuration by a step: \f$g\,e^{hv}\f$ (left-invariant), \f$e^{hv}g\f$ (right-invariant), or by
+/// Cayley's transform of \f$hv\f$.
+/// @param v  velocity, and whatever follows it in the list
+void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v, Eigen::MatrixXd& g);
+
 /// Steps of one length, each of some substeps. For one thread at a time.
 ///
 /// \snippet reduction.cpp chart_integrator
@@ -58,9 +63,6 @@ class ChartIntegrator {
   }
 
  private:
-  /// \f$g_1 = g_0e^{hv}\f$ (left-invariant), \f$g_1 = e^{hv}g_0\f$ (right-invariant).
-  void move_configuration(ChartSolver const& substep);
-
   std::shared_ptr<ReducedSystem const> system_;
   std::vector<ChartSolver> substeps_;
   ReducedPoint point_, point_before_;

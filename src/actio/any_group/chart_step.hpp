@@ -102,7 +102,7 @@ class ChartStep {
     for (std::size_t i = 0; i < d; ++i) p_[i] = slopes_[1 + i];
     if (!a.empty()) {
       push(h / S(2), a, before);
-      for (std::size_t k = 0; k < a.size(); k += moved_.size()) carry(h, v, &a[k], &vectors[k]);
+      carry(h, v, a, vectors);
       slopes_at(v, vectors);
       for (std::size_t i = 0; i < d; ++i) p_[i] = (p_[i] + slopes_[1 + i]) / S(2);
       push(h / S(-2), vectors, after);
@@ -110,6 +110,11 @@ class ChartStep {
     return add_chi(h, v, a.empty());
   }
 
+  /// The vectors \f$e^{-hv}a\f$ that a motion with this velocity over the time h makes of some; in Cayley's
+  /// chart by the transform.
+  void carry(S const& h, std::vector<S> const& v, std::vector<S> const& a, std::vector<S>& out) {
+    for (std::size_t k = 0; k < a.size(); k += moved_.size()) carry(h, v, &a[k], &out[k]);
+  }
   /// Carries a small covector from the start of the step to its end: \f$e^{A^T}x\f$, to second order.
   void transport(std::vector<S>& x) {
     apply_ad_star(x, odd_);
