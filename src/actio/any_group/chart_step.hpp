@@ -89,7 +89,8 @@ class ChartStep {
 
   std::vector<S> before,  ///< the momentum at the start; energy x time
       after,              ///< at the end
-      vectors;            ///< at the end
+      vectors,            ///< at the end
+      halfway;            ///< in the middle, where it is as long: \f$e^{-hv/2}a\f$; in Cayley's chart the mean
 
   /// The momenta at both ends, and the vectors at the end, of a step with this velocity.
   /// @param h  step, time
@@ -102,7 +103,8 @@ class ChartStep {
     for (std::size_t i = 0; i < d; ++i) p_[i] = slopes_[1 + i];
     if (!a.empty()) {
       push(h / S(2), a, before);
-      carry(h, v, a, vectors);
+      for (std::size_t k = 0; k < a.size(); k += moved_.size())
+        carry(h, v, &a[k], &vectors[k], halfway.empty() ? nullptr : &halfway[k]);
       slopes_at(v, vectors);
       for (std::size_t i = 0; i < d; ++i) p_[i] = (p_[i] + slopes_[1 + i]) / S(2);
       push(h / S(-2), vectors, after);
@@ -110,11 +112,6 @@ class ChartStep {
     return add_chi(h, v, a.empty());
   }
 
-  /// The vectors \f$e^{-hv}a\f$ that a motion with this velocity over the time h makes of some; in Cayley's
-  /// chart by the transform.
-  void carry(S const& h, std::vector<S> const& v, std::vector<S> const& a, std::vector<S>& out) {
-    for (std::size_t k = 0; k < a.size(); k += moved_.size()) carry(h, v, &a[k], &out[k]);
-  }
   /// Carries a small covector from the start of the step to its end: \f$e^{A^T}x\f$, to second order.
   void transport(std::vector<S>& x) {
     apply_ad_star(x, odd_);
@@ -148,18 +145,27 @@ class ChartStep {
         sum[n(e.direction)] += slopes_[1 + d + k + n(e.row)] * a[k + n(e.column)] * signed_h * S(e.value);
   }
 
-  /// \f$e^{-hv}a\f$ of one vector, by its series; with the sign of the side.
-  void carry(S const& h, std::vector<S> const& v, S const* a, S* out) {
+  /// \f$e^{-hv}a\f$ of one vector, by its series, and \f$e^{-hv/2}a\f$ where there is room for it; with the
+  /// sign of the side.
+  void carry(S const& h, std::vector<S> const& v, S const* a, S* out, S* half) {
     auto const m = moved_.size();
     S const signed_h = h * S(-system_.sign());
-    if (system_.chart == Chart::cayley)
-      return carry_by(cayley(hat_of_step(system_.algebra, signed_h, v)), a, out);
-    if (size_of_step(system_.algebra, to_double(base_value(h)), v) > 1)
-      return carry_by(matrix_exponential(hat_of_step(system_.algebra, signed_h, v)), a, out);
+    if (system_.chart == Chart::cayley) {
+      carry_by(cayley(hat_of_step(system_.algebra, signed_h, v)), a, out);
+      for (std::size_t i = 0; half && i < m; ++i) half[i] = (a[i] + out[i]) / S(2);
+      return;
+    }
+    if (size_of_step(system_.algebra, to_double(base_value(h)), v) > 1) {
+      carry_by(matrix_exponential(hat_of_step(system_.algebra, signed_h, v)), a, out);
+      if (half) carry_by(matrix_exponential(hat_of_step(system_.algebra, S(signed_h / S(2)), v)), a, half);
+      return;
+    }
     std::vector<S>& term = moved_;
     std::copy(a, a + m, term.begin()), std::copy(a, a + m, out);
+    if (half) std::copy(a, a + m, half);
     double const size = detail::largest_part(term);
     next_.resize(m);
+    double power_of_half = 1;
     for (int k = 1; k < 200; ++k) {
       std::fill(next_.begin(), next_.end(), S(0));
       for (auto const& e : system_.algebra.entries)
@@ -168,6 +174,8 @@ class ChartStep {
         term[i] = next_[i] * signed_h / S(k);
         out[i] += term[i];
       }
+      power_of_half /= 2;
+      for (std::size_t i = 0; half && i < m; ++i) half[i] += term[i] * S(power_of_half);
       if (!(detail::largest_part(term) > negligible_ * size)) return;
     }
   }

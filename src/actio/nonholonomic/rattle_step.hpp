@@ -26,7 +26,9 @@ class RattleStep {
  public:
   /// Of a system and constraints that outlive it.
   RattleStep(ReducedSystem const& system, VelocityConstraints const& constraints)
-      : momenta(system), middle(constraints), cayley_(system.chart == Chart::cayley), halfway_(momenta.vectors) {}
+      : momenta(system), middle(constraints) {
+    momenta.halfway = momenta.vectors;
+  }
 
   ChartStep<S> momenta;        ///< at both ends
   ConstraintValues<S> middle;  ///< the constraints in the middle of the step
@@ -38,17 +40,9 @@ class RattleStep {
   /// @return   false where the step leaves the chart
   bool operator()(S const& h, S const& t, std::vector<S> const& v, std::vector<S> const& a) {
     if (!momenta(h, v, a)) return false;
-    if (cayley_)
-      for (std::size_t i = 0; i < a.size(); ++i) halfway_[i] = (a[i] + momenta.vectors[i]) / S(2);
-    else
-      momenta.carry(h / S(2), v, a, halfway_);
-    middle.set_values(v, halfway_, t + h / S(2));
+    middle.set_values(v, momenta.halfway, t + h / S(2));
     return true;
   }
-
- private:
-  bool cayley_;
-  std::vector<S> halfway_;
 };
 
 }  // namespace actio::systems
