@@ -161,7 +161,7 @@ class ChartStep {
       return;
     }
     std::vector<S>& term = moved_;
-    std::copy(a, a + m, term.begin()), std::copy(a, a + m, out);
+    std::copy(a, a + m, term.begin()), std::fill(out, out + m, S(0));
     if (half) std::copy(a, a + m, half);
     double const size = detail::largest_part(term);
     next_.resize(m);
@@ -176,8 +176,9 @@ class ChartStep {
       }
       power_of_half /= 2;
       for (std::size_t i = 0; half && i < m; ++i) half[i] += term[i] * S(power_of_half);
-      if (!(detail::largest_part(term) > negligible_ * size)) return;
+      if (!(detail::largest_part(term) > negligible_ * size)) break;
     }
+    for (std::size_t i = 0; i < m; ++i) out[i] = a[i] + out[i];
   }
 
   static void carry_by(Matrix<S> const& c, S const* a, S* out) {
