@@ -53,6 +53,8 @@ class RattleIntegrator {
   void step();
 
   double time() const { return start_ + static_cast<double>(steps_) * h_; }  ///< now
+  /// Momentum before the reactions of the next step, up to a combination of the rows; and vectors.
+  ReducedPoint const& point() const { return point_; }
   /// Momentum and velocity that obey the constraints, vectors.
   /// @throws NotConverged, Singular, NotFinite  where the Lagrangian is not regular along the constraints
   ConstrainedState state() const;
