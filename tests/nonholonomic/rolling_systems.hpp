@@ -72,8 +72,9 @@ struct Sleigh {
          turn = std::sqrt(2 * energy / about_blade), rate = ahead * mass * speed / about_blade;
 
   Constrained system(systems::Chart chart = systems::Chart::exponential) const {
-    return {"SE(2)", "m*(v1^2 + (v2 + a*w)^2)/2 + J*w^2/2", {"v2"}, {}, {{"m", mass}, {"J", inertia}, {"a", ahead}},
-            "", chart};
+    return {"SE(2)", "m*(v1^2 + (v2 + a*w)^2)/2 + J*w^2/2",       {"v2"},
+            {},      {{"m", mass}, {"J", inertia}, {"a", ahead}}, "",
+            chart};
   }
   /// Angular velocity and velocity along the blade, in closed form.
   List velocity(double t) const {
@@ -108,8 +109,8 @@ struct ChaplyginBall {
 
 /// The rattleback of Kane and Levinson (1982); centimetres, seconds, mass 1.
 struct Rattleback {
-  Parameters parameters{{"A", 2}, {"B", 16}, {"C", 17}, {"D", -0.2}, {"a", 20}, {"b", 3},
-                        {"c", 2}, {"s", 1},  {"g", 981}};
+  Parameters parameters{{"A", 2}, {"B", 16}, {"C", 17}, {"D", -0.2}, {"a", 20},
+                        {"b", 3}, {"c", 2},  {"s", 1},  {"g", 981}};
   Triple up;
   Rattleback() {
     double const tilt = std::sin(std::numbers::pi / 360);

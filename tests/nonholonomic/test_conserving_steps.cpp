@@ -42,7 +42,8 @@ struct Conserving {
   }
   /// The velocity on the constraints.
   List velocity() const {
-    List v(substeps.back().unknowns().begin(), substeps.back().unknowns().begin() + of.constraints->dimension);
+    List v(substeps.back().unknowns().begin(),
+           substeps.back().unknowns().begin() + of.constraints->dimension);
     List lambda(static_cast<std::size_t>(of.constraints->count), 0);
     ConstrainedVelocity(*of.system, *of.constraints).solve(point.momentum, point.vectors, 0, v, lambda);
     return v;
@@ -59,13 +60,14 @@ BOOST_AUTO_TEST_CASE(the_sleigh_has_its_orders_and_its_energy) {
   for (int const order : {2, 4}) {
     List errors;
     for (int const count : {50, 100, 200}) {
-      Conserving run(system, 6.0 / count, symmetric_composition<double>(order), system.state(sleigh.velocity(0)));
+      Conserving run(system, 6.0 / count, symmetric_composition<double>(order),
+                     system.state(sleigh.velocity(0)));
       run.steps(count);
       errors.push_back(apart(run.velocity(), sleigh.velocity(6)));
       BOOST_TEST(run.largest_change <= 1e-13);
     }
-    BOOST_TEST_MESSAGE("sleigh, energy conserved, order " << order << ": errors " << errors[0] << " " << errors[1]
-                                                          << " " << errors[2]);
+    BOOST_TEST_MESSAGE("sleigh, energy conserved, order " << order << ": errors " << errors[0] << " "
+                                                          << errors[1] << " " << errors[2]);
     BOOST_TEST(std::abs(order_of(errors) - order) < 0.1);
   }
 }

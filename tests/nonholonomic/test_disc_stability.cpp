@@ -16,12 +16,8 @@ namespace {
 
 /// Of radius, mass and gravity 1; its axis is e3, and the plane touches it where its rim is lowest.
 struct Disc {
-  Constrained system{"SE(3)",
-                     "(w1^2/4 + w2^2/4 + w3^2/2 + v1^2 + v2^2 + v3^2)/2 - q",
-                     point_rests,
-                     {"u"},
-                     {},
-                     "q = sqrt(u1^2 + u2^2); r1 = -u1/q; r2 = -u2/q; r3 = 0*u3;"};
+  Constrained system{"SE(3)", "(w1^2/4 + w2^2/4 + w3^2/2 + v1^2 + v2^2 + v3^2)/2 - q",    point_rests, {"u"},
+                     {},      "q = sqrt(u1^2 + u2^2); r1 = -u1/q; r2 = -u2/q; r3 = 0*u3;"};
   ConstrainedState upright(Triple const& w) const {
     return system.state(rolling_velocity(w, {0, -1, 0}), {0, 1, 0, 0});
   }
@@ -29,7 +25,8 @@ struct Disc {
   /// motion is at rest there.
   Eigen::VectorXcd multipliers(Triple const& w, double h) const {
     auto const start = upright(w);
-    RattleMap const map(*system.system, *system.constraints, symmetric_composition<double>(4), start.velocity);
+    RattleMap const map(*system.system, *system.constraints, symmetric_composition<double>(4),
+                        start.velocity);
     auto const image = map(h, ReducedPointOver<double>{start.point.momentum, start.point.vectors});
     double const c = image.vectors[1], s = image.vectors[0];  // of the angle by which the vertical turned
     Eigen::MatrixXd back = Eigen::MatrixXd::Identity(10, 10);
@@ -40,7 +37,8 @@ struct Disc {
     moved = back * moved;
     for (std::size_t k = 0; k < 4; ++k)
       BOOST_TEST(std::abs(moved[static_cast<Index>(6 + k)] - start.point.vectors[k]) < 1e-13);
-    return eigenvalues_of(back * tangent_of([&](auto const& p) { return map(Moved<double>(h), p); }, start.point));
+    return eigenvalues_of(back *
+                          tangent_of([&](auto const& p) { return map(Moved<double>(h), p); }, start.point));
   }
   /// The square of the rate at which a tilt grows: that of the pair of multipliers that are furthest from 1.
   double square_of_rate(Triple const& w, double h) const {
@@ -72,8 +70,8 @@ void has_its_threshold(char const* name, Motion const& motion) {
   // The square of the rate is smooth and nearly linear: the threshold is where it vanishes.
   double const low = disc.square_of_rate(motion(0.99), h), high = disc.square_of_rate(motion(1.01), h);
   double const threshold = 0.99 + 0.02 * low / (low - high);
-  BOOST_TEST_MESSAGE(name << ": threshold " << threshold << " times the square of the known speed; multipliers "
-                          << below << ", " << above);
+  BOOST_TEST_MESSAGE(name << ": threshold " << threshold
+                          << " times the square of the known speed; multipliers " << below << ", " << above);
   BOOST_TEST(std::abs(threshold - 1) < 1e-6);
 }
 
@@ -93,8 +91,9 @@ BOOST_AUTO_TEST_CASE(a_tilt_grows_below_the_threshold_and_stays_above) {
   Disc const disc;
   auto const largest_tilt = [&](Triple const& w) {
     double const tilt = 1e-6;
-    auto const start = constrained_state(*disc.system.system, *disc.system.constraints, rolling_velocity(w, {0, -1, 0}),
-                                         {0, std::cos(tilt), std::sin(tilt), 0}, 0, 1e-3);
+    auto const start =
+        constrained_state(*disc.system.system, *disc.system.constraints, rolling_velocity(w, {0, -1, 0}),
+                          {0, std::cos(tilt), std::sin(tilt), 0}, 0, 1e-3);
     auto run = disc.system.run(0.05, {1}, start);
     double largest = 0;
     for (int k = 0; k < 1000; ++k) run.step(), largest = std::max(largest, std::abs(run.point().vectors[2]));
@@ -105,7 +104,8 @@ BOOST_AUTO_TEST_CASE(a_tilt_grows_below_the_threshold_and_stays_above) {
       return rolling ? Triple(0, 0, std::sqrt(square / 3)) : Triple(0, std::sqrt(square * 4 / 5), 0);
     };
     double const below = largest_tilt(motion(0.9)), above = largest_tilt(motion(1.1));
-    BOOST_TEST_MESSAGE((rolling ? "rolling" : "spinning") << ": tilt from 1e-6 to " << below << " and " << above);
+    BOOST_TEST_MESSAGE((rolling ? "rolling" : "spinning")
+                       << ": tilt from 1e-6 to " << below << " and " << above);
     // Over 50 units of time, at a rate of 0.28 below.
     BOOST_TEST(below > 1e-2);
     BOOST_TEST(above < 1e-4);

@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_SUITE(exact_motions_with_constraints)
 
 BOOST_AUTO_TEST_CASE(suslovs_body_turns_over_as_its_closed_form) {
   // A body that cannot spin about its third axis, w3 = 0, with products of inertia: it goes from one steady
-  // rotation to the opposite one, w = sqrt(2E) (cos phi/sqrt(I1), sin phi/sqrt(I2)) with sin(phi - shift) = tanh.
+  // rotation to the opposite one, w = sqrt(2E) (cos phi/sqrt(I1), sin phi/sqrt(I2)) with
+  // sin(phi - shift) = tanh.
   double const one = 1, two = 2, with_one = 0.3, with_two = 0.2, time = 5;
   Constrained const system("SO(3)", "(I1*w1^2 + I2*w2^2 + 3*w3^2)/2 + I13*w1*w3 + I23*w2*w3", {"w3"}, {},
                            {{"I1", one}, {"I2", two}, {"I13", with_one}, {"I23", with_two}});
@@ -111,10 +112,11 @@ BOOST_AUTO_TEST_CASE(a_ball_on_a_turntable_goes_in_circles_at_two_sevenths_of_it
   // goes round a circle at 2/7 of Omega, whatever its radius and place.
   double const omega = 1.5, time = 4;
   std::string const rest = "r1 = -u1; r2 = -u2; r3 = -u3; s1 = r1 - q1; s2 = r2 - q2; s3 = r3 - q3;";
-  Constrained const system("SE(3)", "(v1^2 + v2^2 + v3^2)/2 + (w1^2 + w2^2 + w3^2)/5",
-                           {"v1 + w2*r3 - w3*r2 - Omega*(u2*s3 - u3*s2)", "v2 + w3*r1 - w1*r3 - Omega*(u3*s1 - u1*s3)",
-                            "v3 + w1*r2 - w2*r1 - Omega*(u1*s2 - u2*s1)"},
-                           {"u", "q"}, {{"Omega", omega}}, rest);
+  Constrained const system(
+      "SE(3)", "(v1^2 + v2^2 + v3^2)/2 + (w1^2 + w2^2 + w3^2)/5",
+      {"v1 + w2*r3 - w3*r2 - Omega*(u2*s3 - u3*s2)", "v2 + w3*r1 - w1*r3 - Omega*(u3*s1 - u1*s3)",
+       "v3 + w1*r2 - w2*r1 - Omega*(u1*s2 - u2*s1)"},
+      {"u", "q"}, {{"Omega", omega}}, rest);
   // At the place (0.5, 0.2, 0) from the axis, with the velocity V; the plane there has Omega e3 x place.
   Triple const place(0.5, 0.2, 0), up(0, 0, 1), v(0.3, -0.4, 0), slip = v - omega * cross(up, place);
   Triple const w = cross(up, slip) + 0.7 * up;
@@ -123,16 +125,18 @@ BOOST_AUTO_TEST_CASE(a_ball_on_a_turntable_goes_in_circles_at_two_sevenths_of_it
   BOOST_TEST(start.moved < 1e-15);
   double const angle = 2 * omega * time / 7, c = std::cos(angle), s = std::sin(angle), rate = 2 * omega / 7;
   // V turns, and the place with it.
-  List const truth{place[0] + (v[0] * s - v[1] * (1 - c)) / rate, place[1] + (v[0] * (1 - c) + v[1] * s) / rate, 0};
-  has_its_orders("ball on a turntable", system, start, time, {40, 80, 160}, truth, [&](RattleIntegrator const& run) {
-    return List{run.configuration()(0, 3) + place[0], run.configuration()(1, 3) + place[1],
-                run.configuration()(2, 3)};
-  });
+  List const truth{place[0] + (v[0] * s - v[1] * (1 - c)) / rate,
+                   place[1] + (v[0] * (1 - c) + v[1] * s) / rate, 0};
+  has_its_orders("ball on a turntable", system, start, time, {40, 80, 160}, truth,
+                 [&](RattleIntegrator const& run) {
+                   return List{run.configuration()(0, 3) + place[0], run.configuration()(1, 3) + place[1],
+                               run.configuration()(2, 3)};
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(a_homogeneous_ball_rolls_straight_on) {
-  Constrained const system("SE(3)", "(v1^2 + v2^2 + v3^2)/2 + (w1^2 + w2^2 + w3^2)/5", point_rests, {"up"}, {},
-                           "r1 = -up1; r2 = -up2; r3 = -up3;");
+  Constrained const system("SE(3)", "(v1^2 + v2^2 + v3^2)/2 + (w1^2 + w2^2 + w3^2)/5", point_rests, {"up"},
+                           {}, "r1 = -up1; r2 = -up2; r3 = -up3;");
   Triple const up(0, 0, 1), w(0.4, 1.1, -0.8), v = cross(w, up);
   auto const start = system.state(rolling_velocity(w, -up), direction(up));
   has_its_orders("homogeneous ball", system, start, 4, {10, 20, 40}, {4 * v[0], 4 * v[1], 0},

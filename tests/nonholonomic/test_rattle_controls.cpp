@@ -39,7 +39,8 @@ struct Variant {
     return moved.vectors;
   }
   template <class S>
-  std::vector<S> residual(ReducedPoint const& at, std::vector<S> const& x, ReducedPointOver<S>* end = nullptr) const {
+  std::vector<S> residual(ReducedPoint const& at, std::vector<S> const& x,
+                          ReducedPointOver<S>* end = nullptr) const {
     auto const d = v.size();
     std::vector<S> const velocity(x.begin(), x.begin() + of.constraints->dimension);
     ChartStep<S> step(*of.system);
@@ -68,7 +69,8 @@ struct Variant {
         moved[static_cast<std::size_t>(j)].part[0] = 1;
         auto const r = residual(at, moved);
         for (Index i = 0; i < n; ++i)
-          slope(i, j) = r[static_cast<std::size_t>(i)].part[0], value[i] = r[static_cast<std::size_t>(i)].value;
+          slope(i, j) = r[static_cast<std::size_t>(i)].part[0],
+                   value[i] = r[static_cast<std::size_t>(i)].value;
       }
       Eigen::VectorXd const update = solve_linear(slope, value, "variant");
       for (Index i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] -= update[i];
@@ -90,12 +92,9 @@ struct Variant {
 
 /// A ball with its centre of mass off its centre, so that no momentum is conserved.
 struct Lopsided {
-  Constrained system{"SE(3)",
-                     "(w1^2 + 2*w2^2 + 2.5*w3^2 + v1^2 + v2^2 + v3^2)/2 - 0.9*up1",
-                     point_rests,
-                     {"up"},
-                     {},
-                     "r1 = 0.3 - up1; r2 = -up2; r3 = -up3;"};
+  Constrained system{"SE(3)",     "(w1^2 + 2*w2^2 + 2.5*w3^2 + v1^2 + v2^2 + v3^2)/2 - 0.9*up1",
+                     point_rests, {"up"},
+                     {},          "r1 = 0.3 - up1; r2 = -up2; r3 = -up3;"};
   Triple up{0.36, 0.48, 0.8}, w{0.9, -0.4, 1.2};
   ConstrainedState start = system.state(rolling_velocity(w, Triple(0.3, 0, 0) - up), direction(up));
 };
@@ -130,11 +129,11 @@ BOOST_AUTO_TEST_CASE(the_order_falls_to_one_with_the_constraint_at_an_end_of_the
   auto const order = [&](double constraint, double reactions) {
     List errors;
     for (int const count : {50, 100, 200})
-      errors.push_back(apart(
-          Variant(ball.system, time / count, constraint, reactions, ball.start.velocity).end(ball.start.point, count),
-          truth));
-    BOOST_TEST_MESSAGE("constraint at " << constraint << ", reactions at " << reactions << ": errors " << errors[0]
-                                        << " " << errors[1] << " " << errors[2]);
+      errors.push_back(apart(Variant(ball.system, time / count, constraint, reactions, ball.start.velocity)
+                                 .end(ball.start.point, count),
+                             truth));
+    BOOST_TEST_MESSAGE("constraint at " << constraint << ", reactions at " << reactions << ": errors "
+                                        << errors[0] << " " << errors[1] << " " << errors[2]);
     return order_of(errors);
   };
   BOOST_TEST(std::abs(order(0.5, 0) - 2) < 0.05);

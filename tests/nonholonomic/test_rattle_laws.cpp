@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(a_run_backwards_returns_to_its_start) {
 BOOST_AUTO_TEST_CASE(configurations_carry_the_vectors) {
   for (Side const side : {Side::left, Side::right}) {
     auto const system = uneven(side, Chart::exponential);
-    auto const start = constrained_state(*system.system, *system.constraints, uneven_velocity, uneven_vector, 0, 10);
+    auto const start =
+        constrained_state(*system.system, *system.constraints, uneven_velocity, uneven_vector, 0, 10);
     auto run = system.run(0.05, symmetric_composition<double>(4), start);
     run.follow_configuration(Eigen::MatrixXd::Identity(4, 4));
     for (int k = 0; k < 50; ++k) run.step();
@@ -140,8 +141,8 @@ BOOST_AUTO_TEST_CASE(a_velocity_is_moved_on_the_constraints_as_by_a_blow) {
   LegendreVelocity legendre(*system.system);
   ReducedPoint const free{legendre.momentum(before, direction(ball.up)), direction(ball.up)};
   BOOST_TEST((ball.about_contact(free) - ball.about_contact(after.point)).norm() < 32 * eps * 4);
-  BOOST_TEST(ConstrainedVelocity(*system.system, *system.constraints).defect(after.velocity, after.point.vectors, 0) <
-             16 * eps);
+  BOOST_TEST(ConstrainedVelocity(*system.system, *system.constraints)
+                 .defect(after.velocity, after.point.vectors, 0) < 16 * eps);
   BOOST_TEST(system.energy(after) < legendre.energy(before, direction(ball.up)));
   // A velocity that obeys them is left as it is.
   BOOST_TEST(apart(system.state(ball.velocity(), direction(ball.up)).velocity, ball.velocity()) < 16 * eps);
@@ -149,7 +150,8 @@ BOOST_AUTO_TEST_CASE(a_velocity_is_moved_on_the_constraints_as_by_a_blow) {
 
 BOOST_AUTO_TEST_CASE(the_tangent_of_a_step_is_that_of_differences) {
   auto const system = uneven(Side::left, Chart::exponential);
-  auto const start = constrained_state(*system.system, *system.constraints, uneven_velocity, uneven_vector, 0, 10);
+  auto const start =
+      constrained_state(*system.system, *system.constraints, uneven_velocity, uneven_vector, 0, 10);
   double const h = 0.2;
   RattleMap const map(*system.system, *system.constraints, {1}, start.velocity);
   auto const tangent = tangent_of([&](auto const& p) { return map(Moved<double>(h), p); }, start.point);
@@ -161,11 +163,13 @@ BOOST_AUTO_TEST_CASE(the_tangent_of_a_step_is_that_of_differences) {
     (i < 6 ? moved.momentum[i] : moved.vectors[i - 6]) += x;
     auto const image = map(h, moved);
     Eigen::VectorXd all(10);
-    for (std::size_t k = 0; k < 10; ++k) all[static_cast<Index>(k)] = k < 6 ? image.momentum[k] : image.vectors[k - 6];
+    for (std::size_t k = 0; k < 10; ++k)
+      all[static_cast<Index>(k)] = k < 6 ? image.momentum[k] : image.vectors[k - 6];
     return all;
   };
   for (std::size_t i = 0; i < 10; ++i) {
-    Eigen::VectorXd const column = (8 * (at(i, by / 2) - at(i, -by / 2)) - (at(i, by) - at(i, -by))) / (6 * by);
+    Eigen::VectorXd const column =
+        (8 * (at(i, by / 2) - at(i, -by / 2)) - (at(i, by) - at(i, -by))) / (6 * by);
     BOOST_TEST((tangent.col(static_cast<Index>(i)) - column).norm() < 1e-9, i);
   }
   // A combination of the rows added to the momentum changes nothing.

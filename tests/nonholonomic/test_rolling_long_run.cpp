@@ -38,7 +38,8 @@ BOOST_AUTO_TEST_CASE(a_rattleback_reverses_when_it_should) {
 BOOST_AUTO_TEST_CASE(a_rattleback_the_other_way_slows_down_for_long) {
   Rattleback const body;
   auto const system = body.system();
-  auto run = system.run(0.001, symmetric_composition<double>(4), system.state(body.velocity(5), direction(body.up)));
+  auto run =
+      system.run(0.001, symmetric_composition<double>(4), system.state(body.velocity(5), direction(body.up)));
   double turned = 0;
   for (int k = 1; k <= 13000 && turned == 0; ++k) {
     run.step();
@@ -73,7 +74,8 @@ BOOST_AUTO_TEST_CASE(the_momentum_of_chaplygins_ball_over_a_hundred_thousand_ste
 }
 
 BOOST_AUTO_TEST_CASE(energy_over_a_hundred_thousand_steps) {
-  auto const changes = [](char const* name, Constrained const& system, double h, ConstrainedState const& start) {
+  auto const changes = [](char const* name, Constrained const& system, double h,
+                          ConstrainedState const& start) {
     ConservingSolver step(*system.system, *system.constraints, h);
     step.begin_at(start.velocity);
     ReducedPoint point = start.point;

@@ -23,7 +23,8 @@ void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<doubl
   }
 }
 
-void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v, Eigen::MatrixXd& g) {
+void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v,
+                        Eigen::MatrixXd& g) {
   bool const left = system.side == Side::left;
   if (system.chart == Chart::cayley) {
     Eigen::MatrixXd const c = cayley(hat_of_step(system.algebra, h, v));
@@ -51,7 +52,8 @@ void ChartIntegrator::step() {
   try {
     for (auto& substep : substeps_) {
       substep(point_);
-      if (configuration_.size()) move_configuration(*system_, substep.length(), substep.velocity(), configuration_);
+      if (configuration_.size())
+        move_configuration(*system_, substep.length(), substep.velocity(), configuration_);
     }
   } catch (...) {
     point_ = point_before_, configuration_ = configuration_before_;

@@ -19,7 +19,8 @@ void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<doubl
 /// Moves a configuration by a step: \f$g\,e^{hv}\f$ (left-invariant), \f$e^{hv}g\f$ (right-invariant), or by
 /// Cayley's transform of \f$hv\f$.
 /// @param v  velocity, and whatever follows it in the list
-void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v, Eigen::MatrixXd& g);
+void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v,
+                        Eigen::MatrixXd& g);
 
 /// Steps of one length, each of some substeps. For one thread at a time.
 ///

@@ -37,7 +37,7 @@ class ChartSolver {
   /// @param h  step, time; of either sign
   ChartSolver(ReducedSystem const& system, double h);
 
-  double length() const { return h_; }                        ///< of a step
+  double length() const { return h_; }                                         ///< of a step
   std::vector<double> const& velocity() const { return iteration_.unknowns; }  ///< of the last step
   /// How often momenta were evaluated, one batch of derivatives counting as one.
   long evaluations() const { return evaluations_; }

@@ -90,7 +90,7 @@ class ChartStep {
   std::vector<S> before,  ///< the momentum at the start; energy x time
       after,              ///< at the end
       vectors,            ///< at the end
-      halfway;            ///< in the middle, where it is as long: \f$e^{-hv/2}a\f$; in Cayley's chart the mean
+      halfway;  ///< in the middle, where it is as long: \f$e^{-hv/2}a\f$; in Cayley's chart the mean
 
   /// The momenta at both ends, and the vectors at the end, of a step with this velocity.
   /// @param h  step, time

@@ -9,9 +9,9 @@ namespace actio::systems {
 /// Extrapolates solutions of equal steps by the polynomial that would have been best for the last one.
 class SolutionHistory {
  public:
-  bool empty() const { return past_ == 0; }                              ///< whether there is no step yet
-  std::vector<double> const& last() const { return history_[0]; }        ///< the last solution
-  void clear() { past_ = 0; }                                            ///< forgets them all
+  bool empty() const { return past_ == 0; }                        ///< whether there is no step yet
+  std::vector<double> const& last() const { return history_[0]; }  ///< the last solution
+  void clear() { past_ = 0; }                                      ///< forgets them all
   /// Sets a list to what is expected of the next step.
   void predict(std::vector<double>& next) const { extrapolate(points_, 0, next); }
   /// Takes the solution of a step.

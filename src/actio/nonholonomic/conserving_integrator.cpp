@@ -17,18 +17,22 @@ void require_constant_metric(ReducedSystem const& system) {
   int varying = 0, moving = 0;
   for (int i = 1 + d; i < system.curvature.size(); ++i) varying += !system.curvature.is_constant(i);
   if (varying > 0)
-    throw OutsideDomain(where, "the kinetic energy must have constant coefficients as it is written; others", varying, 0);
+    throw OutsideDomain(where, "the kinetic energy must have constant coefficients as it is written; others",
+                        varying, 0);
   for (int i = d; i < system.lagrangian.inputs; ++i) varying += momenta.depends_on(i);
-  std::vector<double> still(static_cast<std::size_t>(system.lagrangian.inputs), 0), p(static_cast<std::size_t>(d)), work;
+  std::vector<double> still(static_cast<std::size_t>(system.lagrangian.inputs), 0),
+      p(static_cast<std::size_t>(d)), work;
   momenta(still.data(), p.data(), work);
   for (double const x : p) moving += x != 0;
   if (varying + moving > 0)
-    throw OutsideDomain(where, "there must be no momentum at rest; vectors and constants in momenta", varying + moving, 0);
+    throw OutsideDomain(where, "there must be no momentum at rest; vectors and constants in momenta",
+                        varying + moving, 0);
 }
 
 }  // namespace
 
-ConservingSolver::ConservingSolver(ReducedSystem const& system, VelocityConstraints const& constraints, double h)
+ConservingSolver::ConservingSolver(ReducedSystem const& system, VelocityConstraints const& constraints,
+                                   double h)
     : constraints_(constraints),
       h_(h),
       step_(system, constraints),
@@ -52,7 +56,8 @@ void ConservingSolver::operator()(ReducedPoint& point, double t) {
   if (!history_.empty()) history_.predict(iteration_.unknowns);
   if (history_.empty() || !iteration_.chord(look, differentiate_there)) newton(point, t);
   history_.remember(iteration_.unknowns);
-  // Of the two ways to the momentum at the end, that on which what is left of the residual does next to no work.
+  // Of the two ways to the momentum at the end, that on which what is left of the residual does next to no
+  // work.
   std::size_t const d = v_.size();
   for (std::size_t i = 0; i < d; ++i) {
     double change = step_.change[i];
@@ -102,7 +107,8 @@ bool ConservingSolver::differentiate(ReducedPoint const& start, double t) {
     for (std::size_t i = first; i < end; ++i) {
       v[i].part[i - first] = 0;
       for (std::size_t r = 0; r < n; ++r) {
-        Moved<double> left = r < d ? 2 * moved_.momentum[r] - moved_.change[r] : moved_.constraint.values[r - d];
+        Moved<double> left =
+            r < d ? 2 * moved_.momentum[r] - moved_.change[r] : moved_.constraint.values[r - d];
         for (std::size_t k = 0; r < d && k + d < n; ++k) left -= moved_.constraint.rows[k * d + r] * x[d + k];
         derivative(static_cast<Index>(r), static_cast<Index>(i)) = left.part[i - first];
       }
@@ -131,8 +137,8 @@ void ConservingSolver::newton(ReducedPoint const& start, double t) {
   if (iteration_.newton([&] { return evaluate(start, t); }, [&] { return differentiate(start, t); }, sizes))
     return;
   if (regular_ <= 0x1p-50)
-    throw Singular("steps that conserve the energy", "the constraints must be regular for this step; condition",
-                   regular_, 0x1p-50);
+    throw Singular("steps that conserve the energy",
+                   "the constraints must be regular for this step; condition", regular_, 0x1p-50);
   throw NotConverged("steps that conserve the energy", sizes, ChordIteration::tolerance);
 }
 

@@ -59,7 +59,8 @@ class ConservingStep {
     S power(0), twice_kinetic(0);
     for (auto const& e : system_.algebra.entries)
       for (std::size_t k = 0; k < a.size(); k += length())
-        change[n(e.direction)] -= signed_h * slopes_[1 + d + k + n(e.row)] * halfway[k + n(e.column)] * S(e.value);
+        change[n(e.direction)] -=
+            signed_h * slopes_[1 + d + k + n(e.row)] * halfway[k + n(e.column)] * S(e.value);
     for (std::size_t i = 0; i < d; ++i) power -= v[i] * change[i], twice_kinetic += v[i] * momentum[i];
     for (auto const& c : system_.algebra.constants)
       change[n(c.b)] += signed_h * v[n(c.a)] * momentum[n(c.c)] * S(c.value);

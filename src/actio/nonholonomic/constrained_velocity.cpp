@@ -16,7 +16,8 @@ Eigen::VectorXd units_with_multipliers(Eigen::MatrixXd const& derivative, int di
   units.head(dimension) = units_of(derivative.topLeftCorner(dimension, dimension));
   for (Index k = dimension; k < units.size(); ++k) {
     double const largest =
-        (derivative.row(k).head(dimension).transpose().cwiseAbs().cwiseProduct(units.head(dimension))).maxCoeff();
+        (derivative.row(k).head(dimension).transpose().cwiseAbs().cwiseProduct(units.head(dimension)))
+            .maxCoeff();
     units[k] = largest > 0 ? 1 / largest : 1;
   }
   return units;
@@ -97,8 +98,8 @@ void ConstrainedVelocity::solve(std::vector<double> const& p, std::vector<double
   throw NotConverged("velocity on constraints", sizes, tolerance_);
 }
 
-std::vector<double> ConstrainedVelocity::momentum(std::vector<double> p, std::vector<double> const& a, double t,
-                                                  std::vector<double> const& lambda) {
+std::vector<double> ConstrainedVelocity::momentum(std::vector<double> p, std::vector<double> const& a,
+                                                  double t, std::vector<double> const& lambda) {
   at_.set_rows(a, t);
   for (std::size_t k = 0; k < lambda.size(); ++k)
     for (std::size_t i = 0; i < p.size(); ++i) p[i] += at_.rows[k * p.size() + i] * lambda[k];
@@ -118,7 +119,8 @@ double ConstrainedVelocity::defect(std::vector<double> const& v, std::vector<dou
   return largest;
 }
 
-void ConstrainedVelocity::require_independent(std::vector<double> const& v, std::vector<double> const& a, double t) {
+void ConstrainedVelocity::require_independent(std::vector<double> const& v, std::vector<double> const& a,
+                                              double t) {
   at_.set_rows(a, t);
   Index const d = constraints_.dimension, m = constraints_.count;
   set_matrix(v, a);
@@ -163,8 +165,8 @@ std::vector<double> ConstrainedVelocity::reaction(std::vector<double> const& v, 
     right[c.b] += system_.sign() * v[at(c.a)] * c.value * slopes[1 + at(c.c)].value;
   for (auto const& e : system_.algebra.entries)
     for (std::size_t first = 0; first < a.size(); first += length)
-      right[e.direction] -= system_.sign() * slopes[1 + d + first + at(e.row)].value * e.value *
-                            a[first + at(e.column)];
+      right[e.direction] -=
+          system_.sign() * slopes[1 + d + first + at(e.row)].value * e.value * a[first + at(e.column)];
   for (std::size_t k = 0; k < constraint.values.size(); ++k)
     right[static_cast<Index>(d + k)] = -constraint.values[k].part[0];
 

@@ -7,13 +7,17 @@ namespace actio::systems {
 ConstrainedState constrained_state(ReducedSystem const& system, VelocityConstraints const& constraints,
                                    std::vector<double> const& v, std::vector<double> const& a, double t,
                                    double allowed) {
+  for (auto const* list : {&v, &a})
+    for (double const x : *list)
+      if (!std::isfinite(x)) throw NotFinite(list == &v ? "velocity at the start" : "vectors at the start");
   ConstrainedVelocity projection(system, constraints);
   ConstrainedState state{{LegendreVelocity(system).momentum(v, a), a}, v, 0};
   projection.require_independent(v, a, t);
   state.moved = projection.defect(v, a, t);
   if (!(state.moved <= allowed))
-    throw OutsideDomain("velocity constraints", "the velocity at the start must obey them; largest defect, relative",
-                        state.moved, allowed);
+    throw OutsideDomain("velocity constraints",
+                        "the velocity at the start must obey them; largest defect, relative", state.moved,
+                        allowed);
   std::vector<double> lambda(static_cast<std::size_t>(constraints.count), 0);
   projection.solve(state.point.momentum, a, t, state.velocity, lambda);
   state.point.momentum = projection.momentum(std::move(state.point.momentum), a, t, lambda);
@@ -22,8 +26,13 @@ ConstrainedState constrained_state(ReducedSystem const& system, VelocityConstrai
 
 RattleIntegrator::RattleIntegrator(std::shared_ptr<ReducedSystem const> system,
                                    std::shared_ptr<VelocityConstraints const> constraints, double h,
-                                   std::vector<double> const& fractions, ConstrainedState const& start, double t)
-    : system_(std::move(system)), constraints_(std::move(constraints)), h_(h), start_(t), point_(start.point) {
+                                   std::vector<double> const& fractions, ConstrainedState const& start,
+                                   double t)
+    : system_(std::move(system)),
+      constraints_(std::move(constraints)),
+      h_(h),
+      start_(t),
+      point_(start.point) {
   for (double const fraction : fractions) {
     substeps_.emplace_back(*system_, *constraints_, fraction * h);
     substeps_.back().begin_at(start.velocity);
@@ -37,7 +46,8 @@ void RattleIntegrator::step() {
     for (auto& substep : substeps_) {
       substep(point_, time() + within);
       within += substep.length();
-      if (configuration_.size()) move_configuration(*system_, substep.length(), substep.unknowns(), configuration_);
+      if (configuration_.size())
+        move_configuration(*system_, substep.length(), substep.unknowns(), configuration_);
     }
   } catch (...) {
     point_ = point_before_, configuration_ = configuration_before_;

@@ -13,9 +13,9 @@ namespace actio::systems {
 
 /// A state that obeys constraints.
 struct ConstrainedState {
-  ReducedPoint point;              ///< momentum and vectors
-  std::vector<double> velocity;    ///< \f$\partial l/\partial v\f$ of it is the momentum
-  double moved;                    ///< how far the velocity that was given broke the constraints, relative
+  ReducedPoint point;            ///< momentum and vectors
+  std::vector<double> velocity;  ///< \f$\partial l/\partial v\f$ of it is the momentum
+  double moved;                  ///< how far the velocity that was given broke the constraints, relative
 };
 
 /// The state with a velocity, moved on the constraints as a blow does that makes a body roll.
@@ -26,6 +26,7 @@ struct ConstrainedState {
 /// @param allowed  how far the velocity may break a constraint, relative to the terms of the constraint
 /// @throws OutsideDomain  where it is further off
 /// @throws Singular       where rows depend on each other, with the number of the row
+/// @throws NotFinite      where a number is none, or a formula has no value there
 ConstrainedState constrained_state(ReducedSystem const& system, VelocityConstraints const& constraints,
                                    std::vector<double> const& v, std::vector<double> const& a, double t = 0,
                                    double allowed = 1e-6);

@@ -16,8 +16,8 @@ class RattleMap {
   /// Of a system and constraints that outlive it.
   /// @param fractions  of the substeps; {1} for order 2
   /// @param velocity   near which the first substep looks for its own
-  RattleMap(ReducedSystem const& system, VelocityConstraints const& constraints, std::vector<double> fractions,
-            std::vector<double> velocity)
+  RattleMap(ReducedSystem const& system, VelocityConstraints const& constraints,
+            std::vector<double> fractions, std::vector<double> velocity)
       : system_(system),
         constraints_(constraints),
         fractions_(std::move(fractions)),
@@ -46,7 +46,8 @@ class RattleMap {
     ReducedPoint end = start;
     solver(end, base_value(t));
     auto const d = near.size(), n = solver.unknowns().size();
-    std::vector<D> x(solver.unknowns().begin(), solver.unknowns().end()), v(x.begin(), x.begin() + system_.dimension());
+    std::vector<D> x(solver.unknowns().begin(), solver.unknowns().end()),
+        v(x.begin(), x.begin() + system_.dimension());
     RattleStep<D> step(system_, constraints_);
     step(h, t, v, point.vectors);
     std::vector<D> residual(point.momentum);

@@ -64,7 +64,8 @@ double RattleSolver::evaluate(ReducedPoint const& start, double t) {
 bool RattleSolver::differentiate(ReducedPoint const& start, double t) {
   auto const d = v_.size(), n = iteration_.unknowns.size();
   Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(static_cast<Index>(n), static_cast<Index>(n));
-  std::vector<Moved<double>> v(iteration_.unknowns.begin(), iteration_.unknowns.begin() + constraints_.dimension),
+  std::vector<Moved<double>> v(iteration_.unknowns.begin(),
+                               iteration_.unknowns.begin() + constraints_.dimension),
       a(start.vectors.begin(), start.vectors.end());
   for (std::size_t first = 0; first < d; first += batch) {
     std::size_t const end = std::min(d, first + batch);

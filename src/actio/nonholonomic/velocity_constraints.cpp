@@ -18,8 +18,8 @@ Tape row_of(Tape const& constraint, int number, int dimension) {
     left += row.depends_on(i);
   }
   if (left > 0)
-    throw OutsideDomain(where, "it must be linear in the velocity as it is written; components left in its row",
-                        left, 0);
+    throw OutsideDomain(
+        where, "it must be linear in the velocity as it is written; components left in its row", left, 0);
   if (present == 0) throw OutsideDomain(where, "the velocity must occur in it; components that do", 0, 1);
   return row;
 }
@@ -31,8 +31,9 @@ VelocityConstraints::VelocityConstraints(ReducedSystem const& system, std::vecto
   constexpr char const* where = "velocity constraints";
   if (count == 0) throw OutsideDomain(where, "at least one is needed; constraints", 0, 1);
   if (count >= dimension)
-    throw OutsideDomain(where, "fewer than the dimension of the group are needed, for a motion to be left; constraints",
-                        count, dimension - 1);
+    throw OutsideDomain(
+        where, "fewer than the dimension of the group are needed, for a motion to be left; constraints",
+        count, dimension - 1);
   std::vector<Tape> all_rows;
   int const inputs = dimension + carried + 1;
   for (int k = 0; k < count; ++k) {
