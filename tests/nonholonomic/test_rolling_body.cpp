@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/nonholonomic/rolling_body.hpp"
+#include "actio/nonholonomic/rolling_steps.hpp"
 #include "actio/reduction/composition.hpp"
 #include "refused.hpp"
 #include "rolling_systems.hpp"

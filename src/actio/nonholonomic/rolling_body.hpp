@@ -11,12 +11,8 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
 
-#include "actio/any_group/chart_step.hpp"
-#include "actio/numbers/derivative.hpp"
+#include "actio/numbers/errors.hpp"
 
 namespace actio {
 
@@ -33,6 +29,25 @@ struct Triad {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
 };
+
+namespace detail {
+/// The solution of three equations.
+inline Triad<double> solve_three(std::array<Triad<double>, 3> const& columns, Triad<double> const& right,
+                                 char const* where) {
+  auto const& [c0, c1, c2] = columns;
+  Triad<double> const n = cross(c1, c2);
+  if (double const sum = dot(c0, n) + dot(right, right); !(sum - sum == 0))
+    throw NotFinite(std::string(where) + ": point of contact");
+  double const determinant = dot(c0, n), size = std::sqrt(dot(c0, c0) * dot(c1, c1) * dot(c2, c2));
+  if (!(std::abs(determinant) > 0x1p-40 * size))
+    throw Singular(where,
+                   "an inertia about each axis through the contact is needed; determinant over lengths",
+                   size > 0 ? std::abs(determinant) / size : 0, 0x1p-40);
+  return {dot(right, n) / determinant, dot(c0, cross(right, c2)) / determinant,
+          dot(c0, cross(c1, right)) / determinant};
+}
+
+}  // namespace detail
 
 /// An ellipsoid, seen from a centre of mass on its third axis: \f$r_i = -a_i^2u_i/S + s\,\delta_{i3}\f$ with
 /// \f$S = |(a_1u_1, a_2u_2, a_3u_3)|\f$. With two equal halves and one of zero it is a disc: then no normal
@@ -81,82 +96,10 @@ struct RollingBody {
   }
 };
 
-/// Where a body is.
-struct BodyPlace {
-  std::array<Triad<double>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< of space, seen from the body
-  Triad<double> centre{};                                                ///< of mass, in space
-};
-
-/// Steps of one length of a body that rolls. For one thread at a time.
 template <class Shape>
-class RollingSteps {
- public:
-  /// @param h          step, time
-  /// @param fractions  of the substeps (composition.hpp); {1} for order 2
-  /// @param w          angular velocity, of the body, 1/time
-  /// @param u          the normal of the plane, seen from the body, of length 1
-  /// @throws NotFinite  where a number is none, or the normal has no point of contact
-  RollingSteps(RollingBody<Shape> body, double h, std::vector<double> const& fractions,
-               Triad<double> const& w, Triad<double> const& u)
-      : body_(std::move(body)), momentum_(body_.momentum(w, u)), normal_(u) {
-    double const sum = dot(momentum_, momentum_) + dot(u, u);
-    if (!(sum - sum == 0)) throw NotFinite("rolling body: point of contact");
-    for (double const fraction : fractions) substeps_.push_back({fraction * h, w, {}, {}});
-  }
-
-  /// Reconstructs places from this one on.
-  void follow(BodyPlace const& place) { place_ = place; }
-
-  /// A whole step.
-  /// @throws NotConverged  where a substep has no solution near by, or turns by a radian or more
-  /// @throws NotFinite     where the normal has no point of contact; all is then as it was
-  void step();
-
-  Triad<double> const& momentum() const { return momentum_; }  ///< about the contact
-  Triad<double> const& normal() const { return normal_; }      ///< of the plane, seen from the body
-  /// nothing where it is not followed
-  std::optional<BodyPlace> const& place() const { return place_; }
-  /// The angular velocity that has the momentum.
-  Triad<double> velocity() const { return body_.velocity(momentum_, normal_); }
-
- private:
-  static constexpr int longest_ = 6;
-  static constexpr double tolerance_ = 0x1p-98;  // of the square of an update, relative: 8 epsilon
-  /// What a step with an angular velocity makes.
-  template <class S>
-  struct Ends {
-    Triad<S> momentum_at_start, momentum, normal, velocity;
-  };
-  /// Substeps of one length, and their last solutions.
-  struct Substep {
-    double h;
-    Triad<double> w;
-    Ends<double> end{};
-    std::array<Triad<double>, longest_> past{};
-    int known = 0;
-
-    /// Continues the polynomial through the solutions that are known.
-    void predict();
-    void remember();
-  };
-  template <class S>
-  Ends<S> ends(double h, Triad<S> const& w) const;
-  /// The derivative of the momentum at the start by the angular velocity, by columns.
-  std::array<Triad<double>, 3> slope(double h, Triad<double> const& w) const;
-  /// Finds the angular velocity from that of the substep on.
-  /// @param anew  with the derivative at each point, and updates halved until the residual falls
-  /// @param sizes of updates, which are added to it
-  /// @return      false where it does not get there
-  bool solve(Substep& substep, bool anew, std::vector<double>* sizes = nullptr);
-  void advance(Substep& substep);
-  void move(double h, Triad<double> const& w, Triad<double> const& v);
-
-  RollingBody<Shape> body_;
-  Triad<double> momentum_, normal_;
-  std::optional<BodyPlace> place_;
-  std::vector<Substep> substeps_;
-};
+Triad<double> RollingBody<Shape>::velocity(Triad<double> const& k, Triad<double> const& u) const {
+  return detail::solve_three({momentum({1, 0, 0}, u), momentum({0, 1, 0}, u), momentum({0, 0, 1}, u)}, k,
+                             "rolling body");
+}
 
 }  // namespace actio
-
-#include "actio/nonholonomic/rolling_body_steps.hpp"

@@ -1,81 +1,92 @@
-// The steps of a body that rolls: what rolling_body.hpp declares.
+// Steps of a body that rolls on a plane: rattle_step.hpp on SE(3), written out in the momentum about the
+// contact.
 #pragma once
 
+#include <optional>
 #include <tuple>
+#include <utility>
+#include <vector>
 
-#include "actio/linear_algebra/linear.hpp"
-#include "actio/nonholonomic/rolling_body.hpp"
+#include "actio/nonholonomic/turn_coefficients.hpp"
+#include "actio/numbers/derivative.hpp"
 
 namespace actio {
 
-namespace detail {
-
-/// The coefficients of a step that turns by \f$\theta\f$, as functions of \f$s = \theta^2 < 1\f$.
-template <class S>
-struct TurnCoefficients {
-  S sine,      ///< \f$\sin(\theta/2)/(\theta/2)\f$
-      cosine,  ///< \f$(1 - \cos(\theta/2))/(\theta/2)^2\f$
-      third,   ///< \f$(1 - \mathrm{sine})/(\theta/2)^2\f$
-      chi,     ///< of \f$\hat x^2\f$ in \f$\chi(\hat x)\f$
-      slope;   ///< twice its derivative by s
-
-  explicit TurnCoefficients(S const& s) {
-    S const q = s / S(-4);
-    sine = S(sines_.back()), cosine = S(cosines_.back());
-    for (std::size_t k = sines_.size() - 1; k-- > 0;) {
-      third = sine;
-      sine = sine * q + S(sines_[k]), cosine = cosine * q + S(cosines_[k]);
-    }
-    // Terms fall by s/(4 pi^2).
-    auto const& beta = systems::detail::coefficients_of_chi();
-    std::size_t k = base_value(s) < 1.0 / 64 ? 5 : 12;
-    chi = S(std::abs(beta[k])), slope = S(0);
-    while (--k > 0) slope = slope * s + chi, chi = chi * s + S(std::abs(beta[k]));
-    slope = S(2) * slope;
-  }
-
-  /// A vector of space, seen from the body, half a step later: \f$e^{-\hat x/2}u\f$.
-  /// @param half  \f$x/2\f$
-  Triad<S> turned(Triad<S> const& half, Triad<S> const& u) const {
-    Triad<S> const once = cross(half, u);
-    return u - sine * once + cosine * cross(half, once);
-  }
-  /// \f$\int_0^1e^{\tau\hat x}d\tau\,y\f$: how far a body goes, seen from it at the start.
-  Triad<S> moved(Triad<S> const& half, Triad<S> const& y) const {
-    Triad<S> const once = cross(half, y), first = y + cosine * once + third * cross(half, once);
-    return S(0.5) * (first + turned(S(-1) * half, first));
-  }
-
- private:
-  static constexpr std::array<double, 8> sines_{
-      1, 1.0 / 6, 1.0 / 120, 1.0 / 5040, 1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800, 1.0 / 1307674368000},
-      cosines_{1.0 / 2,       1.0 / 24,        1.0 / 720,         1.0 / 40320,
-               1.0 / 3628800, 1.0 / 479001600, 1.0 / 87178291200, 1.0 / 20922789888000};
+/// Where a body is.
+struct BodyPlace {
+  std::array<Triad<double>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< of space, seen from the body
+  Triad<double> centre{};                                                ///< of mass, in space
 };
 
-/// The solution of three equations.
-inline Triad<double> solve_three(std::array<Triad<double>, 3> const& columns, Triad<double> const& right,
-                                 char const* where) {
-  auto const& [c0, c1, c2] = columns;
-  Triad<double> const n = cross(c1, c2);
-  if (double const sum = dot(c0, n) + dot(right, right); !(sum - sum == 0))
-    throw NotFinite(std::string(where) + ": point of contact");
-  double const determinant = dot(c0, n), size = std::sqrt(dot(c0, c0) * dot(c1, c1) * dot(c2, c2));
-  if (!(std::abs(determinant) > 0x1p-40 * size))
-    throw Singular(where,
-                   "an inertia about each axis through the contact is needed; determinant over lengths",
-                   size > 0 ? std::abs(determinant) / size : 0, 0x1p-40);
-  return {dot(right, n) / determinant, dot(c0, cross(right, c2)) / determinant,
-          dot(c0, cross(c1, right)) / determinant};
-}
-
-}  // namespace detail
-
+/// Steps of one length of a body that rolls. For one thread at a time.
 template <class Shape>
-Triad<double> RollingBody<Shape>::velocity(Triad<double> const& k, Triad<double> const& u) const {
-  return detail::solve_three({momentum({1, 0, 0}, u), momentum({0, 1, 0}, u), momentum({0, 0, 1}, u)}, k,
-                             "rolling body");
-}
+class RollingSteps {
+ public:
+  /// @param h          step, time
+  /// @param fractions  of the substeps (composition.hpp); {1} for order 2
+  /// @param w          angular velocity, of the body, 1/time
+  /// @param u          the normal of the plane, seen from the body, of length 1
+  /// @throws NotFinite  where a number is none, or the normal has no point of contact
+  RollingSteps(RollingBody<Shape> body, double h, std::vector<double> const& fractions,
+               Triad<double> const& w, Triad<double> const& u)
+      : body_(std::move(body)), momentum_(body_.momentum(w, u)), normal_(u) {
+    double const sum = dot(momentum_, momentum_) + dot(u, u);
+    if (!(sum - sum == 0)) throw NotFinite("rolling body: point of contact");
+    for (double const fraction : fractions) substeps_.push_back({fraction * h, w, {}, {}});
+  }
+
+  /// Reconstructs places from this one on.
+  void follow(BodyPlace const& place) { place_ = place; }
+
+  /// A whole step.
+  /// @throws NotConverged  where a substep has no solution near by, or turns by a radian or more
+  /// @throws NotFinite     where the normal has no point of contact; all is then as it was
+  void step();
+
+  Triad<double> const& momentum() const { return momentum_; }  ///< about the contact
+  Triad<double> const& normal() const { return normal_; }      ///< of the plane, seen from the body
+  /// nothing where it is not followed
+  std::optional<BodyPlace> const& place() const { return place_; }
+  /// The angular velocity that has the momentum.
+  Triad<double> velocity() const { return body_.velocity(momentum_, normal_); }
+
+ private:
+  static constexpr int longest_ = 6;
+  static constexpr double tolerance_ = 0x1p-98;  // of the square of an update, relative: 8 epsilon
+  /// What a step with an angular velocity makes.
+  template <class S>
+  struct Ends {
+    Triad<S> momentum_at_start, momentum, normal, velocity;
+  };
+  /// Substeps of one length, and their last solutions.
+  struct Substep {
+    double h;
+    Triad<double> w;
+    Ends<double> end{};
+    std::array<Triad<double>, longest_> past{};
+    int known = 0;
+
+    /// Continues the polynomial through the solutions that are known.
+    void predict();
+    void remember();
+  };
+  template <class S>
+  Ends<S> ends(double h, Triad<S> const& w) const;
+  /// The derivative of the momentum at the start by the angular velocity, by columns.
+  std::array<Triad<double>, 3> slope(double h, Triad<double> const& w) const;
+  /// Finds the angular velocity from that of the substep on.
+  /// @param anew  with the derivative at each point, and updates halved until the residual falls
+  /// @param sizes of updates, which are added to it
+  /// @return      false where it does not get there
+  bool solve(Substep& substep, bool anew, std::vector<double>* sizes = nullptr);
+  void advance(Substep& substep);
+  void move(double h, Triad<double> const& w, Triad<double> const& v);
+
+  RollingBody<Shape> body_;
+  Triad<double> momentum_, normal_;
+  std::optional<BodyPlace> place_;
+  std::vector<Substep> substeps_;
+};
 
 template <class Shape>
 void RollingSteps<Shape>::Substep::predict() {
