@@ -78,8 +78,6 @@ void move_under_constraints(Claim<S>& claim, Draw& draw, SpannedGroup const& gro
   });
   // Sums of products of some ten factors, and a linear system.
   double const condition = 1000;
-  claim.equal("jump of the body momentum at a node = reaction", name, jump(l).components, reaction.components,
-              condition);
 
   auto const lifted = lift_advected_left(l, c);
   auto const unreduced = discrete_euler_lagrange(lifted, g0, g1, g2);
@@ -144,7 +142,7 @@ void roll_a_ball(Claim<S>& claim, Draw& draw, SpannedGroup const& motions) {
   std::string const name = "ball on a plane";
   Matrix<S> const m = draw_matrix<S>(draw, 3, 3);
   FreeBodyStep<S> const l{Matrix<S>::Identity(3, 3) + m * m.transpose() / S(4), draw.number<S>() + S(2),
-                          ratio<S>(1, 2)};
+                          S(2)};
   Vector<S> const w = draw_vector<S>(draw, 3), u0 = draw_vector<S>(draw, 3), slip = draw_vector<S>(draw, 3),
                   lambda = draw_vector<S>(draw, 3);
   auto const hat = [](Vector<S> const& x) {
