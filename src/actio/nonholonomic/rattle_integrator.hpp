@@ -33,7 +33,7 @@ ConstrainedState constrained_state(ReducedSystem const& system, VelocityConstrai
 
 /// Steps of one length, each of some substeps. For one thread at a time.
 ///
-/// \snippet reduction.cpp rattle_integrator
+/// \snippet nonholonomic.cpp rattle_integrator
 class RattleIntegrator {
  public:
   /// @param system       of which the run is

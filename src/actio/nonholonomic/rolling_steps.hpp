@@ -19,6 +19,8 @@ struct BodyPlace {
 };
 
 /// Steps of one length of a body that rolls. For one thread at a time.
+///
+/// \snippet nonholonomic.cpp rolling_steps
 template <class Shape>
 class RollingSteps {
  public:
