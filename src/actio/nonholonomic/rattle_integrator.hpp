@@ -78,7 +78,7 @@ class RattleIntegrator {
   /// Saves, or restores, all that the next step depends on.
   template <class Stream>
   void remember(Stream& stream) {
-    stream(steps_, point_.momentum, point_.vectors);
+    stream(start_, steps_, point_.momentum, point_.vectors);
     std::span<double> g(configuration_.data(), static_cast<std::size_t>(configuration_.size()));
     stream(g);
     for (auto& substep : substeps_) substep.remember(stream);

@@ -19,12 +19,16 @@ namespace actio {
 /// Three numbers, with what a step does with them.
 template <class S>
 struct Triad {
-  S x{}, y{}, z{};  ///< components
+  S x{};  ///< the first
+  S y{};  ///< the second
+  S z{};  ///< the third
 
   friend Triad operator+(Triad const& a, Triad const& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Triad operator-(Triad const& a, Triad const& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Triad operator*(S const& c, Triad const& a) { return {c * a.x, c * a.y, c * a.z}; }
+  /// \f$a\cdot b\f$.
   friend S dot(Triad const& a, Triad const& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  /// \f$a\times b\f$.
   friend Triad cross(Triad const& a, Triad const& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }

@@ -70,8 +70,10 @@ class RollingSteps {
 
     /// Continues the polynomial through the solutions that are known.
     void predict();
+    /// Takes the angular velocity as the last solution.
     void remember();
   };
+  /// Both ends of a step of length h from here.
   template <class S>
   Ends<S> ends(double h, Triad<S> const& w) const;
   /// The derivative of the momentum at the start by the angular velocity, by columns.

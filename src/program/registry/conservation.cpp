@@ -22,6 +22,10 @@ char const* in_words(Feature feature) {
       return "the Lagrangian is right-invariant";
     case Feature::carried_vector:
       return "a carried vector is in the Lagrangian";
+    case Feature::constraint_on_velocity:
+      return "the velocity is constrained";
+    case Feature::moving_constraint:
+      return "a constraint on the velocity moves";
     case Feature::periodic_box:
       return "the box is periodic";
     case Feature::held_side:
@@ -69,10 +73,10 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"heavy_top", "casimir", {}},
         {"heavy_top", "vertical_momentum", {}},
         {"heavy_top", "spatial_momentum", {gravity}},
-        {"euler_poincare", "energy", {}},
-        {"euler_poincare", "casimir", {}},
-        {"euler_poincare", "spatial_momentum", {right_invariance, carried_vector}},
-        {"euler_poincare", "body_momentum", {left_invariance, carried_vector}},
+        {"euler_poincare", "energy", {moving_constraint}},
+        {"euler_poincare", "casimir", {constraint_on_velocity}},
+        {"euler_poincare", "spatial_momentum", {right_invariance, carried_vector, constraint_on_velocity}},
+        {"euler_poincare", "body_momentum", {left_invariance, carried_vector, constraint_on_velocity}},
         {"vorticity_sphere", "energy", {}},
         {"vorticity_sphere", "enstrophy", {}},
         {"vorticity_sphere", "angular_momentum", {}},

@@ -20,6 +20,8 @@ enum class Feature {
   left_invariance,          ///< of the Lagrangian
   right_invariance,         ///< of the Lagrangian
   carried_vector,           ///< in the Lagrangian
+  constraint_on_velocity,   ///< of a Lagrangian of one's own
+  moving_constraint,        ///< which does not hold at rest
   periodic_box,             ///< along some direction
   held_side,                ///< fixed, sliding or moved
   moved_side,               ///< as its formulas have it

@@ -7,6 +7,7 @@
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
+#include "program/systems/lagrangians/constrained_motion.hpp"
 #include "program/systems/lagrangians/instruments.hpp"
 #include "program/systems/lagrangians/motion.hpp"
 #include "program/systems/lagrangians/pace.hpp"
@@ -66,12 +67,19 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
   int const order = choice.number();
   bool const galerkin = choice.name == "galerkin";
   bool const left = scene.system->side == systems::Side::left;
-  return {scene.system, galerkin ? order / 2 : 0,
+  if (scene.constraints && (galerkin || choice.name == "momentum_level"))
+    method.fail("name", fmt::format("{}: it takes no constraints on the velocity; natural_chart does, and "
+                                    "cayley_chart where it serves the group",
+                                    choice.name));
+  return {scene.system,
+          galerkin ? order / 2 : 0,
           choice.name == "momentum_level" ? std::vector<double>{}
           : order == 2                    ? std::vector<double>{1}
           : order == 4                    ? suzuki<double>()
                                           : kahan_li<double>(),
-          asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}), choice.name};
+          asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}),
+          choice.name,
+          scene.constraints};
 }
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
@@ -116,10 +124,26 @@ Companion companion_of(Request const& request, ReducedScheme const& scheme, Redu
   return out;
 }
 
+/// Refuses quantities that belong to constraints, or to systems without them.
+void require_quantities(Request const& request, ReducedScene const& scene) {
+  SceneTable const output = request.file.section("output");
+  for (char const* const name : {"reaction", "constraint"})
+    if (!scene.constraints && asked(request, {name}))
+      output.fail("quantities", fmt::format("{}: it is a quantity of systems with system.constraints", name));
+  for (char const* const name :
+       {"poisson_defect", "symplectic_defect", "leaf_defect", "order", "tangent_map"})
+    if (scene.constraints && asked(request, {name}))
+      output.fail("quantities",
+                  fmt::format("{}: constraints on the velocity leave no bracket and no two-form "
+                              "that steps could preserve; 'constraint' and 'energy' are told",
+                              name));
+}
+
 Simulation prepare(Request const& request) {
   std::vector<std::string> remarks;
   ReducedScene const scene = read_reduced_scene(request.file, remarks);
   SceneTable method = request.file.section("method");
+  require_quantities(request, scene);
   ReducedScheme const scheme = scheme_of(request, scene);
   Simulation simulation(quantities_of(request.file, scene));
   simulation.remarks = remarks;
@@ -144,7 +168,10 @@ Simulation prepare(Request const& request) {
     simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");
   define_state(simulation.quantities, scene, *motion);
   define_casimirs(simulation, request, scene, *motion);
-  define_instruments(simulation.quantities, scheme, simulation.step, *motion);
+  if (scene.constraints)
+    define_constraints(simulation.quantities, scene, *motion);
+  else
+    define_instruments(simulation.quantities, scheme, simulation.step, *motion);
   simulation.quantities.ask(request.quantities);
   simulation.motion = std::move(motion);
   return simulation;

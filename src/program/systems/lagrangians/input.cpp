@@ -13,6 +13,7 @@
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
 #include "program/systems/formula.hpp"
+#include "program/systems/lagrangians/constrained_input.hpp"
 
 namespace actio::scene {
 namespace {
@@ -100,9 +101,9 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
   if (!system.has("advected")) return out;
   SceneTable const table = system.inside("advected");
   std::vector<std::string> taken{
-      "velocity",      "body_momentum", "spatial_momentum", "energy",      "configuration",
-      "casimir",       "order",         "tangent_map",      "leaf_defect", "symplectic_defect",
-      "poisson_defect"};
+      "velocity",       "body_momentum", "spatial_momentum", "energy",      "configuration",
+      "casimir",        "order",         "tangent_map",      "leaf_defect", "symplectic_defect",
+      "poisson_defect", "reaction",      "constraint"};
   for (auto const& key : table.keys()) {
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
@@ -145,8 +146,9 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
   }
 }
 
-Tape read_lagrangian(SceneFile const& file, systems::MatrixAlgebra const& algebra,
-                     std::vector<CarriedVector> const& carried) {
+/// The Lagrangian, and the constraints on the velocity.
+std::pair<Tape, std::vector<Tape>> read_formulas(SceneFile const& file, systems::MatrixAlgebra const& algebra,
+                                                 std::vector<CarriedVector> const& carried) {
   SceneTable const system = file.section("system");
   std::vector<std::string> names = algebra.components;
   for (auto const& vector : carried)
@@ -154,8 +156,9 @@ Tape read_lagrangian(SceneFile const& file, systems::MatrixAlgebra const& algebr
   auto const parameters = formula_constants(system, "parameters", names, "a component");
   auto formula =
       scene_formula(reduced_keys.lagrangian.read(system), names, parameters, system.text_place("lagrangian"));
+  auto constraints = read_constraints(system, names, parameters, formula.used);
   require_used(file, parameters, carried, algebra, formula.used);
-  return std::move(formula.value);
+  return {std::move(formula.value), std::move(constraints)};
 }
 
 Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra const& algebra,
@@ -223,7 +226,9 @@ systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const
 
 }  // namespace
 
-std::vector<Parameter> reduced_parameters() { return records_of({reduced_keys, reduced_start_keys}); }
+std::vector<Parameter> reduced_parameters() {
+  return records_of({reduced_keys, constraint_keys(), reduced_start_keys, constrained_start_keys()});
+}
 
 std::vector<std::string> carried_names(SceneFile const& file) {
   SceneTable const system = file.section("system");
@@ -238,7 +243,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
       reduced_keys.side.read(system) == "left" ? systems::Side::left : systems::Side::right;
   ReducedScene scene;
   scene.carried = read_carried(system, algebra);
-  Tape l = read_lagrangian(file, algebra, scene.carried);
+  auto [l, constraints] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
   Eigen::MatrixXd mover = scene.configuration;
@@ -258,6 +263,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
                                  "at the start its value or one of its derivatives is no finite number");
   }
   require_regular(system, scene);
+  if (!constraints.empty()) constrain(file, constraints, scene, remarks);
   return scene;
 }
 

@@ -18,6 +18,7 @@ class ReducedMotion : public Motion {
   virtual systems::ReducedPoint const& point() const = 0;    ///< momentum and vectors now
   virtual Eigen::MatrixXd const& configuration() const = 0;  ///< now; empty where it is not followed
   virtual std::vector<double> const& velocity() const = 0;   ///< near the one now, for searches
+  virtual double time() const { return 0; }                  ///< now, where the motion depends on it
   /// So many steps; what fails is thrown as it is.
   virtual void advance_plainly(long steps) { advance(steps); }
   /// How momentum and vectors now change with those at the start; null where that is not followed.
@@ -33,8 +34,10 @@ struct ReducedScheme {
   int stages = 0;                                        ///< of Galerkin's method; 0: the natural chart
   /// of the substeps of the natural chart; none: steps on a level of the momentum
   std::vector<double> fractions;
-  bool with_configuration = true;                        ///< whether configurations are reconstructed
-  std::string name = "natural chart";                    ///< of the method, for messages
+  bool with_configuration = true;      ///< whether configurations are reconstructed
+  std::string name = "natural chart";  ///< of the method, for messages
+  /// of the velocity; null where there are none
+  std::shared_ptr<systems::VelocityConstraints const> constraints = nullptr;
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made
