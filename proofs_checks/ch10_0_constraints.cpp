@@ -2,6 +2,7 @@
 #include "statement.hpp"
 
 #include "fields/velocity_constraints.hpp"
+#include "models/rolling.hpp"
 
 namespace {
 
@@ -96,12 +97,19 @@ STATEMENT(claim_10_0_nonholonomic_constraints,
       "the velocities. For fields virtual work depends on which coordinate is held: a constraint with a "
       "derivative in that coordinate tells the two principles apart, any other does not. Whether the "
       "restriction is right for relativistic fields, where no coordinate is singled out, the text leaves "
-      "open, and there is nothing to compute.");
+      "open, and there is nothing to compute. Discretely, on a group with an advected vector in Lagrangian "
+      "and constraints, the principle of Lagrange and d'Alembert reduces: the body momentum jumps at a node "
+      "by a combination of the rows. So the momentum along an allowed section obeys the equation of the free "
+      "step, and over a step of a rolling ball the momentum about the contact turns with the plane.");
   restrict_to_allowed_curves<S, 3, 1>(claim, draw, false, "one linear constraint in R^3");
   restrict_to_allowed_curves<S, 5, 2>(claim, draw, true, "two affine constraints in R^5");
   compare_accelerations<S, 3, 1>(claim, draw, false, "one linear constraint in R^3");
   compare_accelerations<S, 5, 2>(claim, draw, true, "two affine constraints in R^5");
   weigh_a_particle(claim, draw);
+
+  // Discretely, on groups and reduced by them.
+  for (auto const& group : few_groups()) move_under_constraints(claim, draw, group);
+  roll_a_ball(claim, draw, few_groups()[1]);
 
   // Fields (u, w) on a string: w = F without the derivative of u in one of the two coordinates.
   auto const L = draw_density<S, 1, 2>(draw);

@@ -25,6 +25,20 @@ void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<doubl
   }
 }
 
+void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v,
+                        Eigen::MatrixXd& g) {
+  bool const left = system.side == Side::left;
+  if (system.chart == Chart::cayley) {
+    Eigen::MatrixXd const c = cayley(hat_of_step(system.algebra, h, v));
+    g = left ? Eigen::MatrixXd(g * c) : Eigen::MatrixXd(c * g);
+    return;
+  }
+  if (!left) return apply_exponential(system.algebra, h, v, g);
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(g.rows(), g.cols());
+  apply_exponential(system.algebra, h, v, moved);
+  g = g * moved;
+}
+
 ChartIntegrator::ChartIntegrator(std::shared_ptr<ReducedSystem const> system, double h,
                                  std::vector<double> const& fractions, ReducedPoint start,
                                  std::vector<double> const& velocity)
@@ -48,7 +62,8 @@ void ChartIntegrator::step() {
       substep(point_);
       dissipate(substep.length() / 2, substep);
       if (!system_->force) {
-        if (configuration_.size()) move_configuration(substep);
+        if (configuration_.size())
+          move_configuration(*system_, substep.length(), substep.velocity(), configuration_);
         continue;
       }
       auto const& last = substep.last();
@@ -57,7 +72,7 @@ void ChartIntegrator::step() {
         ledger_.work += half * (last.force_before[i] + last.force_after[i]) * substep.velocity()[i];
       if (!configuration_.size()) continue;
       add_impulse(half, last.force_before);
-      move_configuration(substep);
+      move_configuration(*system_, substep.length(), substep.velocity(), configuration_);
       add_impulse(half, last.force_after);
     }
     if (along_free_motion_)
@@ -91,20 +106,6 @@ void ChartIntegrator::add_impulse(double h, std::vector<double> const& force) {
   Eigen::MatrixXd const back = inverse_matrix(configuration_, "configuration");
   auto const moved = momentum_across(system_->algebra, system_->side, configuration_, back, force);
   for (std::size_t i = 0; i < moved.size(); ++i) ledger_.impulse[i] += h * moved[i];
-}
-
-void ChartIntegrator::move_configuration(ChartSolver const& substep) {
-  if (system_->chart == Chart::cayley) {
-    Eigen::MatrixXd const c = cayley(hat_of_step(system_->algebra, substep.length(), substep.velocity()));
-    configuration_ = system_->side == Side::left ? Eigen::MatrixXd(configuration_ * c)
-                                                 : Eigen::MatrixXd(c * configuration_);
-    return;
-  }
-  if (system_->side == Side::right)
-    return apply_exponential(system_->algebra, substep.length(), substep.velocity(), configuration_);
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());
-  apply_exponential(system_->algebra, substep.length(), substep.velocity(), moved);
-  configuration_ = configuration_ * moved;
 }
 
 }  // namespace actio::systems

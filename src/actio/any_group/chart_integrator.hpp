@@ -16,6 +16,12 @@ namespace actio::systems {
 void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
                        Eigen::MatrixXd& g);
 
+/// Moves a configuration by a step: \f$g\,e^{hv}\f$ (left-invariant), \f$e^{hv}g\f$ (right-invariant), or by
+/// Cayley's transform of \f$hv\f$.
+/// @param v  velocity, and whatever follows it in the list
+void move_configuration(ReducedSystem const& system, double h, std::vector<double> const& v,
+                        Eigen::MatrixXd& g);
+
 /// What the forces have done since the start.
 struct ForceLedger {
   double work = 0;  ///< \f$\sum\tfrac h2\langle F_k + F_{k+1}, v\rangle\f$, energy
@@ -75,8 +81,6 @@ class ChartIntegrator {
   }
 
  private:
-  /// \f$g_1 = g_0e^{hv}\f$ (left-invariant), \f$g_1 = e^{hv}g_0\f$ (right-invariant).
-  void move_configuration(ChartSolver const& substep);
   /// The friction for a time; nothing where there is none.
   void dissipate(double h, ChartSolver const& substep);
   /// Adds (h/2) Ad* of a force at the configuration to the impulse.

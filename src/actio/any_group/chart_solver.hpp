@@ -8,12 +8,11 @@
 
 #include <Eigen/Core>
 
-#include <array>
-
-#include "actio/any_group/broyden_update.hpp"
 #include "actio/any_group/chart_step.hpp"
+#include "actio/any_group/chord_iteration.hpp"
 #include "actio/any_group/eigenvalues_of.hpp"
 #include "actio/any_group/legendre_velocity.hpp"
+#include "actio/any_group/solution_history.hpp"
 
 namespace actio::systems {
 
@@ -28,6 +27,13 @@ struct ReducedPoint {
 std::vector<double> force_at(ReducedSystem const& system, std::vector<double> const& v,
                              ReducedPoint const& at);
 
+/// Refuses a step that turns by half a turn or more, beyond the chart: no eigenvalue of
+/// \f$h\,\mathrm{ad}_v\f$ has an imaginary part of pi or more. Its trace tells where that is beyond question.
+/// @param step  as it was last called, with the step h and the velocity v
+/// @throws OutsideDomain
+void require_in_chart(ReducedSystem const& system, ChartStep<double> const& step, double h,
+                      std::vector<double> const& v);
+
 /// Solves for steps of one length. For one thread at a time; what it has found out is part of the state of a
 /// run, since the digits depend on it.
 class ChartSolver {
@@ -39,7 +45,7 @@ class ChartSolver {
   double length() const { return h_; }  ///< of a step
   /// The last step, with the forces at its ends.
   ChartStep<double> const& last() const { return step_; }
-  std::vector<double> const& velocity() const { return v_; }  ///< of the last step
+  std::vector<double> const& velocity() const { return iteration_.unknowns; }  ///< of the last step
   /// How often momenta were evaluated, one batch of derivatives counting as one.
   long evaluations() const { return evaluations_; }
 
@@ -51,72 +57,43 @@ class ChartSolver {
   /// The inverse of the derivative of the momentum at the start in the velocity, at the last solution.
   Eigen::MatrixXd exact_inverse(ReducedPoint const& start) {
     differentiate(start);
-    auto const d = static_cast<Eigen::Index>(v_.size());
-    return Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor> const>(inverse_.data(), d, d);
+    auto const d = system_.dimension();
+    return Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor> const>(iteration_.inverse.data(), d, d);
   }
 
   /// Where the first step looks for its velocity.
-  void begin_at(std::vector<double> velocity) { v_ = std::move(velocity), past_ = 0, known_ = false; }
+  void begin_at(std::vector<double> velocity) {
+    iteration_.unknowns = std::move(velocity), iteration_.forget(), history_.clear();
+  }
   /// Saves, or restores, all that the next step depends on.
   template <class Stream>
   void remember(Stream& stream) {
-    stream(past_, points_, steps_, known_, evaluations_, v_, weights_, inverse_, moduli_);
-    for (auto& old : history_) {
-      old.resize(v_.size());
-      stream(old);
-    }
+    stream(evaluations_);
+    iteration_.store(stream);
+    history_.store(stream, velocity().size());
   }
 
  private:
-  static constexpr int longest_ = 8;
-  static constexpr double tolerance_ = 16 * 0x1p-52;
-
-  /// No eigenvalue of \f$h\,\mathrm{ad}_v\f$ has an imaginary part of pi or more. Its trace tells where that
-  /// is beyond question.
-  void require_in_chart() const;
-
-  /// What the polynomial through so many velocities, the first of them `from` steps ago, says of the next
-  /// one.
-  void extrapolate(int points, int from, std::vector<double>& out) const;
-  void predict() {
-    if (past_ > 0) extrapolate(points_, 0, v_);
-  }
-  void remember_velocity();
-  /// The number of points that would have been best for the last velocity.
-  void choose_points();
-
   /// The residual at the velocity, and its size: in each component relative to what it is the sum of. The
   /// parts of ad* p are among these: for two equal moments they cancel, and so do their derivatives.
   /// Infinite outside of the chart. It is minus the momentum equation of (3.10) or (3.11), by structure
   /// constants.
   double evaluate(ReducedPoint const& start);
 
-  /// @return false where it does not get there
-  bool chord(ReducedPoint const& start);
-  /// The step of Newton's iteration with the inverse that there is.
-  void find_update();
-  void move(double fraction) {
-    for (std::size_t i = 0; i < v_.size(); ++i) v_[i] += fraction * update_[i];
-  }
-
   /// The inverse of the derivative at the velocity; the residual is left alone.
   bool differentiate(ReducedPoint const& start);
 
-  /// Newton's iteration from the Legendre velocity, each update halved until the residual falls.
+  /// Newton's iteration from the Legendre velocity.
+  /// @throws NotConverged, Singular
   void newton(ReducedPoint const& start);
-  [[noreturn]] void fail(std::vector<double> const& sizes) const;
 
   ReducedSystem const& system_;
   double h_;
   ChartStep<double> step_;
   ChartStep<Moved<double>> moved_;
   LegendreVelocity legendre_;
-  std::vector<double> inverse_, moduli_;  // of the derivative; row by row
-  std::vector<double> weights_, v_, residual_, update_, last_;
-  std::array<std::vector<double>, longest_> history_;
-  int past_ = 0, points_ = 1;
-  long steps_ = 0;
-  bool known_ = false;
+  ChordIteration iteration_;
+  SolutionHistory history_;
   long evaluations_ = 0;
   double regular_ = 1;
 };

@@ -97,9 +97,10 @@ class ChartStep {
   std::vector<S> before,  ///< the momentum at the start; energy x time
       after,              ///< at the end
       vectors,            ///< at the end
-      sizes,              ///< of what A p is the sum of, over double: its roundings are these times epsilon
-      force_before,       ///< the force at the start, energy; empty where there is none
-      force_after;        ///< at the end
+      halfway,       ///< in the middle, where it is as long: \f$e^{-hv/2}a\f$; in Cayley's chart the mean
+      sizes,         ///< of what A p is the sum of, over double: its roundings are these times epsilon
+      force_before,  ///< the force at the start, energy; empty where there is none
+      force_after;   ///< at the end
 
   /// When the next step starts, for a force.
   void begin_at(S const& time) { time_ = time; }
@@ -115,7 +116,8 @@ class ChartStep {
     for (std::size_t i = 0; i < d; ++i) p_[i] = slopes_[1 + i];
     if (!a.empty()) {
       push(h / S(2), a, before);
-      for (std::size_t k = 0; k < a.size(); k += moved_.size()) carry(h, v, &a[k], &vectors[k]);
+      for (std::size_t k = 0; k < a.size(); k += moved_.size())
+        carry(h, v, &a[k], &vectors[k], halfway.empty() ? nullptr : &halfway[k]);
       slopes_at(v, vectors);
       for (std::size_t i = 0; i < d; ++i) p_[i] = (p_[i] + slopes_[1 + i]) / S(2);
       push(h / S(-2), vectors, after);
@@ -158,18 +160,27 @@ class ChartStep {
         sum[n(e.direction)] += slopes_[1 + d + k + n(e.row)] * a[k + n(e.column)] * signed_h * S(e.value);
   }
 
-  /// \f$e^{-hv}a\f$ of one vector, by its series; with the sign of the side.
-  void carry(S const& h, std::vector<S> const& v, S const* a, S* out) {
+  /// \f$e^{-hv}a\f$ of one vector, by its series, and \f$e^{-hv/2}a\f$ where there is room for it; with the
+  /// sign of the side.
+  void carry(S const& h, std::vector<S> const& v, S const* a, S* out, S* half) {
     auto const m = moved_.size();
     S const signed_h = h * S(-system_.sign());
-    if (system_.chart == Chart::cayley)
-      return carry_by(cayley(hat_of_step(system_.algebra, signed_h, v)), a, out);
-    if (size_of_step(system_.algebra, to_double(base_value(h)), v) > 1)
-      return carry_by(matrix_exponential(hat_of_step(system_.algebra, signed_h, v)), a, out);
+    if (system_.chart == Chart::cayley) {
+      carry_by(cayley(hat_of_step(system_.algebra, signed_h, v)), a, out);
+      for (std::size_t i = 0; half && i < m; ++i) half[i] = (a[i] + out[i]) / S(2);
+      return;
+    }
+    if (size_of_step(system_.algebra, to_double(base_value(h)), v) > 1) {
+      carry_by(matrix_exponential(hat_of_step(system_.algebra, signed_h, v)), a, out);
+      if (half) carry_by(matrix_exponential(hat_of_step(system_.algebra, S(signed_h / S(2)), v)), a, half);
+      return;
+    }
     std::vector<S>& term = moved_;
-    std::copy(a, a + m, term.begin()), std::copy(a, a + m, out);
+    std::copy(a, a + m, term.begin()), std::fill(out, out + m, S(0));
+    if (half) std::copy(a, a + m, half);
     double const size = detail::largest_part(term);
     next_.resize(m);
+    double power_of_half = 1;
     for (int k = 1; k < 200; ++k) {
       std::fill(next_.begin(), next_.end(), S(0));
       for (auto const& e : system_.algebra.entries)
@@ -178,8 +189,11 @@ class ChartStep {
         term[i] = next_[i] * signed_h / S(k);
         out[i] += term[i];
       }
-      if (!(detail::largest_part(term) > negligible_ * size)) return;
+      power_of_half /= 2;
+      for (std::size_t i = 0; half && i < m; ++i) half[i] += term[i] * S(power_of_half);
+      if (!(detail::largest_part(term) > negligible_ * size)) break;
     }
+    for (std::size_t i = 0; i < m; ++i) out[i] = a[i] + out[i];
   }
 
   static void carry_by(Matrix<S> const& c, S const* a, S* out) {

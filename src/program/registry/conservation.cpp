@@ -28,6 +28,10 @@ char const* in_words(Feature feature) {
       return "the momentum is damped";
     case Feature::friction_on_the_orbit:
       return "friction turns the momentum";
+    case Feature::constraint_on_velocity:
+      return "the velocity is constrained";
+    case Feature::moving_constraint:
+      return "a constraint on the velocity moves";
     case Feature::periodic_box:
       return "the box is periodic";
     case Feature::held_side:
@@ -75,15 +79,15 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"heavy_top", "casimir", {}},
         {"heavy_top", "vertical_momentum", {}},
         {"heavy_top", "spatial_momentum", {gravity}},
-        {"euler_poincare", "energy", {force, damping, friction_on_the_orbit}},
-        {"euler_poincare", "casimir", {force, damping}},
+        {"euler_poincare", "energy", {force, damping, friction_on_the_orbit, moving_constraint}},
+        {"euler_poincare", "casimir", {force, damping, constraint_on_velocity}},
         {"euler_poincare",
          "spatial_momentum",
-         {right_invariance, carried_vector, force, damping, friction_on_the_orbit}},
+         {right_invariance, carried_vector, force, damping, friction_on_the_orbit, constraint_on_velocity}},
         {"euler_poincare",
          "body_momentum",
-         {left_invariance, carried_vector, force, damping, friction_on_the_orbit}},
-        {"euler_poincare", "momentum_balance", {damping, friction_on_the_orbit}},
+         {left_invariance, carried_vector, force, damping, friction_on_the_orbit, constraint_on_velocity}},
+        {"euler_poincare", "momentum_balance", {damping, friction_on_the_orbit, constraint_on_velocity}},
         {"vorticity_sphere", "energy", {}},
         {"vorticity_sphere", "enstrophy", {}},
         {"vorticity_sphere", "angular_momentum", {}},

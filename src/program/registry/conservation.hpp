@@ -23,6 +23,8 @@ enum class Feature {
   force,                    ///< on a Lagrangian of one's own
   damping,                  ///< of the momentum, in proportion to it
   friction_on_the_orbit,    ///< which turns the momentum
+  constraint_on_velocity,   ///< of a Lagrangian of one's own
+  moving_constraint,        ///< which does not hold at rest
   periodic_box,             ///< along some direction
   held_side,                ///< fixed, sliding or moved
   moved_side,               ///< as its formulas have it

@@ -42,6 +42,8 @@ std::optional<systems::Dissipation> read_dissipation(SceneFile const& file,
   if (out.rate < 0)
     dissipation_keys.rate.fail(table, fmt::format("a number >= 0 is expected, found {}", out.rate));
   std::string const name = method.is_text("name") ? method.text("name") : "natural_chart";
+  if (whole.has("constraints"))
+    whole.fail("dissipation", "dissipation: it takes no system.constraints; system.force does");
   bool const charts = name == "natural_chart" || name == "cayley_chart";
   if (out.kind == Kind::orbit) {
     if (system.vectors > 0)

@@ -7,6 +7,7 @@
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
+#include "program/systems/lagrangians/constrained_motion.hpp"
 #include "program/systems/lagrangians/force_input.hpp"
 #include "program/systems/lagrangians/instruments.hpp"
 #include "program/systems/lagrangians/motion.hpp"
@@ -72,14 +73,20 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
         "momentum_level: it takes no force, which leads the momentum away from its level; natural_chart, "
         "cayley_chart and galerkin do");
   bool const left = scene.system->side == systems::Side::left;
-  return {scene.system, galerkin ? order / 2 : 0,
+  if (scene.constraints && (galerkin || choice.name == "momentum_level"))
+    method.fail("name", fmt::format("{}: it takes no constraints on the velocity; natural_chart does, and "
+                                    "cayley_chart where it serves the group",
+                                    choice.name));
+  return {scene.system,
+          galerkin ? order / 2 : 0,
           choice.name == "momentum_level" ? std::vector<double>{}
           : order == 2                    ? std::vector<double>{1}
           : order == 4                    ? suzuki<double>()
                                           : kahan_li<double>(),
           asked(request, {"configuration", "impulse", "momentum_balance",
                           left ? "spatial_momentum" : "body_momentum"}),
-          choice.name};
+          choice.name,
+          scene.constraints};
 }
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
@@ -133,16 +140,6 @@ void require_symmetry(Request const& request, ReducedScene const& scene) {
         "component");
 }
 
-/// The instruments know the steps without friction alone.
-void require_no_friction(Request const& request, ReducedScene const& scene) {
-  if (!scene.system->dissipation) return;
-  for (char const* const name :
-       {"poisson_defect", "symplectic_defect", "leaf_defect", "order", "tangent_map"})
-    if (asked(request, {name}))
-      request.file.section("output").fail(
-          "quantities", fmt::format("{}: it is known of motions without system.dissipation", name));
-}
-
 /// A composition has substeps backwards, in which damping feeds energy in.
 void require_short_for_damping(SceneTable const& method, ReducedScheme const& scheme,
                                Simulation& simulation) {
@@ -162,12 +159,34 @@ void require_short_for_damping(SceneTable const& method, ReducedScheme const& sc
         decay));
 }
 
+/// Refuses quantities that belong to constraints, to systems without them, or to motions without friction.
+void require_quantities(Request const& request, ReducedScene const& scene) {
+  SceneTable const output = request.file.section("output");
+  for (char const* const name : {"reaction", "constraint"})
+    if (!scene.constraints && asked(request, {name}))
+      output.fail("quantities", fmt::format("{}: it is a quantity of systems with system.constraints", name));
+  for (char const* const name : {"work", "impulse", "momentum_balance"})
+    if (scene.constraints && asked(request, {name}))
+      output.fail("quantities", fmt::format("{}: it is known of motions without system.constraints", name));
+  for (char const* const name :
+       {"poisson_defect", "symplectic_defect", "leaf_defect", "order", "tangent_map"}) {
+    if (!asked(request, {name})) continue;
+    if (scene.system->dissipation)
+      output.fail("quantities", fmt::format("{}: it is known of motions without system.dissipation", name));
+    if (scene.constraints)
+      output.fail("quantities",
+                  fmt::format("{}: constraints on the velocity leave no bracket and no two-form "
+                              "that steps could preserve; 'constraint' and 'energy' are told",
+                              name));
+  }
+}
+
 Simulation prepare(Request const& request) {
   std::vector<std::string> remarks;
   ReducedScene const scene = read_reduced_scene(request.file, remarks);
-  require_no_friction(request, scene);
   require_symmetry(request, scene);
   SceneTable method = request.file.section("method");
+  require_quantities(request, scene);
   ReducedScheme const scheme = scheme_of(request, scene);
   Simulation simulation(quantities_of(request.file, scene));
   simulation.remarks = remarks;
@@ -193,7 +212,10 @@ Simulation prepare(Request const& request) {
     simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");
   define_state(simulation.quantities, scene, *motion);
   define_casimirs(simulation, request, scene, *motion);
-  define_instruments(simulation.quantities, scheme, simulation.step, *motion);
+  if (scene.constraints)
+    define_constraints(simulation.quantities, scene, *motion);
+  else
+    define_instruments(simulation.quantities, scheme, simulation.step, *motion);
   simulation.quantities.ask(request.quantities);
   simulation.motion = std::move(motion);
   return simulation;

@@ -13,6 +13,7 @@
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
 #include "program/systems/formula.hpp"
+#include "program/systems/lagrangians/constrained_input.hpp"
 #include "program/systems/lagrangians/dissipation_input.hpp"
 #include "program/systems/lagrangians/force_input.hpp"
 #include "program/systems/lagrangians/shape_input.hpp"
@@ -114,6 +115,8 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
                                  "leaf_defect",
                                  "symplectic_defect",
                                  "poisson_defect",
+                                 "reaction",
+                                 "constraint",
                                  "force",
                                  "work",
                                  "impulse",
@@ -175,6 +178,7 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
 struct Formulas {
   Tape lagrangian;
   std::optional<systems::GeneralizedForce> force;
+  std::vector<Tape> constraints;
 };
 Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& algebra,
                        std::vector<CarriedVector> const& carried) {
@@ -187,8 +191,9 @@ Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& alge
   auto formula =
       scene_formula(reduced_keys.lagrangian.read(system), names, parameters, system.text_place("lagrangian"));
   auto force = read_force(file, algebra, vectors, parameters, formula.used);
+  auto constraints = read_constraints(system, names, parameters, formula.used);
   require_used(file, parameters, carried, algebra, formula.used);
-  return {std::move(formula.value), std::move(force)};
+  return {std::move(formula.value), std::move(force), std::move(constraints)};
 }
 
 Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra const& algebra,
@@ -268,7 +273,8 @@ systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const
 }  // namespace
 
 std::vector<Parameter> reduced_parameters() {
-  return records_of({reduced_keys, shape_keys, force_keys, dissipation_keys, reduced_start_keys});
+  return records_of({reduced_keys, shape_keys, force_keys, dissipation_keys, constraint_keys(),
+                     reduced_start_keys, constrained_start_keys()});
 }
 
 std::vector<std::string> carried_names(SceneFile const& file) {
@@ -288,7 +294,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   if (!shape.names.empty())
     scene.carried.push_back(
         {"shape", shape.carried(algebra, side), shape.components(algebra), shape.names.size()});
-  auto [l, force] = read_formulas(file, algebra, scene.carried);
+  auto [l, force, constraints] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
   Eigen::MatrixXd mover = scene.configuration;
@@ -312,6 +318,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   }
   require_regular(system, scene);
   require_force(system, scene);
+  if (!constraints.empty()) constrain(file, constraints, scene, remarks);
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "actio/any_group/chart_solver.hpp"
+#include "actio/nonholonomic/velocity_constraints.hpp"
 #include "program/document/key.hpp"
 
 namespace actio::scene {
@@ -27,6 +28,8 @@ struct ReducedScene {
   Eigen::MatrixXd configuration;                         ///< at the start
   std::vector<double> velocity;                          ///< at the start, 1/time
   systems::ReducedPoint start;                           ///< momentum and vectors at the start
+  /// of the velocity; null where there are none
+  std::shared_ptr<systems::VelocityConstraints const> constraints;
 };
 
 /// The records of [system] and [initial].

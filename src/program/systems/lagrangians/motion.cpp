@@ -3,6 +3,7 @@
 #include "program/systems/lagrangians/motion.hpp"
 
 #include "actio/any_group/level_integrator.hpp"
+#include "program/systems/lagrangians/constrained_motion.hpp"
 #include "program/systems/lagrangians/galerkin_motion.hpp"
 
 namespace actio::scene {
@@ -143,6 +144,7 @@ std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, systems::Reduc
                                                      std::vector<double> const& velocity,
                                                      Eigen::MatrixXd const& configuration) const {
   auto const made = [&](Eigen::MatrixXd const& g) -> std::unique_ptr<ReducedMotion> {
+    if (constraints) return constrained_motion(*this, step, start, velocity, g);
     if (stages > 0) return galerkin_motion(*this, step, start, velocity, g);
     if (fractions.empty())
       return std::make_unique<SteppedMotion<systems::LevelIntegrator>>(*this, step, start, velocity, g);

@@ -20,6 +20,7 @@ class ReducedMotion : public Motion {
   virtual std::vector<double> const& velocity() const = 0;   ///< near the one now, for searches
   /// What the forces have done since the start.
   virtual systems::ForceLedger const& ledger() const;
+  virtual double time() const { return 0; }  ///< now, where the motion depends on it
   /// So many steps; what fails is thrown as it is.
   virtual void advance_plainly(long steps) { advance(steps); }
   /// How momentum and vectors now change with those at the start; null where that is not followed.
@@ -37,6 +38,8 @@ struct ReducedScheme {
   std::vector<double> fractions;
   bool with_configuration = true;      ///< whether configurations are reconstructed
   std::string name = "natural chart";  ///< of the method, for messages
+  /// of the velocity; null where there are none
+  std::shared_ptr<systems::VelocityConstraints const> constraints = nullptr;
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made

@@ -2,7 +2,7 @@
 
 #include "program/systems/lagrangians/pace.hpp"
 
-#include "actio/any_group/chart_map.hpp"
+#include "actio/nonholonomic/rattle_map.hpp"
 
 namespace actio::scene {
 namespace {
@@ -20,25 +20,25 @@ Eigen::VectorXd as_vector(std::vector<double> const& list) {
   return Eigen::Map<Eigen::VectorXd const>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 
-}  // namespace
-
-double fastest_rate(ReducedScene const& scene, double time) {
+/// @param map       a step, of points over any scalar
+/// @param velocity  (point) -> the velocity there
+template <class Map, class Velocity>
+double rate_of(ReducedScene const& scene, double time, Map const& map, Velocity const& velocity) {
   systems::ReducedSystem const& system = *scene.system;
   Eigen::VectorXd const v = as_vector(scene.velocity);
   double const turns = turning(system, v);
-  systems::ChartMap const map(system, {1}, scene.velocity);
   double h = turns > 0 ? std::min(time, 0.05 / turns) : time;
   for (int k = 0; k < 200; ++k) try {
       Eigen::MatrixXd const tangent = systems::tangent_of(
           [&](systems::ReducedPointOver<Moved<double>> const& x) { return map(Moved<double>(h), x); },
           scene.start);
-      auto const n = tangent.rows();
-      double const radius =
-          systems::eigenvalues_of(tangent - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff();
+      double radius = 0;
+      for (auto const& one :
+           systems::eigenvalues_of(tangent - Eigen::MatrixXd::Identity(tangent.rows(), tangent.rows())))
+        // Combinations of the rows of constraints are sent to zero at once.
+        if (!scene.constraints || std::abs(1.0 + one) > 0.5) radius = std::max(radius, std::abs(one));
       auto const after = map(h, systems::ReducedPointOver<double>{scene.start.momentum, scene.start.vectors});
-      std::vector<double> v_after = scene.velocity;
-      systems::LegendreVelocity(system).solve(after.momentum, after.vectors, v_after);
-      double const grows = turning(system, as_vector(v_after) - v) / h;
+      double const grows = turning(system, as_vector(velocity({after.momentum, after.vectors})) - v) / h;
       double const fastest = std::max({turns, radius / h, std::sqrt(grows)});
       // Of a step that is short for what it found the rates are those at the start.
       if (fastest * h <= 0.2) return fastest;
@@ -47,6 +47,27 @@ double fastest_rate(ReducedScene const& scene, double time) {
       h /= 4;
     }
   return turns;
+}
+
+}  // namespace
+
+double fastest_rate(ReducedScene const& scene, double time) {
+  systems::ReducedSystem const& system = *scene.system;
+  if (!scene.constraints)
+    return rate_of(scene, time, systems::ChartMap(system, {1}, scene.velocity),
+                   [&](systems::ReducedPoint const& at) {
+                     std::vector<double> v = scene.velocity;
+                     systems::LegendreVelocity(system).solve(at.momentum, at.vectors, v);
+                     return v;
+                   });
+  auto const& constraints = *scene.constraints;
+  return rate_of(
+      scene, time, systems::RattleMap(system, constraints, {1}, scene.velocity),
+      [&](systems::ReducedPoint const& at) {
+        std::vector<double> v = scene.velocity, lambda(static_cast<std::size_t>(constraints.count), 0);
+        systems::ConstrainedVelocity(system, constraints).solve(at.momentum, at.vectors, 0, v, lambda);
+        return v;
+      });
 }
 
 }  // namespace actio::scene

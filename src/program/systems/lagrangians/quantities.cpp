@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "program/registry/conservation.hpp"
+#include "program/systems/lagrangians/constrained_input.hpp"
 #include "program/systems/lagrangians/shown.hpp"
 
 namespace actio::scene {
@@ -98,6 +99,28 @@ std::vector<Quantity> quantities_of_forces() {
   };
 }
 
+/// What constraints on the velocity have.
+std::vector<Quantity> quantities_of_constraints() {
+  using Kind = Quantity::Kind;
+  return {
+      {"reaction",
+       Kind::list,
+       "The reactions of system.constraints, the force along each row: a function of the state, and as "
+       "accurate.",
+       "\\tfrac{d}{dt}\\partial l/\\partial v = \\mathrm{ad}^*_vp - J + A^T\\lambda",
+       "energy over that of the formula",
+       "claim_10_0_nonholonomic_constraints",
+       {}},
+      {"constraint",
+       Kind::list,
+       "The values of system.constraints, which vanish to rounding.",
+       "A(a, t)\\,v - b(a, t)",
+       "of the formula",
+       "claim_10_0_nonholonomic_constraints",
+       {}},
+  };
+}
+
 /// What the method shows in a step from there, and in those behind it.
 std::vector<Quantity> quantities_of_steps() {
   using Kind = Quantity::Kind;
@@ -148,6 +171,7 @@ std::vector<Quantity> quantities_of_steps() {
 std::vector<Quantity> reduced_quantities() {
   auto all = quantities_of_states();
   for (auto& quantity : quantities_of_forces()) all.push_back(std::move(quantity));
+  for (auto& quantity : quantities_of_constraints()) all.push_back(std::move(quantity));
   for (auto& quantity : quantities_of_steps()) all.push_back(std::move(quantity));
   return all;
 }
@@ -173,6 +197,8 @@ std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& s
   Tape const& l = scene.system->lagrangian;
   for (int i = scene.system->dimension(); i < l.inputs; ++i)
     if (l.depends_on(i)) here.insert(Feature::carried_vector);
+  if (scene.constraints) here.insert(Feature::constraint_on_velocity);
+  if (scene.constraints && constraints_move(scene)) here.insert(Feature::moving_constraint);
   auto all = with_conserved("euler_poincare", reduced_quantities(), here);
   for (auto& own : named_quantities(file)) all.push_back(std::move(own));
   show_reduced(all, scene);
