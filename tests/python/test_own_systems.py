@@ -794,5 +794,44 @@ class Forces(unittest.TestCase):
             actio.System("SE(2)", lambda xi: abs(xi.w) + xi @ xi)
 
 
+class Constraints(unittest.TestCase):
+    SLEIGH = "(2*w^2 + v1^2 + v2^2)/2 + w*v2"
+
+    def test_a_blade_turns_as_its_law_has_it(self):
+        # Chaplygin's sleigh: blade at the origin, mass centre 1 ahead, moments 1 + 1: v = V tanh(k t + c),
+        # w = W sech(k t + c) with V = sqrt(2E), W = sqrt(2E/2), k = V/2.
+        by_function = actio.System("SE(2)", self.SLEIGH, constraints=lambda velocity: [velocity.v2])
+        self.assertEqual(by_function.constraints, ["v2"])
+        run = by_function.run(
+            velocity=[1, 0, 0], until=3, every=0.5, step=0.005, order=4, quantities=["velocity", "constraint"]
+        )
+        k = numpy.sqrt(2) / 2
+        numpy.testing.assert_allclose(run["velocity_w"], 1 / numpy.cosh(k * run.t), atol=1e-8)
+        numpy.testing.assert_allclose(run["velocity_v1"], numpy.sqrt(2) * numpy.tanh(k * run.t), atol=1e-8)
+        self.assertLess(abs(run["constraint"]).max(), 1e-13)
+        by_text = actio.System("SE(2)", self.SLEIGH, constraints=["v2"])
+        self.assertEqual(str(by_text.scene(velocity=[1, 0, 0], until=1)), str(by_function.scene(velocity=[1, 0, 0], until=1)))
+
+    def test_drag_and_a_blade_together(self):
+        system = actio.System(
+            "SE(2)", self.SLEIGH, constraints=["v2"], force=lambda velocity: {"v1": -velocity.v1 * abs(velocity.v1)}
+        )
+        keys = {"velocity": [1, 0.2, 0], "until": 2, "every": 1, "quantities": ["velocity", "constraint"]}
+        coarse, fine, finest = [system.run(**keys, step=step, order=2) for step in (0.1, 0.05, 0.0125)]
+        errors = [abs(each["velocity"][-1] - finest["velocity"][-1]).max() for each in (coarse, fine)]
+        self.assertGreater(errors[0] / errors[1], 3.5)
+        self.assertLess(abs(finest["constraint"]).max(), 1e-13)
+
+    def test_refusals(self):
+        for constraints, error, words in [
+            (lambda velocity: velocity.v2, actio.SceneError, "constraints: a list of numbers is expected"),
+            (lambda momentum: [momentum.v2], TypeError, "some of velocity, advected, time, parameters"),
+            (lambda velocity: [abs(velocity.v2)], actio.SceneError, "a constraint has to be smooth"),
+            ("v2", TypeError, "a function or a list of formulas"),
+        ]:
+            with self.assertRaisesRegex(error, words):
+                actio.System("SE(2)", self.SLEIGH, constraints=constraints)
+
+
 if __name__ == "__main__":
     unittest.main()

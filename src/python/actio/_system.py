@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from actio._algebra import Group, algebra_of
 from actio._errors import SceneError
-from actio._force import checked_inputs, formulas_of
+from actio._force import checked_inputs, constraints_of, formulas_of
 from actio._formula_functions import FUNCTIONS, KINKED
 from actio._lagrangian import Surroundings, formula_of
 from actio._run import Run
@@ -128,6 +128,9 @@ class System:
         or a list of formulas; or a function of some of `velocity`, `momentum`, `advected`, `time`,
         `parameters` and `inputs`, by these names, that returns a list or a mapping of numbers. It need not
         be smooth: abs, numpy.sign, numpy.minimum and the like are there.
+    constraints: what vanishes along the motion by the principle of Lagrange and d'Alembert, linear in the
+        velocity: a list of formulas, or a function of some of `velocity`, `advected`, `time` and
+        `parameters`, by these names, that returns a list of numbers.
     inputs: numbers by name that the force is given as functions of time, each held over a step: a formula of
         t, "20*(t < 5)", or rows of a time and the value from then on, [[0, 20], [5, 0]].
 
@@ -139,7 +142,7 @@ class System:
     velocity; where the matrices are no basis of a Lie algebra; where a name has two meanings.
     """
 
-    __slots__ = ("_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs")
+    __slots__ = ("_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs", "_constraints")
 
     def __init__(
         self,
@@ -151,6 +154,7 @@ class System:
         advected: Optional[Mapping[str, Vector]] = None,
         force: Optional[Force] = None,
         inputs: Optional[Mapping[str, Any]] = None,
+        constraints: Union[Sequence[str], Callable[..., Any], None] = None,
     ) -> None:
         self._side: str = checked_choice(side, ("left", "right"), "side")
         self._algebra = algebra_of(group)
@@ -166,6 +170,7 @@ class System:
         _checked_names(self.components, self._parameters, self._advected, self._inputs)
         self._formula = self._formula_of(lagrangian)
         self._force = self._force_of(force)
+        self._constraints = self._constraints_of(constraints)
 
     def _formula_of(self, lagrangian: Any) -> str:
         if isinstance(lagrangian, str):
@@ -192,6 +197,16 @@ class System:
         raise TypeError(
             "force: a function, a mapping by components or a list of formulas is expected, found"
             f" {shown(force)}, of type {kind(force)}"
+        )
+
+    def _constraints_of(self, constraints: Any) -> Any:
+        if callable(constraints):
+            return constraints_of(constraints, self._surroundings())
+        if constraints is None or isinstance(constraints, (list, tuple)):
+            return constraints and list(constraints)
+        raise TypeError(
+            "constraints: a function or a list of formulas is expected, found"
+            f" {shown(constraints)}, of type {kind(constraints)}"
         )
 
     # ---- What it is
@@ -225,6 +240,11 @@ class System:
     def force(self) -> Any:
         """The formulas of the force, by components or in their order; None where there is none."""
         return dict(self._force) if isinstance(self._force, dict) else self._force and list(self._force)
+
+    @property
+    def constraints(self) -> list[str]:
+        """The formulas of the constraints on the velocity; empty where there are none."""
+        return list(self._constraints or ())
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -286,6 +306,8 @@ class System:
             system["force"] = self.force
         if self._inputs:
             system["inputs"] = dict(self._inputs)
+        if self._constraints is not None:
+            system["constraints"] = self.constraints
         tables: dict[str, dict[str, Any]] = {
             "scene": {"title": title},
             "system": system,
