@@ -19,7 +19,8 @@ Element<SU2, double> const upright{{}, Eigen::Vector4d(1, 0, 0, 0)};
 /// length.
 TwoBodies balls(Vector3d const& x, Vector3d const& v, PairMethod method, double step, double G) {
   auto const one = sphere_body(0.75, 0.6, 2), two = sphere_body(0.25, 0.4, 2);
-  return TwoBodies(one, two, state_of_velocities(one, two, x, v, upright, {0, 0, 0.01}, upright, {0, 0.005, 0}),
+  return TwoBodies(one, two,
+                   state_of_velocities(one, two, x, v, upright, {0, 0, 0.01}, upright, {0, 0.005, 0}),
                    {.order = 2, .step = step, .method = std::move(method), .G = G});
 }
 
