@@ -80,7 +80,9 @@ def _wanted(function: Callable[..., Any], allowed: Sequence[str]) -> list[str]:
     wrong = [name for name in names if name not in allowed]
     if wrong or not names:
         found = f"'{wrong[0]}'" if wrong else "none"
-        raise TypeError(f"{key}: its arguments are some of {', '.join(allowed)}, by these names, found {found}")
+        raise TypeError(
+            f"{key}: its arguments are some of {', '.join(allowed)}, by these names, found {found}"
+        )
     return names
 
 

@@ -69,8 +69,8 @@ def called(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
         if "UFunc" not in type(error).__name__ and "einsum" not in str(error):
             raise
         raise SceneError(
-            f"{subject().key}: NumPy says {shown(str(error))} of traced numbers; sums, products, @, dot, cross,"
-            " tensordot and the functions of a formula take them"
+            f"{subject().key}: NumPy says {shown(str(error))} of traced numbers; sums, products, @, dot,"
+            " cross, tensordot and the functions of a formula take them"
         ) from error
 
 

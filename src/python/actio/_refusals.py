@@ -1,4 +1,4 @@
-"""What a function that is traced cannot do with its arguments: errors that name the line of the user's code."""
+"""What a traced function cannot do with its arguments: errors that name the line of the user's code."""
 
 import contextlib
 import contextvars

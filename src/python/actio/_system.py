@@ -142,7 +142,9 @@ class System:
     velocity; where the matrices are no basis of a Lie algebra; where a name has two meanings.
     """
 
-    __slots__ = ("_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs", "_constraints")
+    __slots__ = (
+        "_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs", "_constraints"
+    )
 
     def __init__(
         self,
