@@ -64,14 +64,17 @@ class Chooser {
     return one.work * until_ / request_.schedule.default_step(one.step);
   }
 
-  /// @param work  is told that of a step
-  Pilot pilot_with(WrittenOrder const& order, double step, double& work) const {
+  /// @param order  its power becomes that of the companions, where that is less: some forces have an order of
+  ///               their own
+  /// @param work   is told that of a step
+  Pilot pilot_with(WrittenOrder& order, double step, double& work) const {
     SceneFile const file = request_.file.copy();
     SceneTable method = file.section("method");
     order.write(method), method.set("step", step);
     try {
       Simulation simulation = system_.prepare({file, request_.schedule, request_.quantities, true});
       work = simulation.work;
+      if (simulation.companion.motion) order.power = std::min(order.power, simulation.companion.order);
       return pilot(std::move(simulation), request_.schedule, stop_);
     } catch (NumericsError const& error) {
       Pilot out;
@@ -83,7 +86,7 @@ class Chooser {
   /// By the longest steps whose error can be told.
   /// @param limit  more than this the run shall not cost
   /// @param last   whether there is no higher order, which would do with longer steps
-  Candidate longest_step(WrittenOrder const& order, double limit, bool last) const {
+  Candidate longest_step(WrittenOrder order, double limit, bool last) const {
     double work = 1, step = std::min(4 * default_step_, until_ / fewest);
     Pilot now = pilot_with(order, step, work);
     bool const at_once = now.whole();

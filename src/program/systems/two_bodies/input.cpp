@@ -257,6 +257,8 @@ void PairScene::read_steps(Request const& request, std::vector<Method> const& me
   Pace const pace = pace_of(choice);
   options.step = read_step(method, request.schedule,
                            std::max(fastest_orbit / pace.orbit, fastest_turn * pace.turns / full), 1);
+  // Of steps that an accuracy has chosen the error is known.
+  if (accuracy_keys.accuracy.given(request.file)) return;
   if (double const turns = fastest_turn * options.step / full; turns > 1 / 6.)
     remarks.push_back(
         fmt::format("step: the faster body turns by {:.2g} of a revolution in a step of {}; up to a sixth, a "
