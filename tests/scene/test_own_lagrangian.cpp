@@ -243,4 +243,53 @@ BOOST_AUTO_TEST_CASE(a_step_too_long_is_told_with_the_longest) {
   BOOST_TEST(run(largest) == "");
 }
 
+BOOST_AUTO_TEST_CASE(what_a_force_a_friction_or_a_shape_cannot_be_is_refused) {
+  auto const with = [](std::string const& lines, std::string const& says) {
+    check_refused("parameters =", lines + "\nparameters =", says);
+  };
+  std::string const good = "force = [\"-0.1*w\", \"u\", \"-v2*abs(v2) + 0.1*p_v1*sin(t)\"]\n";
+  check_said(refusal(sleigh("parameters =", good + "inputs = { u = \"t < 2\" }\nparameters ="), "own.toml"),
+             "");
+  with("force = [\"w\", \"0\"]", "force: 3 formulas are expected, one for each of w, v1, v2; found 2");
+  with("force = { v3 = \"1\" }", "unknown key 'v3'");
+  with("force = { v1 = \"x + 1\" }", "unknown name 'x'");
+  with("force = { v1 = \"1/(w - 0.7)\" }", "along v1 it is inf at the start");
+  with("inputs = { u = \"t\" }", "inputs: they are given to the force, and there is no system.force");
+  with("force = { w = \"1\" }\ninputs = { u = \"t\" }", "inputs: 'u' does not occur in the force");
+  with("force = { w = \"v1\" }\ninputs = { v1 = \"t\" }", "the name 'v1' is taken already");
+  with("force = { w = \"u\" }\ninputs = { u = [[1, 0], [0, 1]] }", "times must ascend");
+  with("force = { w = \"u\" }\ninputs = { u = \"no.csv\" }", "no.csv");
+  with("dissipation = { kind = \"conformal\", rate = -1 }", "rate: a number >= 0 is expected, found -1");
+  with("dissipation = { kind = \"orbital\", rate = 1 }", "did you mean 'orbit'?");
+  with("dissipation = { kind = \"conformal\", rate = 1, metric = [[1]] }", "friction on the orbit");
+  with("dissipation = { kind = \"orbit\", rate = 1, metric = [[1, 0, 0], [0, 1, 0], [0, 0, -1]] }",
+       "its least eigenvalue is -1");
+  with("dissipation = { kind = \"orbit\", rate = 1, metric = [[1, 1, 0], [0, 1, 0], [0, 0, 1]] }",
+       "differs from its transpose by 1");
+  with("shape = { w = 1 }", "w");
+  with("shape = {}", "at least one variable is expected");
+  with("shape = { angle = 1 }", "angle");
+  std::string const galerkin = "name = \"momentum_level\"\nstep = 0.1";
+  check_said(refusal(sleigh("step = 0.1", galerkin + "\n[system.force]\nw = \"1\""), "own.toml"),
+             "momentum_level: it takes no force");
+}
+
+BOOST_AUTO_TEST_CASE(a_shape_variable_is_the_coordinate_that_it_stands_for) {
+  // An oscillator beside a body that turns freely: x'' = -4 x.
+  auto const row = last_row(own(
+      "group = \"SO(3)\"\nlagrangian = \"(w1^2 + 2*w2^2 + 3*w3^2 + x_rate^2 - 4*x^2)/2\"\nshape = { x = 0.3 }",
+      "velocity = [0.5, 0.1, 0.2, 0.7]",
+      "[method]\norder = 6\nstep = 0.025\n[run]\nuntil = 1\n[output]\nquantities = [\"shape\"]\n"));
+  BOOST_TEST(row.size() == 1);
+  BOOST_TEST(std::abs(row[0] - (0.3 * std::cos(2.0) + 0.25 * std::sin(2.0))) < 1e-10);
+  auto const right = last_row(
+      own("group = \"SO(3)\"\nside = \"right\"\nshape = { x = 0.3 }\nforce = { x_rate = \"-0.2*x_rate\" }\n"
+          "lagrangian = \"(w1^2 + 2*w2^2 + 3*w3^2 + x_rate^2 - 4*x^2)/2\"",
+          "velocity = [0.5, 0.1, 0.2, 0.7]",
+          "[method]\norder = 6\nstep = 0.025\n[run]\nuntil = 1\n[output]\nquantities = [\"shape\"]\n"));
+  double const w = std::sqrt(4 - 0.01);
+  BOOST_TEST(std::abs(right[0] - std::exp(-0.1) * (0.3 * std::cos(w) + (0.5 + 0.03) / w * std::sin(w))) <
+             1e-10);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -87,7 +87,7 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"euler_poincare",
          "body_momentum",
          {left_invariance, carried_vector, force, damping, friction_on_the_orbit, constraint_on_velocity}},
-        {"euler_poincare", "momentum_balance", {damping, friction_on_the_orbit, constraint_on_velocity}},
+        {"euler_poincare", "momentum_balance", {damping, friction_on_the_orbit}},
         {"vorticity_sphere", "energy", {}},
         {"vorticity_sphere", "enstrophy", {}},
         {"vorticity_sphere", "angular_momentum", {}},
