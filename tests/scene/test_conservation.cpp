@@ -195,6 +195,10 @@ std::vector<Featured> lagrangians() {
     add({carried_vector}, " - 0.3*up3", "advected = { up = [0, 0.6, 0.8] }\n");
     // One that the Lagrangian does not depend on.
     add({}, "", "advected = { up = [0, 0.6, 0.8] }\n");
+    std::string const up = "advected = { up = [0, 0.6, 0.8] }\n";
+    add({constraint_on_velocity}, "", up + "constraints = [\"w1 + w2 - 2*w3\"]\n");
+    add({moving_constraint, constraint_on_velocity}, "",
+        up + "constraints = [\"w1 + w2 - 2*w3 + 0.3*sin(t)\"]\n");
   }
   return out;
 }

@@ -51,7 +51,7 @@ double RattleSolver::evaluate(ReducedPoint const& start, double t) {
       for (std::size_t k = 0; k + d < n; ++k) r -= start_.rows[k * d + i] * x[d + k];
       scale = std::abs(start.momentum[i]) + std::abs(step_.momenta.before[i]);
     } else {
-      r = step_.middle.values[i - d];
+      r = step_.middle.values[i - d], scale = std::abs(r);
     }
     iteration_.residual[i] = r;
     if (!(r - r == 0)) return HUGE_VAL;

@@ -80,7 +80,7 @@ void constrain(SceneFile const& file, std::vector<Tape> const& each, ReducedScen
   } catch (Error const& error) {
     keys.constraints.fail(system, error.what());
   }
-  if (state.moved > 0)
+  if (state.moved > 1e-12)
     remarks.push_back(fmt::format(
         "velocity: it broke the constraints by {:.2g} of their terms, and was moved on them", state.moved));
   scene.velocity = state.velocity, scene.start = state.point;
