@@ -111,6 +111,9 @@ class System:
     parameters: numbers by name, which a scene can change.
     advected: vectors by name which the inverse of the motion carries, a = g^-1 c (left) or a = g c (right),
         with their values where g is the identity.
+    constraints: what vanishes along the motion, by the principle of Lagrange and d'Alembert: functions like
+        the Lagrangian or texts of formulas, linear in the velocity. A text may have the time `t`. The
+        velocity at the start obeys them, or the scene has `initial.project = True`.
 
     The function is called once, with symbols, and what it does becomes the formula `formula`: Python has no
     part in the run. So it cannot branch on its arguments, and the functions of the module math, which need
@@ -120,7 +123,7 @@ class System:
     velocity; where the matrices are no basis of a Lie algebra; where a name has two meanings.
     """
 
-    __slots__ = ("_algebra", "_side", "_formula", "_parameters", "_advected")
+    __slots__ = ("_algebra", "_side", "_formula", "_parameters", "_advected", "_constraints")
 
     def __init__(
         self,
@@ -130,6 +133,7 @@ class System:
         side: str = "left",
         parameters: Optional[Mapping[str, float]] = None,
         advected: Optional[Mapping[str, Vector]] = None,
+        constraints: Sequence[Lagrangian] = (),
     ) -> None:
         self._side: str = checked_choice(side, ("left", "right"), "side")
         self._algebra = algebra_of(group)
@@ -143,6 +147,19 @@ class System:
         }
         _checked_names(self.components, self._parameters, self._advected)
         self._formula = self._formula_of(lagrangian)
+        if isinstance(constraints, str) or not isinstance(constraints, Sequence):
+            raise TypeError(
+                "constraints: a list of functions or of texts of formulas is expected, found"
+                f" {shown(constraints)}, of type {kind(constraints)}"
+            )
+        self._constraints = [self._constraint_of(one, k) for k, one in enumerate(constraints)]
+
+    def _constraint_of(self, constraint: Any, number: int) -> str:
+        try:
+            return self._formula_of(constraint)
+        except (SceneError, TypeError) as error:
+            said = str(error).replace("lagrangian:", f"constraints[{number}]:", 1)
+            raise type(error)(said) from None
 
     def _formula_of(self, lagrangian: Any) -> str:
         if isinstance(lagrangian, str):
@@ -194,6 +211,11 @@ class System:
         """The advected vectors by name, with their values where the motion is the identity."""
         return {name: list(items) for name, items in self._advected.items()}
 
+    @property
+    def constraints(self) -> list[str]:
+        """What vanishes along the motion, as formulas of a scene."""
+        return list(self._constraints)
+
     # ---- What is done with it
 
     def scene(
@@ -240,6 +262,8 @@ class System:
             system["parameters"] = self.parameters
         if self._advected:
             system["advected"] = self.advected
+        if self._constraints:
+            system["constraints"] = self.constraints
         tables: dict[str, dict[str, Any]] = {
             "scene": {"title": title},
             "system": system,

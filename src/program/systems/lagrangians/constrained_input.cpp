@@ -18,7 +18,7 @@ struct ConstraintKeys : KeyTable {
           "What vanishes along the motion, by the principle of Lagrange and d'Alembert: formulas in the "
           "components of the velocity, linear in them, in parameters, components of carried vectors and the "
           "time t. A blade that does not slip, a ball that rolls.",
-          "[\"v2\"]");
+          "[\"v2 - 0.2*v1\"]");
 } const keys{{"system"}};
 
 struct ConstrainedStartKeys : KeyTable {
