@@ -139,7 +139,7 @@ void ConservingSolver::newton(ReducedPoint const& start, double t) {
   if (regular_ <= 0x1p-50)
     throw Singular("steps that conserve the energy",
                    "the constraints must be regular for this step; condition", regular_, 0x1p-50);
-  throw NotConverged("steps that conserve the energy", sizes, ChordIteration::tolerance);
+  throw NotConverged("steps that conserve the energy", sizes, StepIteration::tolerance);
 }
 
 }  // namespace actio::systems

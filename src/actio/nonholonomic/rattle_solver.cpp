@@ -111,7 +111,7 @@ void RattleSolver::newton(ReducedPoint const& start, double t) {
   if (regular_ <= 0x1p-50)
     throw Singular("rattle", "Lagrangian and constraints must be regular for this step; condition", regular_,
                    0x1p-50);
-  throw NotConverged("rattle", sizes, ChordIteration::tolerance);
+  throw NotConverged("rattle", sizes, StepIteration::tolerance);
 }
 
 }  // namespace actio::systems
