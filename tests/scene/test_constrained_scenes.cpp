@@ -66,6 +66,16 @@ BOOST_AUTO_TEST_CASE(constraints_may_depend_on_the_time) {
   BOOST_TEST(std::abs(row[2] - 3) < 1e-14);
 }
 
+BOOST_AUTO_TEST_CASE(a_body_at_rest_may_be_carried_off) {
+  // All of its energy comes from the constraint.
+  auto const row = last_row(
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"R^2\"\nlagrangian = \"(x1^2 + x2^2)/2\"\n"
+      "constraints = [\"x1 - sin(t)\"]\n[initial]\nvelocity = [0, 0]\n[method]\nstep = 0.125\n[run]\n"
+      "until = 1\n[output]\nquantities = [\"velocity\", \"energy\"]\n");
+  BOOST_TEST(std::abs(row[0] - std::sin(1.0)) < 1e-14);
+  BOOST_TEST(std::abs(row[2] - std::sin(1.0) * std::sin(1.0) / 2) < 1e-14);
+}
+
 BOOST_AUTO_TEST_CASE(a_velocity_is_moved_on_the_constraints_where_the_scene_says_so) {
   check_refused("velocity = [1, 0, 0]", "velocity = [1, 0, 0.5]",
                 "it breaks system.constraints by 1 of their terms, and at most 1e-06 is allowed");

@@ -7,6 +7,7 @@
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
+#include "program/systems/lagrangians/constrained_input.hpp"
 #include "program/systems/lagrangians/constrained_motion.hpp"
 #include "program/systems/lagrangians/instruments.hpp"
 #include "program/systems/lagrangians/motion.hpp"
@@ -79,7 +80,8 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
                                           : kahan_li<double>(),
           asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}),
           choice.name,
-          scene.constraints};
+          scene.constraints,
+          !scene.constraints || !constraints_move(scene)};
 }
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
