@@ -6,10 +6,12 @@
 
 #include "caught.hpp"
 #include "own_system.hpp"
+#include "saved_numbers.hpp"
 
 using namespace actio;
 using namespace actio::systems;
 using testing::message_of;
+using testing::Saved;
 
 namespace {
 
@@ -82,31 +84,6 @@ void configurations_follow(System const& system, List const& v, List const& a, S
     BOOST_TEST(vector_change <= room * vector_before.norm());
   }
 }
-
-/// Saves numbers, and reads them back.
-struct Saved {
-  List numbers;
-  std::size_t at = 0;
-  bool reading = false;
-
-  template <class... All>
-  void operator()(All&... all) {
-    (each(all), ...);
-  }
-
- private:
-  template <class T>
-  void each(T& x) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      if (reading)
-        x = static_cast<T>(numbers[at++]);
-      else
-        numbers.push_back(static_cast<double>(x));
-    } else {
-      for (auto& entry : x) each(entry);
-    }
-  }
-};
 
 }  // namespace
 

@@ -175,6 +175,8 @@ BOOST_AUTO_TEST_CASE(words_that_are_allowed_are_those_that_are_taken) {
         values[key["key"]] = has(key["expects"], "list") ? "[" + quoted + "]" : number ? text : quoted;
         // A format of snapshots, where there are snapshots.
         if (text == "netcdf" || text == "vtu") values["output.snapshots"] = "[]";
+        // Reactions are of constraints.
+        if (text == "reaction" || text == "constraint") values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
         // A layer has a radius.
         if (text == "quasi_geostrophic") values["system.deformation"] = "0.3";
         auto const outcome = actio({"run", folder.write("scene.toml", scene_of(values)), "--dry-run"});

@@ -229,8 +229,20 @@ BOOST_AUTO_TEST_CASE(no_derivative_is_taken_of_a_kink) {
   std::vector<double> work, y(2);
   with_gradient(tape("abs(X)*Y^2 + (X < 0 ? 3 : 4)"), {1})(point.data(), y.data(), work);
   BOOST_TEST((y[0] == 53 && y[1] == 20));
+  // Beside a kink dual numbers have the derivative that is there, and on it that of one side.
+  auto const rate_at = [](std::string const& text, double x) {
+    Dual<double> moved(x);
+    moved.part[0] = 1;
+    return evaluate(text, moved).part[0];
+  };
+  BOOST_TEST(rate_at("abs(X)", -0.5) == -1);
+  BOOST_TEST(rate_at("X*abs(X)", -0.5) == 1);
+  BOOST_TEST(rate_at("max(X, X^2)", 0.5) == 1);
+  BOOST_TEST(rate_at("min(X, X^2)", 0.5) == 1);
+  BOOST_TEST(rate_at("X < 1 ? 3*X : X", 0.5) == 3);
+  BOOST_TEST(rate_at("floor(X) + sign(X)", 0.5) == 0);
+  BOOST_TEST(std::abs(rate_at("abs(X)", 0)) == 1);
   // Numbers of no other kind have values.
-  CHECK_REFUSED(evaluate("abs(X)", Dual<double>(0.5)), Error);
   CHECK_REFUSED(evaluate("floor(X)", ValueRange(-1, 1)), Error);
   WithArithmetic const digits(Arithmetic::decimal(50));
   CHECK_REFUSED(evaluate("min(X, 2)", Number(3)), Error);

@@ -178,4 +178,12 @@ BOOST_AUTO_TEST_CASE(a_body_on_a_belt_that_speeds_up_is_pulled_by_its_mass_times
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_body_at_rest_on_a_belt_that_starts_is_carried_along) {
+  // The velocity at the start says nothing of the size of that of the belt.
+  Constrained const system("R^2", "x1^2/2 + x2^2/2", {"x1 - t"});
+  auto run = system.run(0.25, {1}, system.state({0, 0}));
+  for (int k = 0; k < 8; ++k) run.step();
+  BOOST_TEST(std::abs(run.state().velocity[0] - 2) < 16 * 0x1p-52);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

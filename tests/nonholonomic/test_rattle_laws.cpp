@@ -5,6 +5,7 @@
 
 #include "actio/reduction/composition.hpp"
 #include "rolling_systems.hpp"
+#include "saved_numbers.hpp"
 
 using namespace actio;
 using namespace actio::systems;
@@ -146,6 +147,31 @@ BOOST_AUTO_TEST_CASE(a_velocity_is_moved_on_the_constraints_as_by_a_blow) {
   BOOST_TEST(system.energy(after) < legendre.energy(before, direction(ball.up)));
   // A velocity that obeys them is left as it is.
   BOOST_TEST(apart(system.state(ball.velocity(), direction(ball.up)).velocity, ball.velocity()) < 16 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_read_back_goes_on_digit_by_digit) {
+  auto const system = uneven(Side::left, Chart::exponential);
+  auto const start =
+      constrained_state(*system.system, *system.constraints, uneven_velocity, uneven_vector, 0, 10);
+  auto const fresh = [&](double time) {
+    auto run = system.run(0.05, symmetric_composition<double>(4), start, time);
+    run.follow_configuration(Eigen::MatrixXd::Identity(4, 4));
+    return run;
+  };
+  for (int const until : {0, 5, 70}) {
+    auto run = fresh(0.25), other = fresh(0);
+    for (int k = 0; k < until; ++k) run.step();
+    Saved saved;
+    run.remember(saved);
+    saved.reading = true;
+    other.remember(saved);
+    BOOST_TEST(saved.at == saved.numbers.size());
+    for (int k = 0; k < 20; ++k) run.step(), other.step();
+    BOOST_TEST((run.point().momentum == other.point().momentum), until);
+    BOOST_TEST((run.point().vectors == other.point().vectors), until);
+    BOOST_TEST((run.configuration() == other.configuration()), until);
+    BOOST_TEST(run.time() == other.time(), until);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_tangent_of_a_step_is_that_of_differences) {

@@ -432,6 +432,22 @@ class Systems(unittest.TestCase):
         self.assertEqual(scene["system"]["algebra"], basis)
         self.assertNotIn("group", scene["system"])
 
+    def test_constraints_are_functions_or_texts(self):
+        made = actio.System(
+            "SE(2)",
+            lambda v: (v.v1**2 + (v.v2 + v.w / 2) ** 2 + 0.75 * v.w**2) / 2,
+            constraints=lambda velocity: [velocity.v2],
+        )
+        self.assertEqual(made.constraints, ["v2"])
+        self.assertEqual(actio.System("SE(2)", "w^2", constraints=["v2 - t"]).constraints, ["v2 - t"])
+        free = actio.System("SE(2)", "w^2").scene(velocity=[1, 2, 3], until=1)
+        self.assertNotIn("constraints", free["system"])
+        # Chaplygin's sleigh: w = sech(t/2), and m (a w' + v1 w) across the blade.
+        run = made.run(velocity=[1, 0, 0], until=4, order=4, step=0.05, quantities=["velocity", "reaction"])
+        w, v = 1 / math.cosh(2), math.tanh(2)
+        for found, true in zip(run.table[-1][1:], [w, v, 0, 0.75 * v * w]):
+            self.assertAlmostEqual(found, true, delta=1e-6)
+
     def test_wrong_arguments_are_refused(self):
         for wrong, kind, pattern in [
             ({"side": "up"}, ValueError, "side: 'left' or 'right' is expected, found 'up'"),

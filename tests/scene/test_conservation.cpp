@@ -200,8 +200,10 @@ std::vector<Featured> lagrangians() {
     add({force}, "", "force = [\"0.1*cos(t)\", \"-0.1*w2\", \"0.1\"]\n");
     add({damping}, "", "dissipation = { kind = \"conformal\", rate = 0.05 }\n");
     add({friction_on_the_orbit}, "", "dissipation = { kind = \"orbit\", rate = 0.1 }\n");
-    add({constraint_on_velocity}, "", "constraints = [\"0.7*w1 - 0.3*w2\"]\n");
-    add({moving_constraint, constraint_on_velocity}, "", "constraints = [\"w1 - 0.3*cos(t)\"]\n");
+    std::string const up = "advected = { up = [0, 0.6, 0.8] }\n";
+    add({constraint_on_velocity}, "", up + "constraints = [\"w1 + w2 - 2*w3\"]\n");
+    add({moving_constraint, constraint_on_velocity}, "",
+        up + "constraints = [\"w1 + w2 - 2*w3 + 0.3*sin(t)\"]\n");
   }
   return out;
 }

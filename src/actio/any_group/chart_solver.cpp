@@ -98,7 +98,7 @@ void ChartSolver::newton(ReducedPoint const& start) {
   if (regular_ <= 0x1p-50)
     throw Singular("natural chart", "the Lagrangian must be regular for this step; condition", regular_,
                    0x1p-50);
-  throw NotConverged("natural chart", sizes, ChordIteration::tolerance);
+  throw NotConverged("natural chart", sizes, StepIteration::tolerance);
 }
 
 }  // namespace actio::systems

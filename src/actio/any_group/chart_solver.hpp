@@ -9,10 +9,10 @@
 #include <Eigen/Core>
 
 #include "actio/any_group/chart_step.hpp"
-#include "actio/any_group/chord_iteration.hpp"
 #include "actio/any_group/eigenvalues_of.hpp"
 #include "actio/any_group/legendre_velocity.hpp"
 #include "actio/any_group/solution_history.hpp"
+#include "actio/any_group/step_iteration.hpp"
 
 namespace actio::systems {
 
@@ -92,7 +92,7 @@ class ChartSolver {
   ChartStep<double> step_;
   ChartStep<Moved<double>> moved_;
   LegendreVelocity legendre_;
-  ChordIteration iteration_;
+  StepIteration iteration_;
   SolutionHistory history_;
   long evaluations_ = 0;
   double regular_ = 1;

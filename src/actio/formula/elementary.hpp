@@ -136,7 +136,9 @@ Dual<S, N> elementary(Operation operation, Dual<S, N> const& x);
 /// A function of one number, applied to a power series or the like.
 template <class S>
   requires(!Plain<S>)
-S elementary(Operation operation, S const& x) { return detail::function_of_six(operation, x); }
+S elementary(Operation operation, S const& x) {
+  return detail::function_of_six(operation, x);
+}
 
 /// \f$x^c\f$ with a constant c, of plain numbers.
 template <Plain S>
@@ -227,7 +229,9 @@ S half_turn() {
 
 /// A whole number beside a scalar.
 template <Scalar S>
-S whole_beside(S const&, int n) { return S(n); }
+S whole_beside(S const&, int n) {
+  return S(n);
+}
 
 /// The derivative of a function of one number at x, where its value is f.
 /// @tparam T  a scalar, or a term of a tape
@@ -270,14 +274,9 @@ T slope(Operation operation, T const& x, T const& f) {
       return 1 / elementary(Operation::sqrt, T((x - 1) * (x + 1)));
     case Operation::atanh:
       return 1 / ((1 - x) * (1 + x));
-    case Operation::abs:
-      return elementary(Operation::sign, x);
-    case Operation::sign:
-    case Operation::floor:
-    case Operation::ceil:
-    case Operation::round:
-      return 0 * x;
     default:
+      // Over double a kink has the derivative of one of its sides; a tape records none.
+      if constexpr (std::same_as<T, double>) return operation == Operation::abs ? (x < 0 ? -1 : 1) : 0;
       detail::refuse_kinks(operation);
   }
 }

@@ -83,7 +83,7 @@ double ConservingSolver::evaluate(ReducedPoint const& start, double t) {
       for (std::size_t k = 0; k + d < n; ++k) r -= step_.constraint.rows[k * d + i] * x[d + k];
       scale = 2 * std::abs(start.momentum[i]) + (2 + step_.work_terms) * std::abs(step_.momentum[i]);
     } else {
-      r = step_.constraint.values[i - d];
+      r = step_.constraint.values[i - d], scale = std::abs(r);
     }
     iteration_.residual[i] = r;
     if (!(r - r == 0)) return HUGE_VAL;
@@ -139,7 +139,7 @@ void ConservingSolver::newton(ReducedPoint const& start, double t) {
   if (regular_ <= 0x1p-50)
     throw Singular("steps that conserve the energy",
                    "the constraints must be regular for this step; condition", regular_, 0x1p-50);
-  throw NotConverged("steps that conserve the energy", sizes, ChordIteration::tolerance);
+  throw NotConverged("steps that conserve the energy", sizes, StepIteration::tolerance);
 }
 
 }  // namespace actio::systems

@@ -47,7 +47,7 @@ class ConservingSolver {
   ConservingStep<double> step_;
   ConservingStep<Moved<double>> moved_;
   ConstrainedVelocity projection_;
-  ChordIteration iteration_;
+  StepIteration iteration_;
   SolutionHistory history_;
   std::vector<double> v_, multipliers_;  // as they were evaluated last
   long evaluations_ = 0;

@@ -67,7 +67,7 @@ double ConstrainedVelocity::residual(std::vector<double> const& p, std::vector<d
       for (Index k = 0; k < m; ++k) sum += matrix_(i, d + k) * lambda[at(k)];
       for (Index k = 0; k < m; ++k) scale += std::abs(matrix_(i, d + k) * lambda[at(k)]);
     } else {
-      sum = at_.values[at(i - d)];
+      sum = at_.values[at(i - d)], scale = std::abs(sum);
     }
     for (Index j = 0; j < d; ++j) scale += std::abs(matrix_(i, j) * v[at(j)]);
     residual_[i] = sum;

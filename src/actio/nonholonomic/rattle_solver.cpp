@@ -51,7 +51,7 @@ double RattleSolver::evaluate(ReducedPoint const& start, double t) {
       for (std::size_t k = 0; k + d < n; ++k) r -= start_.rows[k * d + i] * x[d + k];
       scale = std::abs(start.momentum[i]) + std::abs(step_.momenta.before[i]) + step_.momenta.sizes[i];
     } else {
-      r = step_.middle.values[i - d];
+      r = step_.middle.values[i - d], scale = std::abs(r);
     }
     iteration_.residual[i] = r;
     if (!(r - r == 0)) return HUGE_VAL;
@@ -111,7 +111,7 @@ void RattleSolver::newton(ReducedPoint const& start, double t) {
   if (regular_ <= 0x1p-50)
     throw Singular("rattle", "Lagrangian and constraints must be regular for this step; condition", regular_,
                    0x1p-50);
-  throw NotConverged("rattle", sizes, ChordIteration::tolerance);
+  throw NotConverged("rattle", sizes, StepIteration::tolerance);
 }
 
 }  // namespace actio::systems

@@ -53,7 +53,7 @@ class RattleSolver {
   RattleStep<Moved<double>> moved_;
   ConstraintValues<double> start_;
   ConstrainedVelocity projection_;
-  ChordIteration iteration_;
+  StepIteration iteration_;
   SolutionHistory history_;
   std::vector<double> v_;
   long evaluations_ = 0;

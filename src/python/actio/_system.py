@@ -123,14 +123,14 @@ class System:
     parameters: numbers by name, which a scene can change.
     advected: vectors by name which the inverse of the motion carries, a = g^-1 c (left) or a = g c (right),
         with their values where g is the identity.
-
     force: a covector in the components of the velocity, whose power is the sum of their products: a mapping
         or a list of formulas; or a function of some of `velocity`, `momentum`, `advected`, `time`,
         `parameters` and `inputs`, by these names, that returns a list or a mapping of numbers. It need not
         be smooth: abs, numpy.sign, numpy.minimum and the like are there.
     constraints: what vanishes along the motion by the principle of Lagrange and d'Alembert, linear in the
         velocity: a list of formulas, or a function of some of `velocity`, `advected`, `time` and
-        `parameters`, by these names, that returns a list of numbers.
+        `parameters`, by these names, that returns a list of numbers. The velocity at the start obeys them,
+        or the scene has `initial.project = True`.
     inputs: numbers by name that the force is given as functions of time, each held over a step: a formula of
         t, "20*(t < 5)", or rows of a time and the value from then on, [[0, 20], [5, 0]].
 

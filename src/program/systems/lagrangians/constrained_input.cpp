@@ -18,7 +18,7 @@ struct ConstraintKeys : KeyTable {
           "What vanishes along the motion, by the principle of Lagrange and d'Alembert: formulas in the "
           "components of the velocity, linear in them, in parameters, components of carried vectors and the "
           "time t. A blade that does not slip, a ball that rolls.",
-          "[\"v2\"]");
+          "[\"v2 - 0.2*v1\"]");
 } const keys{{"system"}};
 
 struct ConstrainedStartKeys : KeyTable {
@@ -80,7 +80,7 @@ void constrain(SceneFile const& file, std::vector<Tape> const& each, ReducedScen
   } catch (Error const& error) {
     keys.constraints.fail(system, error.what());
   }
-  if (state.moved > 0)
+  if (state.moved > 1e-12)
     remarks.push_back(fmt::format(
         "velocity: it broke the constraints by {:.2g} of their terms, and was moved on them", state.moved));
   scene.velocity = state.velocity, scene.start = state.point;

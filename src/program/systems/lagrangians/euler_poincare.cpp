@@ -7,6 +7,7 @@
 #include "program/registry/common_keys.hpp"
 #include "program/registry/companion.hpp"
 #include "program/systems/lagrangians/casimirs.hpp"
+#include "program/systems/lagrangians/constrained_input.hpp"
 #include "program/systems/lagrangians/constrained_motion.hpp"
 #include "program/systems/lagrangians/force_input.hpp"
 #include "program/systems/lagrangians/instruments.hpp"
@@ -86,7 +87,8 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
           asked(request, {"configuration", "impulse", "momentum_balance",
                           left ? "spatial_momentum" : "body_momentum"}),
           choice.name,
-          scene.constraints};
+          scene.constraints,
+          !scene.constraints || !constraints_move(scene)};
 }
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.

@@ -40,6 +40,7 @@ struct ReducedScheme {
   std::string name = "natural chart";  ///< of the method, for messages
   /// of the velocity; null where there are none
   std::shared_ptr<systems::VelocityConstraints const> constraints = nullptr;
+  bool keeps_energy = true;  ///< whether the motion does
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made

@@ -16,12 +16,12 @@ namespace actio::systems {
 ///
 /// `evaluate()` sets the residual at the unknowns and returns its size, infinite where there is none;
 /// `differentiate()` hands the derivative to \ref set_derivative, and returns false where it has no inverse.
-class ChordIteration {
+class StepIteration {
  public:
   static constexpr double tolerance = 16 * 0x1p-52;  ///< of the size of the residual
 
   /// For so many unknowns.
-  explicit ChordIteration(std::size_t unknowns)
+  explicit StepIteration(std::size_t unknowns)
       : unknowns(unknowns),
         residual(unknowns),
         moduli(unknowns * unknowns),
@@ -68,7 +68,7 @@ class ChordIteration {
 };
 
 template <class Evaluate, class Differentiate>
-bool ChordIteration::chord(Evaluate const& evaluate, Differentiate const& differentiate) {
+bool StepIteration::chord(Evaluate const& evaluate, Differentiate const& differentiate) {
   bool fresh = !known_;
   if (fresh && !differentiate()) return false;
   known_ = true;
@@ -96,8 +96,8 @@ bool ChordIteration::chord(Evaluate const& evaluate, Differentiate const& differ
 }
 
 template <class Evaluate, class Differentiate>
-bool ChordIteration::newton(Evaluate const& evaluate, Differentiate const& differentiate,
-                            std::vector<double>& sizes) {
+bool StepIteration::newton(Evaluate const& evaluate, Differentiate const& differentiate,
+                           std::vector<double>& sizes) {
   if (!differentiate()) return false;
   double size = evaluate();
   for (int iteration = 0; iteration < 60 && size < HUGE_VAL; ++iteration) {

@@ -1,11 +1,11 @@
 #include <Eigen/Core>
 
-#include "actio/any_group/chord_iteration.hpp"
+#include "actio/any_group/step_iteration.hpp"
 
 namespace actio::systems {
 
-void ChordIteration::set_derivative(Eigen::MatrixXd const& derivative, Eigen::MatrixXd const& inverse_of_it,
-                                    Eigen::VectorXd const& units) {
+void StepIteration::set_derivative(Eigen::MatrixXd const& derivative, Eigen::MatrixXd const& inverse_of_it,
+                                   Eigen::VectorXd const& units) {
   auto const n = derivative.rows();
   using Rows = Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>;
   Rows(moduli.data(), n, n) = derivative.cwiseAbs();
@@ -13,7 +13,7 @@ void ChordIteration::set_derivative(Eigen::MatrixXd const& derivative, Eigen::Ma
   for (Eigen::Index i = 0; i < n; ++i) weights_[static_cast<std::size_t>(i)] = 1 / (units[i] * units[i]);
 }
 
-void ChordIteration::find_update() {
+void StepIteration::find_update() {
   auto const d = unknowns.size();
   for (std::size_t i = 0; i < d; ++i) {
     double sum = 0;

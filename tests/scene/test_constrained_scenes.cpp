@@ -1,0 +1,132 @@
+// Scenes with constraints on the velocity: against closed forms, and refused where they are wrong.
+#include <Eigen/Core>
+
+#include <boost/test/unit_test.hpp>
+
+#include "last_row.hpp"
+#include "program/systems/lagrangians/constrained_input.hpp"
+#include "refusal.hpp"
+
+using namespace actio::scene;
+
+namespace {
+
+/// Chaplygin's sleigh: w = sech(t/2), v1 = tanh(t/2); with a line for another.
+std::string sleigh(std::string const& line = "", std::string const& instead = "") {
+  std::string text =
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\n"
+      "lagrangian = \"(v1^2 + (v2 + w/2)^2 + c*w^2)/2\"\nconstraints = [\"v2\"]\nparameters = { c = 0.75 }\n"
+      "[initial]\nvelocity = [1, 0, 0]\n[method]\nname = \"natural_chart\"\norder = 4\nstep = 0.05\n[run]\n"
+      "until = 4\n[output]\nquantities = [\"velocity\", \"reaction\", \"constraint\", \"energy\"]\n";
+  if (line.empty()) return text;
+  auto const at = text.find(line);
+  BOOST_REQUIRE(at != std::string::npos);
+  return text.replace(at, line.size(), instead);
+}
+void check_refused(std::string const& line, std::string const& instead, std::string const& says) {
+  check_said(refusal(sleigh(line, instead), "sleigh.toml"), says);
+}
+bool moves(std::string const& constraint) {
+  std::vector<std::string> remarks;
+  std::string const lines =
+      "constraints = [\"" + constraint + "\"]" +
+      (constraint.find("a1") < constraint.size() ? "\nadvected = { a = [1, 2, 1] }" : "");
+  auto const file = SceneFile::parse(sleigh("constraints = [\"v2\"]", lines), "sleigh.toml");
+  return constraints_move(read_reduced_scene(file, remarks));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(constrained_scenes)
+
+BOOST_AUTO_TEST_CASE(a_sleigh_goes_as_its_closed_form) {
+  for (char const* const method : {"natural_chart", "cayley_chart"}) {
+    auto const row = last_row(sleigh("natural_chart", method));
+    double const w = 1 / std::cosh(2.0), v = std::tanh(2.0);
+    BOOST_REQUIRE_EQUAL(row.size(), 6u);
+    // Order 4 with steps of a fortieth of the turn: 2e-8.
+    BOOST_TEST(std::abs(row[0] - w) < 1e-7);
+    BOOST_TEST(std::abs(row[1] - v) < 1e-7);
+    BOOST_TEST(std::abs(row[2]) < 1e-15);
+    // m (a w' + v1 w) across the blade, with w' = -v1 w/2.
+    BOOST_TEST(std::abs(row[3] - 0.75 * v * w) < 1e-6);
+    BOOST_TEST(std::abs(row[4]) < 1e-15);
+    BOOST_TEST(std::abs(row[5] - 0.5) < 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(constraints_may_depend_on_the_time) {
+  // A belt whose speed grows with the time carries a body along: the force is its mass.
+  auto const row = last_row(
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"R^2\"\nlagrangian = \"3*(x1^2 + x2^2)/2\"\n"
+      "constraints = [\"x1 - t\"]\n[initial]\nvelocity = [0, 1]\n[method]\nstep = 0.25\n[run]\nuntil = 2\n"
+      "at = [0, 0.5, 2]\n[output]\nquantities = [\"velocity\", \"reaction\"]\n");
+  BOOST_TEST(std::abs(row[0] - 2) < 1e-14);
+  BOOST_TEST(row[1] == 1);
+  BOOST_TEST(std::abs(row[2] - 3) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(a_body_at_rest_may_be_carried_off) {
+  // All of its energy comes from the constraint.
+  auto const row = last_row(
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"R^2\"\nlagrangian = \"(x1^2 + x2^2)/2\"\n"
+      "constraints = [\"x1 - sin(t)\"]\n[initial]\nvelocity = [0, 0]\n[method]\nstep = 0.125\n[run]\n"
+      "until = 1\n[output]\nquantities = [\"velocity\", \"energy\"]\n");
+  BOOST_TEST(std::abs(row[0] - std::sin(1.0)) < 1e-14);
+  BOOST_TEST(std::abs(row[2] - std::sin(1.0) * std::sin(1.0) / 2) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(a_velocity_is_moved_on_the_constraints_where_the_scene_says_so) {
+  check_refused("velocity = [1, 0, 0]", "velocity = [1, 0, 0.5]",
+                "it breaks system.constraints by 1 of their terms, and at most 1e-06 is allowed");
+  // Across the blade v2 = 0.5 is lost; the momentum about the blade is w/4 + c w + v2/2 = w.
+  auto const scene = Scene::read(SceneFile::parse(
+      sleigh("velocity = [1, 0, 0]", "velocity = [1, 0, 0.5]\nproject = true"), "sleigh.toml"));
+  BOOST_TEST(scene.simulation.failure.empty());
+  BOOST_REQUIRE_EQUAL(scene.simulation.remarks.size(), 1u);
+  check_said(scene.simulation.remarks[0], "and was moved on them");
+}
+
+BOOST_AUTO_TEST_CASE(energy_is_conserved_unless_a_constraint_moves) {
+  BOOST_TEST(!moves("v2"));
+  BOOST_TEST(!moves("v2 + a1*w*0 - a1*v2/4"));
+  BOOST_TEST(moves("v2 + (a1 - 1)/4"));
+  BOOST_TEST(moves("v2 - t"));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_constraint_is_refused) {
+  check_refused("[\"v2\"]", "[]", "constraints: at least one formula is expected");
+  check_refused("[\"v2\"]", "[\"v2^2\"]", "it must be linear in the velocity as it is written");
+  check_refused("[\"v2\"]", "[\"t\"]", "the velocity must occur in it");
+  check_refused("[\"v2\"]", "[\"v3\"]", "v3");
+  check_refused("[\"v2\"]", "[\"v1\", \"2*v1\"]", "velocity constraint 2: its row must be independent");
+  check_refused("[\"v2\"]", "[\"v1\", \"v2\", \"w\"]", "for a motion to be left");
+  check_refused("{ c = 0.75 }", "{ c = 0.75, t = 1 }", "in system.constraints it is the time");
+  check_refused("{ c = 0.75 }", "{ c = 0.75, unused = 1 }", "unused");
+  check_refused("\"natural_chart\"\norder = 4", "\"galerkin\"\norder = 4",
+                "it takes no constraints on the velocity");
+  check_refused("\"energy\"", "\"symplectic_defect\"", "leave no bracket and no two-form");
+  check_refused("constraints = [\"v2\"]\n", "",
+                "reaction: it is a quantity of systems with system.constraints");
+}
+
+BOOST_AUTO_TEST_CASE(a_step_is_chosen_for_what_swings_under_the_constraints) {
+  // A ball of radius 1 that rocks on a plane with its centre of mass 0.5 below its centre: about the contact
+  // it swings at the root of g s/(I + (1 - s)^2) = 70/s with g = 3000, and nothing turns at the start.
+  auto const scene = Scene::read(SceneFile::parse(
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(3)\"\n"
+      "lagrangian = \"(0.056*(w1^2 + w2^2 + w3^2) + v1^2 + v2^2 + v3^2)/2 - 3000*(1 - 0.5*u3)\"\n"
+      "constraints = [\"v1 + w2*(0.5 - u3) + w3*u2\", \"v2 - w3*u1 - w1*(0.5 - u3)\", "
+      "\"v3 - w1*u2 + w2*u1\"]\nadvected = { u = [0, 0.001, 1] }\n"
+      "[initial]\nvelocity = [0, 0, 0, 0, 0, 0]\n"
+      "[run]\nuntil = 1\n[output]\nquantities = [\"velocity\"]\n",
+      "ball.toml"));
+  BOOST_TEST(scene.simulation.failure.empty());
+  double const rate = std::sqrt(3000 * 0.5 / (0.056 + 0.25));
+  BOOST_TEST_MESSAGE("rocking ball: step " << scene.simulation.step << ", " << scene.simulation.step * rate
+                                           << " of a radian");
+  BOOST_TEST(scene.simulation.step * rate < 0.06);
+  BOOST_TEST(scene.simulation.step * rate > 0.02);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
