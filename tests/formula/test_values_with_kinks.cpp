@@ -28,10 +28,11 @@ double value(std::string const& text, std::vector<double> const& point = {0, 0, 
 }
 /// A formula in X alone over any scalar.
 template <class S>
-void evaluate(std::string const& text, S const& x) {
+S evaluate(std::string const& text, S const& x) {
   std::vector<S> work;
   S y;
   parse_formula(text, {"X"}, {}, for_values)(&x, &y, work);
+  return y;
 }
 /// What is wrong with a text, behind its place.
 std::string complaint(std::string const& text, FormulaUse use = for_values) {
