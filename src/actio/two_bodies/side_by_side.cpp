@@ -40,7 +40,7 @@ struct SideBySide {
   static std::size_t together(Pairs pairs) {
     auto const& a = pairs[0];
     auto const& of_a = a.options_.method;
-    if (a.force_.index() > 1 || of_a.rotor != Rotor::exact || a.third_ || a.tides_) return 1;
+    if (best_registers() == Registers::plain || a.force_.index() > 1 || of_a.rotor != Rotor::exact || a.third_ || a.tides_) return 1;
     std::size_t const lanes = best_registers() == Registers::avx512 ? 8 : 4;
     std::size_t size = 1;
     for (; size < std::min(lanes, pairs.size()); ++size) {
@@ -105,8 +105,6 @@ struct SideBySide {
                                                  state, terms_1, terms_2};
       if constexpr (C::lanes == 8)
         actio::detail::run_with_avx512(kernel);
-      else if (best_registers() == Registers::plain)
-        actio::detail::run_with_plain(kernel);
       else
         actio::detail::run_with_avx2(kernel);
       state = kernel.state, terms_1 = kernel.terms_1, terms_2 = kernel.terms_2;
