@@ -42,8 +42,8 @@ template <class Mask>
 template <int n>
 struct Batch {
   using Vector = typename detail::VectorOf<n>::Double;  ///< what the compiler calls them
-  using Bits = typename detail::VectorOf<n>::Integer;   ///< the same registers as integers, and truth by lanes
-  static constexpr int lanes = n;                       ///< their number
+  using Bits = typename detail::VectorOf<n>::Integer;  ///< the same registers as integers, and truth by lanes
+  static constexpr int lanes = n;                      ///< their number
 
   alignas(8 * n) Vector lane;  ///< the numbers
 

@@ -10,8 +10,8 @@ namespace actio {
 /// Values and rates of change along one direction each. A batch or a double beside it is a constant.
 template <int n>
 struct Dual<Batch<n>, 1> {
-  using B = Batch<n>;     ///< the numbers of all lanes
-  B value{};              ///< the numbers themselves
+  using B = Batch<n>;       ///< the numbers of all lanes
+  B value{};                ///< the numbers themselves
   std::array<B, 1> part{};  ///< their rates
 
   Dual() = default;

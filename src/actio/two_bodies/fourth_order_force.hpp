@@ -90,7 +90,8 @@ class FourthOrderForce {
   using Series = detail::Harmonic<n, C>;
 
   /// The degrees 2, 3 and 4 of a series modulo \f$|s|^2\f$, times a unit.
-  static void take(Polynomial<double> series, double unit, Series<2>& two, Series<3>& three, Series<4>& four) {
+  static void take(Polynomial<double> series, double unit, Series<2>& two, Series<3>& three,
+                   Series<4>& four) {
     for (int n = 2; n <= 4; ++n)
       for (int l = n; l >= 2; --l)
         for (int j = 0; j <= n - l; ++j) {

@@ -40,7 +40,8 @@ template <Real S>
   // A quarter of x, until the series is short; then back by doubling the argument.
   int halves = 0;
   constexpr bool fast = OfDoubles<S>;
-  while (!(magnitude(base_value(x)) <= Base<S>(fast ? 0.1 : 0.5)) && halves < 600) x = x * Base<S>(0.25), ++halves;
+  while (!(magnitude(base_value(x)) <= Base<S>(fast ? 0.1 : 0.5)) && halves < 600)
+    x = x * Base<S>(0.25), ++halves;
   S c2, c3;
   if constexpr (fast) {
     // What is left out is below a fifth of the rounding.
@@ -178,9 +179,9 @@ template <Real S>
   using B = Base<S>;
   S rest = t;
   if constexpr (!is_batch<B>)
-  if (base_value(beta) > B(0) && base_value(t * t * beta * beta * beta) > base_value(S(mu * mu)) * B(39))
-      [[unlikely]]
-    rest = detail::without_whole_periods<S>(t, beta, mu);
+    if (base_value(beta) > B(0) && base_value(t * t * beta * beta * beta) > base_value(S(mu * mu)) * B(39))
+        [[unlikely]]
+      rest = detail::without_whole_periods<S>(t, beta, mu);
   detail::TimeEquation<B> const equation{base_value(r0), base_value(eta), base_value(beta), base_value(zeta),
                                          base_value(rest)};
   auto const [s, last] = equation.solution();

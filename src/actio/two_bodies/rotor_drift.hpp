@@ -127,8 +127,7 @@ template <class T>
         return {short_one.change, detail::less_one(short_one.turn)};
     }
     auto const longer = short_motion<8, T>(StepTable<8, Base<T>>::get(), body, p);
-    terms =
-        longer.reach.turn <= T(short_reach<5> / 2) && longer.reach.twist <= T(short_twist<5> / 2) ? 5 : 8;
+    terms = longer.reach.turn <= T(short_reach<5> / 2) && longer.reach.twist <= T(short_twist<5> / 2) ? 5 : 8;
     if (all_within<8>(longer.reach)) return {longer.change, detail::less_one(longer.turn)};
   }
   return detail::long_rotor<T>(body, p);

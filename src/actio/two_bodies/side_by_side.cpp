@@ -40,7 +40,9 @@ struct SideBySide {
   static std::size_t together(Pairs pairs) {
     auto const& a = pairs[0];
     auto const& of_a = a.options_.method;
-    if (best_registers() == Registers::plain || a.force_.index() > 1 || of_a.rotor != Rotor::exact || a.third_ || a.tides_) return 1;
+    if (best_registers() == Registers::plain || a.force_.index() > 1 || of_a.rotor != Rotor::exact ||
+        a.third_ || a.tides_)
+      return 1;
     std::size_t const lanes = best_registers() == Registers::avx512 ? 8 : 4;
     std::size_t size = 1;
     for (; size < std::min(lanes, pairs.size()); ++size) {
@@ -58,8 +60,8 @@ struct SideBySide {
   /// @tparam T  a batch, or dual numbers over one
   template <int order, class T>
   struct Group {
-    using C = Base<T>;                                                         ///< the batch
-    using One = std::conditional_t<is_dual<T>, Dual<double>, double>;          ///< what a lane holds
+    using C = Base<T>;                                                 ///< the batch
+    using One = std::conditional_t<is_dual<T>, Dual<double>, double>;  ///< what a lane holds
     template <class S>
     using ForceOf = std::conditional_t<order == 2, SecondOrderForce<S>, FourthOrderForce<true, S>>;
 
@@ -99,10 +101,20 @@ struct SideBySide {
     bool step(long from, long count) {
       auto const& method = model.options_.method;
       double const h = model.options_.step;
-      PairSteps<T, AtAnyTime<ForceOf<C>>> kernel{setting, method.kepler, false, stages,
+      PairSteps<T, AtAnyTime<ForceOf<C>>> kernel{setting,
+                                                 method.kepler,
+                                                 false,
+                                                 stages,
                                                  method.splitting.kicks.front() * h,
-                                                 method.splitting.kicks.back() * h, force, h, 0, from, count,
-                                                 state, terms_1, terms_2};
+                                                 method.splitting.kicks.back() * h,
+                                                 force,
+                                                 h,
+                                                 0,
+                                                 from,
+                                                 count,
+                                                 state,
+                                                 terms_1,
+                                                 terms_2};
       if constexpr (C::lanes == 8)
         actio::detail::run_with_avx512(kernel);
       else

@@ -16,10 +16,10 @@ namespace actio::bodies {
 /// So many steps of each pair, as TwoBodies::step, to rounding.
 ///
 /// Pairs that follow each other in the list and have the same options move together: up to eight with
-/// AVX-512, up to four with AVX2. The order must be 2, or 4 with bodies that are symmetric about three planes,
-/// as ellipsoids are; rotors must be exact, without a third body and tides. All others move one by one. Where
-/// a rotor turns too far for the series of short_step.hpp, or an orbit passes near the centre, the batch takes
-/// that drift lane by lane.
+/// AVX-512, up to four with AVX2. The order must be 2, or 4 with bodies that are symmetric about three
+/// planes, as ellipsoids are; rotors must be exact, without a third body and tides. All others move one by
+/// one. Where a rotor turns too far for the series of short_step.hpp, or an orbit passes near the centre, the
+/// batch takes that drift lane by lane.
 /// @return  the indices of the pairs that could not move, for which `pairs[k].step(count)` throws and says
 ///          why. They are as they were before
 /// @throws OutsideDomain  where the count is negative

@@ -17,9 +17,20 @@ PairState<Dual<double>> TwoBodies::moved(PairState<Dual<double>> const& from, lo
   double const h = options_.step;
   auto const run = [&](auto const& force) {
     detail::InTime<D, std::decay_t<decltype(force)>> const in_time{force, third_ ? &*third_ : nullptr};
-    detail::PairSteps<D, std::decay_t<decltype(in_time)>> steps{
-        setting_, options_.method.kepler, options_.method.rotor == Rotor::moser_veselov, stages_,
-        kicks.front() * h, kicks.back() * h, in_time, h, options_.start, first, count, from, 5, 5};
+    detail::PairSteps<D, std::decay_t<decltype(in_time)>> steps{setting_,
+                                                                options_.method.kepler,
+                                                                options_.method.rotor == Rotor::moser_veselov,
+                                                                stages_,
+                                                                kicks.front() * h,
+                                                                kicks.back() * h,
+                                                                in_time,
+                                                                h,
+                                                                options_.start,
+                                                                first,
+                                                                count,
+                                                                from,
+                                                                5,
+                                                                5};
     steps();
     return steps.state;
   };

@@ -24,9 +24,7 @@ Eigen::Quaterniond quaternion(Four<double> const& q) { return {q[0], q[1], q[2],
 Four<double> four(Eigen::Quaterniond const& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 Three<double> three(Eigen::Vector3d const& v) { return {v[0], v[1], v[2]}; }
 template <class V>
-Eigen::Vector3d vector(V const& v) {
-  return {v[0], v[1], v[2]};
-}
+Eigen::Vector3d vector(V const& v) { return {v[0], v[1], v[2]}; }
 
 std::vector<PairStage<double>> stages_of(Splitting const& splitting, ExtendedBody const& first,
                                          ExtendedBody const& second, double h) {
@@ -120,11 +118,21 @@ void TwoBodies::take(long count) {
   std::visit(
       [&]<class F>(F const& force) {
         detail::InTime<double, F> const in_time{force, third_ ? &*third_ : nullptr};
-        detail::PairSteps<double, detail::InTime<double, F>> steps{setting_, options_.method.kepler,
-                                                                   options_.method.rotor == Rotor::moser_veselov,
-                                                                   stages_, kicks.front() * h, kicks.back() * h,
-                                                                   in_time, h, options_.start, steps_, count,
-                                                                   state_, terms_1_, terms_2_};
+        detail::PairSteps<double, detail::InTime<double, F>> steps{
+            setting_,
+            options_.method.kepler,
+            options_.method.rotor == Rotor::moser_veselov,
+            stages_,
+            kicks.front() * h,
+            kicks.back() * h,
+            in_time,
+            h,
+            options_.start,
+            steps_,
+            count,
+            state_,
+            terms_1_,
+            terms_2_};
         run_on_best_machine(steps);
         state_ = steps.state, terms_1_ = steps.terms_1, terms_2_ = steps.terms_2;
       },

@@ -88,20 +88,18 @@ class TwoBodies {
   /// @throws OutsideDomain  where there are tides
   /// Accuracy: that of the steps; the map is symplectic to rounding.
   Eigen::Matrix<double, 18, 18> tangent_map(long count) const;
-  /// What the parts of a tangent vector are measured in, so that all count alike: length, momentum and rate of
-  /// the orbit as it is now, radians, and the largest moment of inertia times that rate.
+  /// What the parts of a tangent vector are measured in, so that all count alike: length, momentum and rate
+  /// of the orbit as it is now, radians, and the largest moment of inertia times that rate.
   PairTangent tangent_units() const;
-  /// \f$\frac1t\log|\delta(t)|/|\delta(0)|\f$ of one tangent vector over so many steps from now, 1/time, in these
-  /// units: it falls as log(t)/t where the motion is regular, and
-  /// tends to the largest Lyapunov exponent where it is chaotic.
+  /// \f$\frac1t\log|\delta(t)|/|\delta(0)|\f$ of one tangent vector over so many steps from now, 1/time, in
+  /// these units: it falls as log(t)/t where the motion is regular, and tends to the largest Lyapunov
+  /// exponent where it is chaotic.
   /// @param every  steps after which the vector is made as long as one again
   double lyapunov_exponent(long count, long every = 16) const;
 
   /// Saves, or restores, what the next step depends on besides bodies and options.
   template <class Memory>
-  void remember(Memory& memory) {
-    memory(state_, terms_1_, terms_2_, steps_);
-  }
+  void remember(Memory& memory) { memory(state_, terms_1_, terms_2_, steps_); }
 
  private:
   friend struct detail::SideBySide;

@@ -101,8 +101,8 @@ struct ShortSeries {
   /// The same polynomials with coefficients from a table, for doubles: short chains of operations, and no
   /// division.
   template <int terms>
-  [[gnu::always_inline]] static ShortSeries by_table(detail::ShortTable<terms, Base<T>> const& table, T const& X,
-                                                     T const& Y, T const& W)
+  [[gnu::always_inline]] static ShortSeries by_table(detail::ShortTable<terms, Base<T>> const& table,
+                                                     T const& X, T const& Y, T const& W)
     requires OfDoubles<T>;
 };
 
@@ -205,8 +205,8 @@ template <int count, int k = 0, class Planes, class T>
 /// The same polynomials with coefficients from a table.
 template <class T>
 template <int terms>
-[[gnu::always_inline]] inline ShortSeries<T> ShortSeries<T>::by_table(detail::ShortTable<terms, Base<T>> const& table,
-                                                                      T const& X, T const& Y, T const& W)
+[[gnu::always_inline]] inline ShortSeries<T> ShortSeries<T>::by_table(
+    detail::ShortTable<terms, Base<T>> const& table, T const& X, T const& Y, T const& W)
   requires OfDoubles<T>
 {
   detail::Powers<T> const powers(X);

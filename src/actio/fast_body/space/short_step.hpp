@@ -23,9 +23,9 @@ template <int terms, class T = double>
 struct StepTable : detail::ShortTable<terms, T> {
   static constexpr int sines = terms > 5 ? 8 : 6;   ///< terms of sine and cosine
   static constexpr int roots = terms > 5 ? 10 : 6;  ///< terms of the inverse root
-  std::array<T, sines> cosine;                 ///< of the cosine
-  std::array<T, sines> sinc;                   ///< of the sine over its argument
-  std::array<T, roots> inverse_root;           ///< of the inverse root
+  std::array<T, sines> cosine;                      ///< of the cosine
+  std::array<T, sines> sinc;                        ///< of the sine over its argument
+  std::array<T, roots> inverse_root;                ///< of the inverse root
 
   StepTable()
     requires is_batch<T>
@@ -78,9 +78,9 @@ template <int terms, class T>
 /// What a free motion over the time 2 does.
 template <class T>
 struct ShortMotion {
-  Four<T> turn;  ///< the rotation from the attitude after it to that before it, in the axes of the body
+  Four<T> turn;     ///< the rotation from the attitude after it to that before it, in the axes of the body
   Three<T> change;  ///< of the momentum
-  Reach<T> reach;           ///< whether that was a short step; if not, the others have no meaning
+  Reach<T> reach;   ///< whether that was a short step; if not, the others have no meaning
 };
 
 /// A free motion over the time 2: how much momentum and attitude change.
@@ -95,31 +95,29 @@ template <int terms, class T>
   double const tiny = 1e-140;  // so that a body at rest has a direction; its inverse has a square
   T const x = p[0] * p[0], y = p[1] * p[1], z = p[2] * p[2], pp = x + y + (z + tiny), inverse = 1.0 / pp;
   T const A = body.d12 * y + body.d13 * z, B = body.d13 * x + body.d23 * y,
-               beside = body.d12 * x - body.d23 * z;
+          beside = body.d12 * x - body.d23 * z;
   T const X = body.d12 * B + body.d23 * A, AB = A * B, Y = body.d12 * body.d23 * AB, W = AB * inverse;
   auto const s = ShortSeries<T>::template by_table<terms>(table, X, Y, W);
 
   // D_i, and the axis V.
   T const m2 = AB * s.square, rest = s.lever * (1.0 - W * s.square);
-  T const D1 = s.lever * (A - body.d12 * m2), D2 = -(s.lever * beside),
-               D3 = s.lever * (body.d23 * m2 - B);
+  T const D1 = s.lever * (A - body.d12 * m2), D2 = -(s.lever * beside), D3 = s.lever * (body.d23 * m2 - B);
   T const e1 = D2 * D3 * inverse, e2 = D3 * D1 * inverse, e3 = D1 * D2 * inverse;
   T const V1 = p[0] + (e1 * p[0] - rest * body.d23 * (p[1] * p[2])),
-               V2 = p[1] + (e2 * p[1] + rest * body.d13 * (p[2] * p[0])),
-               V3 = p[2] + (e3 * p[2] - rest * body.d12 * (p[0] * p[1]));
+          V2 = p[1] + (e2 * p[1] + rest * body.d13 * (p[2] * p[0])),
+          V3 = p[2] + (e3 * p[2] - rest * body.d12 * (p[0] * p[1]));
 
   // p.V and how far V is from p.
   T const along = 1.0 / ((pp + e1 * x) + (e2 * y + e3 * z)), w1 = V1 * along, w2 = V2 * along,
-               w3 = V3 * along;
-  T const g1 = D1 * V1, g2 = D2 * V2, g3 = D3 * V3,
-               off = (g1 * g1 + (g2 * g2 + g3 * g3)) * (along * along);
+          w3 = V3 * along;
+  T const g1 = D1 * V1, g2 = D2 * V2, g3 = D3 * V3, off = (g1 * g1 + (g2 * g2 + g3 * g3)) * (along * along);
   T const root =
       detail::power_sum<StepTable<terms>::roots>(table.inverse_root.data(), detail::Powers<T>(off));
 
   T const rate = body.J[1] + beside * inverse * s.mean, square = pp * (rate * rate);
   detail::Powers<T> const powers(square);
   T const cosine = detail::power_sum<StepTable<terms>::sines>(table.cosine.data(), powers),
-               sine = pp * rate * detail::power_sum<StepTable<terms>::sines>(table.sinc.data(), powers);
+          sine = pp * rate * detail::power_sum<StepTable<terms>::sines>(table.sinc.data(), powers);
   T const n1 = w1 * root, n2 = w2 * root, n3 = w3 * root, twice = 2.0 * pp * along * (root * root);
   // The change of the momentum, since p x V = -(D_i V_i): the rounding of a step is that of a small number.
   return {{cosine * root, (sine + cosine * D1) * n1, (sine + cosine * D2) * n2, (sine + cosine * D3) * n3},
@@ -136,8 +134,8 @@ template <int terms, class T>
 /// @return        whether that was a short step; if not, p and q have no meaning
 template <int terms>
 [[gnu::always_inline]] inline Reach<double> short_step(StepTable<terms> const& table,
-                                               InverseMoments<double> const& body, Three<double>& p,
-                                               Four<double>& q) {
+                                                       InverseMoments<double> const& body, Three<double>& p,
+                                                       Four<double>& q) {
   auto const [turn, change, reach] = short_motion<terms, double>(table, body, p);
   q = compose(q, turn);
   p = plus(p, change);

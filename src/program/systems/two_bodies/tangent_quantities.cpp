@@ -20,10 +20,11 @@ void define_sensitivity(QuantityGraph& graph, PairMotion const& motion) {
   };
   auto const& pair = motion.pair();
   graph.define("sensitivity", ends,
-               [&motion, m = pair.reduced_mass(), I1 = inertia(pair.first()),
-                I2 = inertia(pair.second())](auto needs, double* out) {
+               [&motion, m = pair.reduced_mass(), I1 = inertia(pair.first()), I2 = inertia(pair.second())](
+                   auto needs, double* out) {
                  Eigen::Map<Eigen::Matrix<double, 18, 1>> by(out);
-                 by = motion.tangent().map.topRows<3>().transpose() * Eigen::Map<Eigen::Vector3d const>(needs[0]).normalized();
+                 by = motion.tangent().map.topRows<3>().transpose() *
+                      Eigen::Map<Eigen::Vector3d const>(needs[0]).normalized();
                  by.segment<3>(3) *= m;
                  by.segment<3>(9) = (I1 * by.segment<3>(9)).eval();
                  by.segment<3>(15) = (I2 * by.segment<3>(15)).eval();
@@ -64,9 +65,8 @@ std::vector<Quantity> tangent_quantities() {
 }
 
 void define_tangent(QuantityGraph& graph, PairMotion const& motion) {
-  graph.define("tangent_map", column_ends(Quantity::Kind::matrix, 18), [&motion](auto, double* out) {
-    Eigen::Map<Map>{out} = motion.tangent().map;
-  });
+  graph.define("tangent_map", column_ends(Quantity::Kind::matrix, 18),
+               [&motion](auto, double* out) { Eigen::Map<Map>{out} = motion.tangent().map; });
   define_sensitivity(graph, motion);
   graph.define("lyapunov", {""}, [&motion](auto, double* out) {
     double const time = motion.pair().time();
