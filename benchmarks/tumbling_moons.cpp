@@ -95,21 +95,23 @@ double distance_from_tangent_map(Shape const& s) {
   }
   return worst;
 }
-/// The ratio b/c at which the slow mode of the tilt has this frequency, in which it grows.
-double where_slow_is(double ab, double frequency) {
+/// Resonances of the tilt: twice its slow mode has the frequency of the libration, or of the orbit; or both
+/// modes together have that of libration and orbit together. Positive beyond the resonance.
+using Resonance = double (*)(Frequencies const&);
+constexpr Resonance with_libration = [](Frequencies const& f) { return 2 * f.slow - f.libration; };
+constexpr Resonance with_orbit = [](Frequencies const& f) { return 2 * f.slow - 1; };
+constexpr Resonance with_both = [](Frequencies const& f) { return f.slow + f.fast - f.libration - 1; };
+/// The ratio b/c at which a moon with this a/b is there, up to 2.
+double where(Resonance resonance, double ab) {
   double low = 1, high = 2;
   for (int i = 0; i < 50; ++i) {
     double const middle = (low + high) / 2;
-    (frequencies({ab, middle}).slow < frequency ? low : high) = middle;
+    (resonance(frequencies({ab, middle})) < 0 ? low : high) = middle;
   }
   return low;
 }
 
-int main(int argc, char** argv) {
-  benchmark::Benchmark program(argc, argv,
-                               "shapes of Dimorphos with which it stays upright after the impact");
-
-  // 3. The frequencies by another way.
+void compare_frequencies(book::Program& program) {
   double off = 0;
   for (Shape const s : {Shape{1.1, 1.14}, {1.2, 1.2}, {1.3, 1.3}})
     off = std::max(off, distance_from_tangent_map(s));
@@ -119,8 +121,10 @@ int main(int argc, char** argv) {
   // orbit, by the share 3e-7 of its inertia in that of the orbit over the distance of the resonance w = 1, a
   // quarter. Steps are a fortieth of a revolution.
   program.claim(book::measured(off) < 1e-5, "the closed form has the frequencies of the tangent map");
+}
 
-  // 4. The map.
+// 3. The map.
+double draw_map(benchmark::Benchmark& program) {  // per cent of shapes that are unstable
   int const size = program.length(50, 12);
   double const days = program.length(365.0, 60.0), from = 1.005, to = 1.5;
   std::vector<Shape> shapes;
@@ -139,19 +143,21 @@ int main(int argc, char** argv) {
   double const radius = 0.38 * 440 / size;
   plot.dots(x[0], y[0], "unstable", {.colour = 5, .radius = radius});
   plot.dots(x[1], y[1], "ten decades in sixty days", {.colour = 2, .radius = radius});
-  std::vector<double> ab, with_libration, with_orbit;
+  std::vector<double> ab, lines[3];
   for (double at = 1.005; at < 1.5; at += 0.005) {
-    ab.push_back(at), with_libration.push_back(where_slow_is(at, frequencies({at, 1.2}).libration / 2));
-    with_orbit.push_back(where_slow_is(at, 0.5));
+    ab.push_back(at);
+    for (int k = 0; auto const resonance : {with_libration, with_both, with_orbit})
+      lines[k++].push_back(where(resonance, at));
   }
-  double const half = std::sqrt(3.25 / 2.75),
-               whole = std::sqrt(2);  // libration of half and of all of the rate
-  plot.curve(ab, with_libration, "tilt at half the libration", {.colour = 1});
-  plot.curve(ab, with_orbit, "tilt at half the orbit", {.colour = 3});
-  plot.curve(std::vector{half, half}, std::vector{1.0, 1.5}, "libration at half the orbit",
+  // Where the libration has half and all of the rate of the orbit.
+  double const half = std::sqrt(3.25 / 2.75), whole = std::sqrt(2);
+  plot.curve(ab, lines[0], "2 slow = libration", {.colour = 1});
+  plot.curve(ab, lines[1], "slow + fast = libration + orbit", {.colour = 6});
+  plot.curve(ab, lines[2], "2 slow = orbit", {.colour = 3});
+  plot.curve(std::vector{half, half}, std::vector{1.0, 1.5}, "2 libration = orbit",
              {.colour = 4, .dashed = true});
-  plot.curve(std::vector{whole, whole}, std::vector{1.0, 1.5}, "libration with the orbit",
-             {.colour = 6, .dashed = true});
+  plot.curve(std::vector{whole, whole}, std::vector{1.0, 1.5}, "libration = orbit",
+             {.colour = 3, .dashed = true});
   program.picture("map", plot.svg(),
                   "Shapes of Dimorphos with which a small tilt grows after the impact, and resonances of the "
                   "frequencies of a locked moon.");
@@ -161,11 +167,14 @@ int main(int argc, char** argv) {
   program.figure("seconds", seconds, book::number(seconds, 2), "time for the map on one core, s");
   program.figure("share", 100 * share, book::number(100 * share, 2), "unstable shapes, per cent");
   program.claim_of_time(seconds < 300, "the map takes less than five minutes on one core");
+  return 100 * share;
+}
 
-  // 5. Along the resonance of the tilt with the libration, and halfway from there to b = c as a control.
+// 4. Along the resonance of the tilt with the libration, and halfway from there to b = c as a control.
+void follow_resonance(book::Program& program) {
   std::vector<Shape> on, below;
   for (double at = 1.12; at < 1.305; at += 0.02) {
-    double const bc = where_slow_is(at, frequencies({at, 1.2}).libration / 2);
+    double const bc = where(with_libration, at);
     on.push_back({at, bc}), below.push_back({at, (1 + bc) / 2});
   }
   auto const of_on = growth(on, 120), of_below = growth(below, 120);
@@ -179,7 +188,10 @@ int main(int argc, char** argv) {
   program.figure("least_on", least, book::number(least, 2),
                  "least growth on the resonance in 120 days, decades");
   program.figure("most_off", most, book::number(most, 1), "largest growth halfway to b = c, decades");
-  // 6. The elongation that the precession asks for, with all b/c.
+}
+
+// 5. The elongation that the precession asks for, with all b/c.
+void vary_observed(book::Program& program) {
   std::vector<Shape> observed;
   for (double bc = 1.01; bc < 1.5; bc += 0.01) observed.push_back({1.28, bc});
   auto const of_observed = growth(observed, 120);
@@ -187,9 +199,17 @@ int main(int argc, char** argv) {
   while (first < observed.size() && !is_unstable(of_observed[first])) ++first;
   double const edge = observed[std::min(first, observed.size() - 1)].bc;
   program.figure("edge", edge, book::number(edge, 3), "least b/c with which a tilt grows where a/b = 1.28");
-  program.headline("with " + book::number(100 * share, 2) +
-                       " per cent of the shapes the moon does not stay upright, a map of " +
-                       std::to_string(shapes.size()) + " moons in " + book::number(seconds, 2) + " s",
-                   100 * share);
+}
+
+int main(int argc, char** argv) {
+  benchmark::Benchmark program(argc, argv,
+                               "shapes of Dimorphos with which it stays upright after the impact");
+  compare_frequencies(program);
+  double const share = draw_map(program);
+  follow_resonance(program);
+  vary_observed(program);
+  program.headline(
+      "with " + book::number(share, 2) + " per cent of the shapes of the map the moon does not stay upright",
+      share);
   return program.finish();
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "actio/fast_body/machine.hpp"
+#include "actio/numbers/registers.hpp"
 #include "actio/two_bodies/side_by_side.hpp"
 #include "benchmark.hpp"
 #include "timing.hpp"
@@ -23,7 +24,7 @@ struct Twenty {
   Four<double> q1, q2;
 };
 struct Equations {
-  SecondOrderForce force;
+  SecondOrderForce<> force;
   Three<double> I1, I2;
   double reduced, mu;
 
@@ -151,10 +152,11 @@ int main(int argc, char** argv) {
                  "a kick and a drift with exact rotors, in Runge-Kutta steps on the same forces");
   // Eight lanes are at most eight times as fast, and four four times.
   double const least = best_registers() == Registers::avx512 ? 4 : 3;
-  for (auto const& [order, kepler, figure] : {std::tuple{2, false, "side_straight_2"},
-                                              {2, true, "side_kepler_2"},
-                                              {4, false, "side_straight_4"},
-                                              {4, true, "side_kepler_4"}}) {
+  for (auto const& [order, kepler, figure, says] :
+       {std::tuple{2, false, "side_straight_2", "64 pairs side by side, order 2, straight orbits"},
+        {2, true, "side_kepler_2", "64 pairs side by side, order 2, Kepler's orbits"},
+        {4, false, "side_straight_4", "64 pairs side by side, order 4, straight orbits"},
+        {4, true, "side_kepler_4", "64 pairs side by side, order 4, Kepler's orbits"}}) {
     std::vector<TwoBodies> pairs;
     for (int k = 0; k < 64; ++k)
       pairs.emplace_back(primary, moon,
@@ -165,12 +167,10 @@ int main(int argc, char** argv) {
                                         .method = kepler ? kepler_splitting() : pair_splitting(),
                                         .G = G});
     double const gain = gain_side_by_side(program, std::move(pairs));
-    std::string const of =
-        std::string(kepler ? "Kepler's" : "straight") + " orbits, order " + std::to_string(order);
-    program.figure(figure, gain, book::number(gain, 2), "times as fast are 64 pairs side by side, " + of);
+    program.figure(figure, gain, book::number(gain, 2), std::string(says) + ": times as fast as one by one");
     if (best_registers() != Registers::plain)
       program.claim_of_time(gain >= least,
-                            "64 pairs side by side are " + book::number(least) + " times as fast, " + of);
+                            std::string(says) + ": at least " + book::number(least) + " times");
   }
   program.figure("sum", sum, "sum of the last states, so that nothing is left out");
   program.headline("a kick and a drift of two bodies take " +

@@ -7,7 +7,7 @@
 // bytes alone.
 #pragma once
 
-#include "actio/numbers/batch.hpp"
+#include "actio/numbers/pack.hpp"
 #include "actio/numbers/registers.hpp"
 
 namespace actio::media {
@@ -22,7 +22,7 @@ namespace detail {
 using actio::run_with;
 
 /// Four doubles.
-using Quad = Batch<4>;
+using Quad = Pack<4>;
 
 /// x where the mask is true, else y, lane by lane.
 [[gnu::always_inline]] inline Quad chosen(Quad::Bits const& mask, Quad const& x, Quad const& y) {

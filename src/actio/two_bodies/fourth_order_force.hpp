@@ -10,7 +10,7 @@ namespace actio::bodies {
 /// The interaction of order 4.
 /// @tparam symmetric  whether both bodies have three planes of symmetry, so that moments with an odd exponent
 ///                    vanish
-/// @tparam C          double, or a batch of pairs of bodies
+/// @tparam C          double, or a pack of pairs of bodies
 template <bool symmetric, class C = double>
 class FourthOrderForce {
  public:

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "actio/fast_body/space/half_turn.hpp"
-#include "actio/numbers/batch.hpp"
+#include "actio/numbers/pack.hpp"
 #include "actio/numbers/errors.hpp"
 #include "actio/numbers/functions.hpp"
 
@@ -116,7 +116,7 @@ struct TimeEquation {
   }
   /// The same with bounds, for long times and orbits that pass near the centre.
   [[gnu::noinline, gnu::cold]] Solution by_bounds() const
-    requires is_batch<S>
+    requires is_pack<S>
   {
     Solution all;
     for (int k = 0; k < S::lanes; ++k)
@@ -178,7 +178,7 @@ template <Real S>
           beta = mu * inverse * Base<S>(2) - dot(v, v), zeta = mu - beta * r0;
   using B = Base<S>;
   S rest = t;
-  if constexpr (!is_batch<B>)
+  if constexpr (!is_pack<B>)
     if (base_value(beta) > B(0) && base_value(t * t * beta * beta * beta) > base_value(S(mu * mu)) * B(39))
         [[unlikely]]
       rest = detail::without_whole_periods<S>(t, beta, mu);
@@ -187,7 +187,7 @@ template <Real S>
   auto const [s, last] = equation.solution();
   detail::UniversalFunctions<S> g;
   S radius;
-  if constexpr (std::is_same_v<S, double> || is_batch<S>) {
+  if constexpr (std::is_same_v<S, double> || is_pack<S>) {
     // The last step is so small that its square is all that is needed for G_n at the end of it.
     S const g0 = S(1) - beta * s.g2, half = last * last * S(0.5);
     g = {s.g1 - last * g0 - half * beta * s.g1, s.g2 - last * s.g1 + half * g0,

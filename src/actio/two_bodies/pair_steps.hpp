@@ -39,7 +39,7 @@ struct PairState {
 };
 
 /// A drift and the kick after it, by their parts of a step.
-/// @tparam C  double, or a batch of pairs of bodies
+/// @tparam C  double, or a pack of pairs of bodies
 template <class C>
 struct PairStage {
   double time;               ///< by which drift and time go on
@@ -49,7 +49,7 @@ struct PairStage {
 };
 
 /// What all stages share.
-/// @tparam C  double, or a batch of pairs of bodies
+/// @tparam C  double, or a pack of pairs of bodies
 template <class C>
 struct PairSetting {
   C reduced_mass;  ///< \f$m_1m_2/(m_1+m_2)\f$
@@ -114,7 +114,7 @@ struct PairSteps {
     } else {
       at.place.add({stage.time * v[0], stage.time * v[1], stage.time * v[2]});
     }
-    if constexpr (!is_batch<Base<T>>)
+    if constexpr (!is_pack<Base<T>>)
       if (moser_veselov) [[unlikely]] {
         turn(at.body_1, at.attitude_1, moser_veselov_rotor<T>(stage.body_1, at.body_1.value));
         turn(at.body_2, at.attitude_2, moser_veselov_rotor<T>(stage.body_2, at.body_2.value));

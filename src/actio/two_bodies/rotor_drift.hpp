@@ -75,10 +75,10 @@ InverseMoments<T> constant_body(InverseMoments<Base<T>> const& body) {
   return result;
 }
 /// The exact motion of any length. Over dual numbers, which elliptic functions are not written for, it is
-/// composed of equal parts that are short enough for the series; batches go lane after lane.
+/// composed of equal parts that are short enough for the series; packs go lane after lane.
 template <class T>
 [[gnu::noinline]] RotorMotion<T> long_rotor(InverseMoments<Base<T>> const& body, Three<T> const& p) {
-  if constexpr (is_batch<Base<T>>) {
+  if constexpr (is_pack<Base<T>>) {
     using One = std::conditional_t<is_dual<T>, Dual<double>, double>;
     RotorMotion<T> all;
     for (int k = 0; k < Base<T>::lanes; ++k) try {

@@ -38,7 +38,7 @@ template <class T>
 }
 
 /// The interaction of order 2 of two bodies.
-/// @tparam C  double, or a batch of pairs of bodies
+/// @tparam C  double, or a pack of pairs of bodies
 template <class C = double>
 class SecondOrderForce {
  public:

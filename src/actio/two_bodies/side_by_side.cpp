@@ -1,8 +1,8 @@
-// Batches of pairs, and the kernels that move them.
+// Packs of pairs, and the kernels that move them.
 // In a unit of its own
 #include "actio/two_bodies/side_by_side.hpp"
 
-#include "actio/numbers/dual_batch.hpp"
+#include "actio/numbers/dual_pack.hpp"
 #include "actio/numbers/registers.hpp"
 
 namespace actio::bodies {
@@ -33,10 +33,10 @@ bool has_numbers(PairState<S> const& s) {
 
 /// What may see the inside of TwoBodies.
 struct SideBySide {
-  /// Pairs of one batch.
+  /// Pairs of one pack.
   using Pairs = std::span<TwoBodies const>;
 
-  /// How many pairs from the first on share a batch.
+  /// How many pairs from the first on share a pack.
   static std::size_t together(Pairs pairs) {
     auto const& a = pairs[0];
     auto const& of_a = a.options_.method;
@@ -56,11 +56,11 @@ struct SideBySide {
     return size;
   }
 
-  /// Pairs in the lanes of a batch; the last one fills the lanes that are left.
-  /// @tparam T  a batch, or dual numbers over one
+  /// Pairs in the lanes of a pack; the last one fills the lanes that are left.
+  /// @tparam T  a pack, or dual numbers over one
   template <int order, class T>
   struct Group {
-    using C = Base<T>;                                                 ///< the batch
+    using C = Base<T>;                                                 ///< the pack
     using One = std::conditional_t<is_dual<T>, Dual<double>, double>;  ///< what a lane holds
     template <class S>
     using ForceOf = std::conditional_t<order == 2, SecondOrderForce<S>, FourthOrderForce<true, S>>;
@@ -135,7 +135,7 @@ struct SideBySide {
       using T = std::conditional_t<tangent, Dual<B>, B>;
       return pairs[0].force_.index() == 0 ? act(Group<2, T>(pairs)) : act(Group<4, T>(pairs));
     };
-    return best_registers() == Registers::avx512 ? of_order(Batch<8>()) : of_order(Batch<4>());
+    return best_registers() == Registers::avx512 ? of_order(Pack<8>()) : of_order(Pack<4>());
   }
 
   /// @return  the places of those that could not move

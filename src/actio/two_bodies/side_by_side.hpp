@@ -3,7 +3,7 @@
 //     std::vector<TwoBodies> pairs = ...;        // of any bodies and starts
 //     step_side_by_side(pairs, 1000);            // as pair.step(1000) for each of them
 //
-// The step is that of TwoBodies, the same lines of code over \ref Batch instead of double.
+// The step is that of TwoBodies, the same lines of code over \ref Pack instead of double.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ namespace actio::bodies {
 /// AVX-512, up to four with AVX2. The order must be 2, or 4 with bodies that are symmetric about three
 /// planes, as ellipsoids are; rotors must be exact, without a third body and tides. All others move one by
 /// one. Where a rotor turns too far for the series of short_step.hpp, or an orbit passes near the centre, the
-/// batch takes that drift lane by lane.
+/// pack takes that drift lane by lane.
 /// @return  the indices of the pairs that could not move, for which `pairs[k].step(count)` throws and says
 ///          why. They are as they were before
 /// @throws OutsideDomain  where the count is negative

@@ -20,7 +20,7 @@
 #include <concepts>
 
 #include "actio/fast_body/space/half_turn.hpp"
-#include "actio/numbers/batch.hpp"
+#include "actio/numbers/pack.hpp"
 
 namespace actio::bodies {
 
@@ -118,7 +118,7 @@ struct ShortTable {
   std::array<Plane, terms> mean;
 
   ShortTable()
-    requires is_batch<T>
+    requires is_pack<T>
   {
     set_all_lanes(*this, ShortTable<terms>());
   }

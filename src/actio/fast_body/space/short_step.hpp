@@ -28,7 +28,7 @@ struct StepTable : detail::ShortTable<terms, T> {
   std::array<T, roots> inverse_root;                ///< of the inverse root
 
   StepTable()
-    requires is_batch<T>
+    requires is_pack<T>
   {
     set_all_lanes(*this, StepTable<terms>());
   }

@@ -1,16 +1,16 @@
-// Dual numbers over batches: several systems side by side, each with a tangent vector. Every operation is
-// inlined, as those of batches are.
+// Dual numbers over packs: several systems side by side, each with a tangent vector. Every operation is
+// inlined, as those of packs are.
 #pragma once
 
-#include "actio/numbers/batch.hpp"
 #include "actio/numbers/dual.hpp"
+#include "actio/numbers/pack.hpp"
 
 namespace actio {
 
-/// Values and rates of change along one direction each. A batch or a double beside it is a constant.
+/// Values and rates of change along one direction each. A pack or a double beside it is a constant.
 template <int n>
-struct Dual<Batch<n>, 1> {
-  using B = Batch<n>;       ///< the numbers of all lanes
+struct Dual<Pack<n>, 1> {
+  using B = Pack<n>;        ///< the numbers of all lanes
   B value{};                ///< the numbers themselves
   std::array<B, 1> part{};  ///< their rates
 
@@ -68,8 +68,8 @@ struct Dual<Batch<n>, 1> {
 
 /// The root in each lane, with its rate.
 template <int n>
-[[gnu::always_inline]] inline Dual<Batch<n>> sqrt(Dual<Batch<n>> const& x) {
-  Batch<n> const root = sqrt(x.value);
+[[gnu::always_inline]] inline Dual<Pack<n>> sqrt(Dual<Pack<n>> const& x) {
+  Pack<n> const root = sqrt(x.value);
   return {root, 0.5 * x.part[0] / root};
 }
 

@@ -1,6 +1,6 @@
 // Several doubles that go through the same operations: the lanes of SIMD registers.
 //
-// A batch is a scalar like any other, so that a formula written once moves one system, or several side by
+// A pack is a scalar like any other, so that a formula written once moves one system, or several side by
 // side. A comparison is true where it is true in all lanes: code that asks whether a short cut is allowed
 // takes it for all of them or for none. So neither of x < y and y <= x need be true.
 //
@@ -40,80 +40,72 @@ template <class Mask>
 
 /// So many doubles, 4 or 8.
 template <int n>
-struct Batch {
+struct Pack {
   using Vector = typename detail::VectorOf<n>::Double;  ///< what the compiler calls them
   using Bits = typename detail::VectorOf<n>::Integer;  ///< the same registers as integers, and truth by lanes
   static constexpr int lanes = n;                      ///< their number
 
   alignas(8 * n) Vector lane;  ///< the numbers
 
-  Batch() = default;
+  Pack() = default;
   // Written out, or the compiler copies records of them by halves and through memory.
-  [[gnu::always_inline]] Batch(Batch const& x) : lane(x.lane) {}
-  [[gnu::always_inline]] Batch& operator=(Batch const& x) {
+  [[gnu::always_inline]] Pack(Pack const& x) : lane(x.lane) {}
+  [[gnu::always_inline]] Pack& operator=(Pack const& x) {
     lane = x.lane;
     return *this;
   }
   /// The same number in all lanes.
-  [[gnu::always_inline]] Batch(double x) : lane(x - Vector{}) {}
+  [[gnu::always_inline]] Pack(double x) : lane(x - Vector{}) {}
   /// These numbers.
-  [[gnu::always_inline]] explicit Batch(Vector const& x) : lane(x) {}
+  [[gnu::always_inline]] explicit Pack(Vector const& x) : lane(x) {}
   /// The numbers that have these bits.
-  [[gnu::always_inline]] explicit Batch(Bits const& x) : lane(reinterpret_cast<Vector>(x)) {}
+  [[gnu::always_inline]] explicit Pack(Bits const& x) : lane(reinterpret_cast<Vector>(x)) {}
 
-  [[gnu::always_inline]] Batch& operator+=(Batch const& y) { return *this = *this + y; }
-  [[gnu::always_inline]] Batch& operator-=(Batch const& y) { return *this = *this - y; }
-  [[gnu::always_inline]] friend Batch operator+(Batch const& x, Batch const& y) {
-    return Batch(x.lane + y.lane);
-  }
-  [[gnu::always_inline]] friend Batch operator-(Batch const& x, Batch const& y) {
-    return Batch(x.lane - y.lane);
-  }
-  [[gnu::always_inline]] friend Batch operator*(Batch const& x, Batch const& y) {
-    return Batch(x.lane * y.lane);
-  }
-  [[gnu::always_inline]] friend Batch operator/(Batch const& x, Batch const& y) {
-    return Batch(x.lane / y.lane);
-  }
-  [[gnu::always_inline]] friend Batch operator-(Batch const& x) { return Batch(-x.lane); }
+  [[gnu::always_inline]] Pack& operator+=(Pack const& y) { return *this = *this + y; }
+  [[gnu::always_inline]] Pack& operator-=(Pack const& y) { return *this = *this - y; }
+  [[gnu::always_inline]] friend Pack operator+(Pack const& x, Pack const& y) { return Pack(x.lane + y.lane); }
+  [[gnu::always_inline]] friend Pack operator-(Pack const& x, Pack const& y) { return Pack(x.lane - y.lane); }
+  [[gnu::always_inline]] friend Pack operator*(Pack const& x, Pack const& y) { return Pack(x.lane * y.lane); }
+  [[gnu::always_inline]] friend Pack operator/(Pack const& x, Pack const& y) { return Pack(x.lane / y.lane); }
+  [[gnu::always_inline]] friend Pack operator-(Pack const& x) { return Pack(-x.lane); }
 
-  [[gnu::always_inline]] friend bool operator<(Batch const& x, Batch const& y) {
+  [[gnu::always_inline]] friend bool operator<(Pack const& x, Pack const& y) {
     return detail::in_all(x.lane < y.lane);
   }
-  [[gnu::always_inline]] friend bool operator>(Batch const& x, Batch const& y) { return y < x; }
-  [[gnu::always_inline]] friend bool operator<=(Batch const& x, Batch const& y) {
+  [[gnu::always_inline]] friend bool operator>(Pack const& x, Pack const& y) { return y < x; }
+  [[gnu::always_inline]] friend bool operator<=(Pack const& x, Pack const& y) {
     return detail::in_all(x.lane <= y.lane);
   }
-  [[gnu::always_inline]] friend bool operator==(Batch const& x, Batch const& y) {
+  [[gnu::always_inline]] friend bool operator==(Pack const& x, Pack const& y) {
     return detail::in_all(x.lane == y.lane);
   }
 };
 
 /// Whether a scalar is several doubles.
 template <class S>
-inline constexpr bool is_batch = false;
+inline constexpr bool is_pack = false;
 template <int n>
-inline constexpr bool is_batch<Batch<n>> = true;
+inline constexpr bool is_pack<Pack<n>> = true;
 template <int n>
-struct NumberTraits<Batch<n>> {
+struct NumberTraits<Pack<n>> {
   static constexpr bool plain = true, exact = false;
 };
 /// Scalars that are made of doubles: one, several, and dual numbers over these.
 template <class S>
-concept OfDoubles = std::same_as<Base<S>, double> || is_batch<Base<S>>;
+concept OfDoubles = std::same_as<Base<S>, double> || is_pack<Base<S>>;
 
 /// The modulus in each lane.
 template <int n>
-[[gnu::always_inline]] inline Batch<n> magnitude(Batch<n> const& x) {
-  return Batch<n>(reinterpret_cast<typename Batch<n>::Bits>(x.lane) & 0x7fffffffffffffff);
+[[gnu::always_inline]] inline Pack<n> magnitude(Pack<n> const& x) {
+  return Pack<n>(reinterpret_cast<typename Pack<n>::Bits>(x.lane) & 0x7fffffffffffffff);
 }
 /// The root in each lane: of positive normal numbers, to one unit in the last place.
 ///
 /// Half the bits, read as an integer, are within some per cent half the logarithm; then Newton's method for
 /// \f$y=x^{-1/2}\f$, and one step of it for the root.
 template <int n>
-[[gnu::always_inline]] inline Batch<n> sqrt(Batch<n> const& x) {
-  using B = Batch<n>;
+[[gnu::always_inline]] inline Pack<n> sqrt(Pack<n> const& x) {
+  using B = Pack<n>;
   B const half = 0.5 * x;
   B y(0x5fe6eb50c7b537a9 - (reinterpret_cast<typename B::Bits>(x.lane) >> 1));
   for (int round = 0; round < 4; ++round) y = y + y * (0.5 - half * (y * y));
@@ -121,7 +113,7 @@ template <int n>
   return root + (0.5 * y) * (x - root * root);
 }
 
-/// What lane k of a record of batches holds, as the same record of doubles. Both are numbers in the same
+/// What lane k of a record of packs holds, as the same record of doubles. Both are numbers in the same
 /// order and nothing else.
 template <class One, class All>
 One in_lane(All const& all, int k) {
