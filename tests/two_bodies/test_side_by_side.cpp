@@ -20,7 +20,7 @@ std::vector<TwoBodies> binaries(int count, TwoBodyOptions const& options) {
   for (int k = 0; k < count; ++k) {
     std::array<double, 3> const half_axes{86 - 0.05 * k, 71.5, 66};
     auto const moon = ellipsoid_body(testing::mass_of_ellipsoid(2400, half_axes), half_axes, 4);
-    double const r = Didymos::distance + k;
+    double const r = Didymos::distance + 0.2 * k;
     all.emplace_back(d.primary, moon,
                      state_of_velocities(d.primary, moon, {r, 0, 0}, {0, Didymos::speed, 0}, element(d.q1),
                                          d.omega_1, element(d.q2), d.omega_2),
