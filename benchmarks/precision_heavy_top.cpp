@@ -78,7 +78,8 @@ int main(int argc, char** argv) {
   auto const lagrangian = [I, p](auto const& xi, auto const& gamma) {
     using S = typename std::decay_t<decltype(xi)>::Scalar;
     S sum(0);
-    for (int i = 0; i < 3; ++i) sum += xi.coordinates[i] * xi.coordinates[i] * (I[i] / 2) - gamma[i] * p[i];
+    for (int i = 0; i < 3; ++i)
+      sum += xi.coordinates[i] * xi.coordinates[i] * (I[i] / 2) - gamma[i] * p[i];
     return sum;
   };
   auto const level = advected_momentum_level_step_left<double>(lagrangian);

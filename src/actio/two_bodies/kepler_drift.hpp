@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "actio/fast_body/space/half_turn.hpp"
-#include "actio/numbers/pack.hpp"
 #include "actio/numbers/errors.hpp"
 #include "actio/numbers/functions.hpp"
+#include "actio/numbers/pack.hpp"
 
 namespace actio::bodies {
 
@@ -97,7 +97,7 @@ struct TimeEquation {
     S s = q * (S(1) - tilt * S(0.5) + tilt * tilt * S(0.5) - bend * (S(1) / S(6)));
     // The error of the next step is the cube of this, or less.
     S const enough = near_enough();
-    S last = std::numeric_limits<S>::infinity();
+    S last = magnitude(s);
     for (int round = 0; round < 8; ++round) {
       Solution const found = halley(s);
       S const size = magnitude(found.step);
@@ -107,7 +107,7 @@ struct TimeEquation {
     }
     return by_bounds();
   }
-  static S near_enough() {
+  [[gnu::always_inline]] static S near_enough() {
     using std::pow;
     if constexpr (OfDoubles<S>)
       return S(4e-6);
