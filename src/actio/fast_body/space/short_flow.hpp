@@ -155,7 +155,7 @@ struct ShortTable {
       }
   }
 };
-template <int terms, class T>
+template <int terms, class T = double>
 ShortTable<terms, T> const& short_table() {
   static ShortTable<terms, T> const table;
   return table;

@@ -206,7 +206,6 @@ void define_state(QuantityGraph& graph, PairMotion const& motion) {
 }
 
 void define_orbit(QuantityGraph& graph, PairMotion const& motion) {
-  using Kind = Quantity::Kind;
   auto const& pair = motion.pair();
   double const mu = pair.options().G * (pair.first().mass() + pair.second().mass());
   auto const normal = [](auto needs) {
