@@ -1,5 +1,6 @@
 // What a step of two bodies costs: kicks by the mutual potential of orders 2 and 4 with exact rotors,
-// straight and Kepler's orbits, against the classical Runge-Kutta method on the same forces.
+// straight and Kepler's orbits, against the classical Runge-Kutta method on the same forces; and 64 pairs
+// side by side in SIMD lanes, against each by itself.
 //
 // Nanoseconds of processor time for a stage, which is a kick and a drift; contestants in turns, a tenth of
 // the rounds below. The bodies are those of the binary asteroid Didymos.
@@ -8,7 +9,8 @@
 #include <numbers>
 
 #include "actio/fast_body/machine.hpp"
-#include "actio/two_bodies/two_bodies.hpp"
+#include "actio/numbers/registers.hpp"
+#include "actio/two_bodies/side_by_side.hpp"
 #include "benchmark.hpp"
 #include "timing.hpp"
 
@@ -22,7 +24,7 @@ struct Twenty {
   Four<double> q1, q2;
 };
 struct Equations {
-  SecondOrderForce force;
+  SecondOrderForce<> force;
   Three<double> I1, I2;
   double reduced, mu;
 
@@ -59,6 +61,22 @@ Twenty runge_kutta(Equations const& f, Twenty const& s, double h) {
   Twenty const k = f.rate(s), l = f.rate(moved(s, h / 2, k)), m = f.rate(moved(s, h / 2, l)),
                n = f.rate(moved(s, h, m));
   return moved(moved(moved(moved(s, h / 6, k), h / 3, l), h / 3, m), h / 6, n);
+}
+
+/// How many times as fast many pairs are side by side as each by itself: of the first of these numbers of
+/// steps, or less in a short run.
+double gain_side_by_side(benchmark::Benchmark const& program, std::vector<TwoBodies> pairs) {
+  auto together = pairs;
+  long const steps = program.length(200, 50);
+  std::vector<benchmark::Contestant> const contestants{
+      {"by itself",
+       [&] {
+         for (auto& pair : pairs) pair.step(steps);
+       },
+       1},
+      {"side by side", [&] { step_side_by_side(together, steps); }, 1}};
+  auto const times = benchmark::in_turns(program.rounds(31), contestants);
+  return benchmark::ratio_of_best(times[0], times[1]);
 }
 
 int main(int argc, char** argv) {
@@ -132,6 +150,28 @@ int main(int argc, char** argv) {
   double const ratio = benchmark::ratio_of_best(times[0], times.back());
   program.figure("ratio", ratio,
                  "a kick and a drift with exact rotors, in Runge-Kutta steps on the same forces");
+  // Eight lanes are at most eight times as fast, and four four times.
+  double const least = best_registers() == Registers::avx512 ? 4 : 3;
+  for (auto const& [order, kepler, figure, says] :
+       {std::tuple{2, false, "side_straight_2", "64 pairs side by side, order 2, straight orbits"},
+        {2, true, "side_kepler_2", "64 pairs side by side, order 2, Kepler's orbits"},
+        {4, false, "side_straight_4", "64 pairs side by side, order 4, straight orbits"},
+        {4, true, "side_kepler_4", "64 pairs side by side, order 4, Kepler's orbits"}}) {
+    std::vector<TwoBodies> pairs;
+    for (int k = 0; k < 64; ++k)
+      pairs.emplace_back(primary, moon,
+                         state_of_velocities(primary, moon, {r + k, 0, 0}, {0, 0.1735, 0}, tilt,
+                                             {0, 0, 7.7e-4}, roll, {0, 0, n}),
+                         TwoBodyOptions{.order = order,
+                                        .step = kepler ? 1440.0 : 72.0,
+                                        .method = kepler ? kepler_splitting() : pair_splitting(),
+                                        .G = G});
+    double const gain = gain_side_by_side(program, std::move(pairs));
+    program.figure(figure, gain, book::number(gain, 2), std::string(says) + ": times as fast as one by one");
+    if (best_registers() != Registers::plain)
+      program.claim_of_time(gain >= least,
+                            std::string(says) + ": at least " + book::number(least) + " times");
+  }
   program.figure("sum", sum, "sum of the last states, so that nothing is left out");
   program.headline("a kick and a drift of two bodies take " +
                        book::number(1e9 * benchmark::best_tenth(times[0])) + " ns, " + book::number(ratio) +

@@ -164,6 +164,44 @@ BOOST_AUTO_TEST_CASE(the_tangent_map_is_that_of_moved_starts) {
   BOOST_TEST(row.back() > 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_moved_starts) {
+  auto scene = didymos();
+  scene.quantities = "'separation', 'sensitivity'";
+  auto const row = last(command::run(scene));
+  BOOST_REQUIRE(row.size() == 1u + 18);
+  double const roll = pi / 18, turning = 2 * pi / 8136;
+  // One entry of each of the six parts: what stands in the scene, its value, the shift, and by how much the
+  // entry changes with the value.
+  struct Entry {
+    std::size_t at;
+    std::string before, after;
+    double value, shift, unit;
+  };
+  std::vector<Entry> const entries{
+      {0, "[1195,", "[#,", 1195, 0.1, 1},
+      {4, "[0, 0.1735,", "[0, #,", 0.1735, 1e-5, 1},
+      {7, "degrees = 3 ", "degrees = # ", 3, 0.05, pi / 180},
+      {11, "[0, 0, " + digits(turning), "[0, 0, #", turning, turning * 1e-3, 1},
+      {12, "degrees = 10 ", "degrees = # ", 10, 0.05, pi / 180},
+      {17, ", " + digits(std::cos(roll) / radian), ", #", std::cos(roll) / radian, 1e-3 / radian, 1}};
+  for (auto const& e : entries) {
+    auto const end = [&](double shift) {
+      auto after = e.after;
+      after.replace(after.find('#'), 1, digits(e.value + shift));
+      return last(command::run(changed(scene, &BodyScene::initial, e.before, after)))[0];
+    };
+    // Central differences with shifts h and 2h, from which the square of h drops out.
+    double const one = (end(e.shift) - end(-e.shift)) / (2 * e.shift),
+                 two = (end(2 * e.shift) - end(-2 * e.shift)) / (4 * e.shift),
+                 difference = (4 * one - two) / 3 / e.unit,
+                 // the fourth power of a thousandth, and the rounding of a distance over the shift
+        bound = 1e-9 * std::abs(difference) + 1e-12 * 1195 / (e.shift * e.unit);
+    BOOST_TEST_MESSAGE("entry " << e.at << ": " << row[1 + e.at] << ", differences " << difference);
+    BOOST_TEST(std::abs(difference - row[1 + e.at]) <= bound);
+    BOOST_TEST(std::abs(difference) > 100 * bound);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_precession_after_the_impact_tells_the_shape_of_the_moon) {
   // Degrees a day, to the digits that a prototype of the same equations printed, which takes the pericentre
   // from a parabola through three steps.

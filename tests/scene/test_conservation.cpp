@@ -182,16 +182,14 @@ std::vector<Featured> lagrangians() {
     auto const add = [&](std::vector<Feature> more, std::string const& term, std::string const& keys) {
       std::vector<Feature> features{left ? left_invariance : right_invariance};
       features.insert(features.begin(), more.begin(), more.end());
-      out.push_back({"euler_poincare", features,
-                     "[system]\nkind = \"euler_poincare\"\ngroup = \"SO(3)\"\nside = \"" +
-                         std::string(left ? "left" : "right") + "\"\nlagrangian = \"(w1^2 + 2*w2^2 + " +
-                         "2.5*w3^2)/2" + term + "\"\n" + keys +
-                         "[initial]\nvelocity = [0.3, 0.7, 0.5]\n[method]\nstep = 0.025\n" +
-                         ending("\"energy\", \"casimir\", \"spatial_momentum\", \"body_momentum\"" +
-                                    (keys.starts_with("advected")      ? ", \"up\""
-                                     : keys.starts_with("constraints") ? ""
-                                                                       : ", \"momentum_balance\""),
-                                "20", "0.5")});
+      out.push_back(
+          {"euler_poincare", features,
+           "[system]\nkind = \"euler_poincare\"\ngroup = \"SO(3)\"\nside = \"" +
+               std::string(left ? "left" : "right") + "\"\nlagrangian = \"(w1^2 + 2*w2^2 + " + "2.5*w3^2)/2" +
+               term + "\"\n" + keys + "[initial]\nvelocity = [0.3, 0.7, 0.5]\n[method]\nstep = 0.025\n" +
+               ending("\"energy\", \"casimir\", \"spatial_momentum\", \"body_momentum\"" +
+                          std::string(keys.starts_with("advected") ? ", \"up\"" : ", \"momentum_balance\""),
+                      "20", "0.5")});
     };
     add({}, "", "");
     add({carried_vector}, " - 0.3*up3", "advected = { up = [0, 0.6, 0.8] }\n");

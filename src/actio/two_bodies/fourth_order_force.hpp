@@ -10,9 +10,11 @@ namespace actio::bodies {
 /// The interaction of order 4.
 /// @tparam symmetric  whether both bodies have three planes of symmetry, so that moments with an odd exponent
 ///                    vanish
-template <bool symmetric>
+/// @tparam C          double, or a pack of pairs of bodies
+template <bool symmetric, class C = double>
 class FourthOrderForce {
  public:
+  FourthOrderForce() = default;  // whose numbers are set lane by lane
   /// @param first,second  with moments of order 4 at least
   /// @param G             constant of gravitation
   FourthOrderForce(ExtendedBody const& first, ExtendedBody const& second, double G)
@@ -85,10 +87,11 @@ class FourthOrderForce {
 
  private:
   template <int n>
-  using Series = detail::Harmonic<n, double>;
+  using Series = detail::Harmonic<n, C>;
 
-  /// The degrees 2, 3 and 4 of a series modulo \f$|s|^2\f$, times c.
-  static void take(Polynomial<double> series, double c, Series<2>& two, Series<3>& three, Series<4>& four) {
+  /// The degrees 2, 3 and 4 of a series modulo \f$|s|^2\f$, times a unit.
+  static void take(Polynomial<double> series, double unit, Series<2>& two, Series<3>& three,
+                   Series<4>& four) {
     for (int n = 2; n <= 4; ++n)
       for (int l = n; l >= 2; --l)
         for (int j = 0; j <= n - l; ++j) {
@@ -96,8 +99,8 @@ class FourthOrderForce {
           series(i + 2, j, l - 2) -= series(i, j, l), series(i, j + 2, l - 2) -= series(i, j, l);
         }
     auto const fill = [&]<int n>(Series<n>& to) {
-      for (int j = 0; j <= n; ++j) to.plain[j] = c * series(n - j, j, 0);
-      for (int j = 0; j < n; ++j) to.with_z[j] = c * series(n - 1 - j, j, 1);
+      for (int j = 0; j <= n; ++j) to.plain[j] = unit * series(n - j, j, 0);
+      for (int j = 0; j < n; ++j) to.with_z[j] = unit * series(n - 1 - j, j, 1);
     };
     fill(two), fill(three), fill(four);
   }
@@ -163,7 +166,7 @@ class FourthOrderForce {
     return result;
   }
 
-  double mass_1_, mass_2_;  ///< the second times G, as the whole series of the second body
+  C mass_1_, mass_2_;  ///< the second times G, as the whole series of the second body
   Series<2> first_2_, second_2_;
   Series<3> first_3_, second_3_;
   Series<4> first_4_, second_4_;

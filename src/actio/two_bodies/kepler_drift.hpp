@@ -14,6 +14,7 @@
 #include "actio/fast_body/space/half_turn.hpp"
 #include "actio/numbers/errors.hpp"
 #include "actio/numbers/functions.hpp"
+#include "actio/numbers/pack.hpp"
 
 namespace actio::bodies {
 
@@ -38,8 +39,9 @@ template <Real S>
   S x = beta * square;
   // A quarter of x, until the series is short; then back by doubling the argument.
   int halves = 0;
-  constexpr bool fast = std::is_same_v<S, double>;
-  while (magnitude(base_value(x)) > Base<S>(fast ? 0.1 : 0.5)) x = x * Base<S>(0.25), ++halves;
+  constexpr bool fast = OfDoubles<S>;
+  while (!(magnitude(base_value(x)) <= Base<S>(fast ? 0.1 : 0.5)) && halves < 600)
+    x = x * Base<S>(0.25), ++halves;
   S c2, c3;
   if constexpr (fast) {
     // The rest of the series is below a fifth of the rounding.
@@ -94,22 +96,38 @@ struct TimeEquation {
     if (!(magnitude(tilt) < S(1) && magnitude(bend) < S(1))) return by_bounds();
     S s = q * (S(1) - tilt * S(0.5) + tilt * tilt * S(0.5) - bend * (S(1) / S(6)));
     // The error of the next step is the cube of this, or less.
-    S const enough = std::is_same_v<S, double> ? S(4e-6) : S(pow_of_epsilon());
-    S last = std::numeric_limits<S>::infinity();
+    S const enough = near_enough();
+    S last = magnitude(s);
     for (int round = 0; round < 8; ++round) {
       Solution const found = halley(s);
       S const size = magnitude(found.step);
       if (size <= enough * magnitude(s)) return found;
-      if (!(size < last)) break;
+      if (!(size < last + enough * magnitude(s))) break;
       s -= found.step, last = size;
     }
     return by_bounds();
   }
-  static S pow_of_epsilon() {
+  [[gnu::always_inline]] static S near_enough() {
     using std::pow;
-    return S(pow(epsilon<S>(), S(0.4)));
+    if constexpr (OfDoubles<S>)
+      return S(4e-6);
+    else
+      return S(pow(epsilon<S>(), S(0.4)));
   }
   /// The same with bounds, for long times and orbits that pass near the centre.
+  [[gnu::noinline, gnu::cold]] Solution by_bounds() const
+    requires is_pack<S>
+  {
+    Solution all;
+    for (int k = 0; k < S::lanes; ++k)
+      set_lane(all, k, in_lane<TimeEquation<double>>(*this, k).solution_or_none());
+    return all;
+  }
+  /// The same, without a number where there is none: in a lane beside others.
+  Solution solution_or_none() const try { return solution(); } catch (NotConverged const&) {
+    S const none = std::numeric_limits<S>::quiet_NaN();
+    return {{none, none, none, none}, none};
+  }
   [[gnu::noinline, gnu::cold]] Solution by_bounds() const {
     S const sign = t < S(0) ? S(-1) : S(1);
     TimeEquation const ahead{r, sign * eta, beta, zeta, sign * t};
@@ -160,17 +178,18 @@ template <Real S>
           beta = mu * inverse * Base<S>(2) - dot(v, v), zeta = mu - beta * r0;
   using B = Base<S>;
   S rest = t;
-  if (base_value(beta) > B(0) && base_value(t * t * beta * beta * beta) > base_value(S(mu * mu)) * B(39))
-      [[unlikely]]
-    rest = detail::without_whole_periods<S>(t, beta, mu);
+  if constexpr (!is_pack<B>)
+    if (base_value(beta) > B(0) && base_value(t * t * beta * beta * beta) > base_value(S(mu * mu)) * B(39))
+        [[unlikely]]
+      rest = detail::without_whole_periods<S>(t, beta, mu);
   detail::TimeEquation<B> const equation{base_value(r0), base_value(eta), base_value(beta), base_value(zeta),
                                          base_value(rest)};
   auto const [s, last] = equation.solution();
   detail::UniversalFunctions<S> g;
   S radius;
-  if constexpr (std::is_same_v<S, double>) {
+  if constexpr (std::is_same_v<S, double> || is_pack<S>) {
     // The last step is so small that its square is all that is needed for G_n at the end of it.
-    double const g0 = 1 - beta * s.g2, half = last * last / 2;
+    S const g0 = S(1) - beta * s.g2, half = last * last * S(0.5);
     g = {s.g1 - last * g0 - half * beta * s.g1, s.g2 - last * s.g1 + half * g0,
          s.g3 - last * s.g2 + half * s.g1};
     radius = r0 + eta * g.g1 + zeta * g.g2;

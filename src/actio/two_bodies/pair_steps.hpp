@@ -39,23 +39,24 @@ struct PairState {
 };
 
 /// A drift and the kick after it, by their parts of a step.
-template <class T>
+/// @tparam C  double, or a pack of pairs of bodies
+template <class C>
 struct PairStage {
   double time;               ///< by which drift and time go on
   double kick;               ///< time of the kick
-  InverseMoments<T> body_1;  ///< inverse moments of the first body times the part of the step
-  InverseMoments<T> body_2;  ///< inverse moments of the second body times the part of the step
+  InverseMoments<C> body_1;  ///< inverse moments of the first body times the part of the step
+  InverseMoments<C> body_2;  ///< inverse moments of the second body times the part of the step
 };
 
 /// What all stages share.
+/// @tparam C  double, or a pack of pairs of bodies
+template <class C>
 struct PairSetting {
-  double reduced_mass;  ///< \f$m_1m_2/(m_1+m_2)\f$
-  double mu;            ///< \f$G(m_1+m_2)\f$
-  double strength;      ///< \f$Gm_1m_2\f$
-  double unit_1;        ///< a torque times a time times this is a change of p of the first body
-  double unit_2;        ///< the same of the second body
-  bool kepler;          ///< whether drifts follow Kepler's orbits
-  bool moser_veselov;   ///< whether bodies turn by the scheme of Moser and Veselov
+  C reduced_mass;  ///< \f$m_1m_2/(m_1+m_2)\f$
+  C mu;            ///< \f$G(m_1+m_2)\f$
+  C strength;      ///< \f$Gm_1m_2\f$
+  C unit_1;        ///< a torque times a time times this is a change of p of the first body
+  C unit_2;        ///< the same of the second body
 };
 
 namespace detail {
@@ -76,8 +77,10 @@ template <class T>
 
 template <class T, class Force>
 struct PairSteps {
-  PairSetting const& setting;
-  std::vector<PairStage<T>> const&
+  PairSetting<Base<T>> const& setting;
+  bool kepler;         ///< whether drifts follow Kepler's orbits
+  bool moser_veselov;  ///< whether bodies turn by the scheme of Moser and Veselov
+  std::vector<PairStage<Base<T>>> const&
       stages;  ///< of a step, and one more: the last drift with the first of the next
   double first_kick, last_kick;
   Force const& force;
@@ -91,11 +94,11 @@ struct PairSteps {
   [[gnu::always_inline]] void kick(double part, double time, PairState<T>& at) const {
     auto const k = force(at.position.value, at.attitude_1.value, at.attitude_2.value, time);
     Three<T> push = k.force;
-    if (!setting.kepler) {
+    if (!kepler) {
       T const pull = -setting.strength * (k.inverse * k.inverse * k.inverse);
       for (int i = 0; i < 3; ++i) push[i] += pull * at.position.value[i];
     }
-    double const c1 = part * setting.unit_1, c2 = part * setting.unit_2;
+    auto const c1 = part * setting.unit_1, c2 = part * setting.unit_2;
     at.momentum.add({part * push[0], part * push[1], part * push[2]});
     at.body_1.add({c1 * k.torque_1[0], c1 * k.torque_1[1], c1 * k.torque_1[2]});
     at.body_2.add({c2 * k.torque_2[0], c2 * k.torque_2[1], c2 * k.torque_2[2]});
@@ -109,31 +112,32 @@ struct PairSteps {
                                               PairState<double> const& at, double time, double& least) const {
     auto const &y = at.position.value, &w = at.momentum.value;
     least = std::min(least, dot(y, y));
-    if (may_pass_the_nearest(x, v, y, w, time, setting.kepler, setting.mu)) [[unlikely]]
-      least = std::min(
-          least, setting.kepler ? square_in_pericentre(x, v, y, w, time, setting.mu) : square_at_foot(x, v));
+    if (may_pass_the_nearest(x, v, y, w, time, kepler, setting.mu)) [[unlikely]]
+      least =
+          std::min(least, kepler ? square_in_pericentre(x, v, y, w, time, setting.mu) : square_at_foot(x, v));
   }
-  [[gnu::always_inline]] void drift(PairStage<T> const& stage, PairState<T>& at, int& terms_of_1,
+  [[gnu::always_inline]] void drift(PairStage<Base<T>> const& stage, PairState<T>& at, int& terms_of_1,
                                     int& terms_of_2, double& least) const {
     T const inverse = T{} + 1.0 / setting.reduced_mass;
     Three<T> const& P = at.momentum.value;
     Three<T> const v{inverse * P[0], inverse * P[1], inverse * P[2]}, x = at.position.value;
-    if (setting.kepler) {
+    if (kepler) {
       auto const d = kepler_drift<T>(x, v, T{} + setting.mu, T{} + stage.time);
-      double const m = setting.reduced_mass;
+      auto const m = setting.reduced_mass;
       at.position.add(d.position);
       at.momentum.add({m * d.velocity[0], m * d.velocity[1], m * d.velocity[2]});
     } else {
       at.position.add({stage.time * v[0], stage.time * v[1], stage.time * v[2]});
     }
     if constexpr (std::is_same_v<T, double>) follow_distance(x, v, at, stage.time, least);
-    if (setting.moser_veselov) [[unlikely]] {
-      turn(at.body_1, at.attitude_1, moser_veselov_rotor<T>(stage.body_1, at.body_1.value));
-      turn(at.body_2, at.attitude_2, moser_veselov_rotor<T>(stage.body_2, at.body_2.value));
-    } else {
-      turn(at.body_1, at.attitude_1, exact_rotor<T>(stage.body_1, at.body_1.value, terms_of_1));
-      turn(at.body_2, at.attitude_2, exact_rotor<T>(stage.body_2, at.body_2.value, terms_of_2));
-    }
+    if constexpr (!is_pack<Base<T>>)
+      if (moser_veselov) [[unlikely]] {
+        turn(at.body_1, at.attitude_1, moser_veselov_rotor<T>(stage.body_1, at.body_1.value));
+        turn(at.body_2, at.attitude_2, moser_veselov_rotor<T>(stage.body_2, at.body_2.value));
+        return;
+      }
+    turn(at.body_1, at.attitude_1, exact_rotor<T>(stage.body_1, at.body_1.value, terms_of_1));
+    turn(at.body_2, at.attitude_2, exact_rotor<T>(stage.body_2, at.body_2.value, terms_of_2));
   }
 
   [[gnu::always_inline]] void operator()() {

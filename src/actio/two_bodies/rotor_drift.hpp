@@ -53,6 +53,9 @@ RotorMotion<T> motion_of(StepParameters<T> const& parameters, Three<T> const& u,
           less_one(Four<T>{c * dot(u, v), s * v[0] - c * across[0], s * v[1] - c * across[1],
                            s * v[2] - c * across[2]})};
 }
+template <class T>
+RotorMotion<T> any_rotor(InverseMoments<Base<T>> const& body, Three<T> const& p);
+
 /// Magnitude and direction of a momentum, or zero.
 template <class T>
 T size_of(Three<T> const& p, Three<T>& u) {
@@ -63,30 +66,49 @@ T size_of(Three<T> const& p, Three<T>& u) {
   u = {p[0] / size, p[1] / size, p[2] / size};
   return size;
 }
-/// The exact motion of any length. Over dual numbers, which elliptic functions are not written for, it is
-/// composed of equal parts that are short enough for the series.
+/// The same body for momenta that have rates of change.
 template <class T>
-[[gnu::noinline]] RotorMotion<T> long_rotor(InverseMoments<T> const& body, Three<T> const& p) {
-  if (base_value(dot(p, p)) == Base<T>(0))
-    return {{}, {T{}, body.J[0] * p[0], body.J[1] * p[1], body.J[2] * p[2]}};
-  Three<T> u;
-  T const size = size_of(p, u);
-  if constexpr (is_dual<T>) {
-    Orbit<T> const orbit(body, u);
-    int const parts = 1 + static_cast<int>(to_double(base_value(sqrt(orbit.s1 * size * size + 1e-300))) /
-                                           std::sqrt(short_enough));
-    FrameState<T> moved{u, {T{} + 1.0, T{}, T{}, T{}}};
-    T const t = size / double(parts);
-    auto const flow = base_value(T(orbit.s1 * t * t)) <= short_reach<5>
-                          ? ShortFlow<T>::template at<5>(body, orbit, t)
-                          : ShortFlow<T>::template at<8>(body, orbit, t);
-    HalfTurn<T> const part(
-        parameters_from<T>(body, orbit, flow.lever, flow.square, cos(flow.twist), sin(flow.twist)));
-    for (int k = 0; k < parts; ++k) part.step(moved);
-    Three<T> const d = minus(moved.direction, u);
-    return {{size * d[0], size * d[1], size * d[2]}, less_one(moved.attitude)};
+InverseMoments<T> constant_body(InverseMoments<Base<T>> const& body) {
+  InverseMoments<T> result;
+  for (int i = 0; i < 3; ++i) result.J[i] = T(body.J[i]);
+  result.d12 = T(body.d12), result.d23 = T(body.d23), result.d13 = T(body.d13);
+  return result;
+}
+/// The exact motion of any length. Over dual numbers, which elliptic functions are not written for, it is
+/// composed of equal parts that are short enough for the series; packs go lane after lane.
+template <class T>
+[[gnu::noinline]] RotorMotion<T> long_rotor(InverseMoments<Base<T>> const& body, Three<T> const& p) {
+  if constexpr (is_pack<Base<T>>) {
+    using One = std::conditional_t<is_dual<T>, Dual<double>, double>;
+    RotorMotion<T> all;
+    for (int k = 0; k < Base<T>::lanes; ++k) try {
+        set_lane(all, k, any_rotor<One>(in_lane<InverseMoments<double>>(body, k), in_lane<Three<One>>(p, k)));
+      } catch (NotFinite const&) {
+        One const none = std::numeric_limits<double>::quiet_NaN();
+        set_lane(all, k, RotorMotion<One>{{none, none, none}, {none, none, none, none}});
+      }
+    return all;
   } else {
-    return motion_of<T>(exact_flow<T>(body, u, size), u, size);
+    if (base_value(dot(p, p)) == Base<T>(0))
+      return {{}, {T{}, body.J[0] * p[0], body.J[1] * p[1], body.J[2] * p[2]}};
+    Three<T> u;
+    T const size = size_of(p, u);
+    if constexpr (is_dual<T>) {
+      auto const lifted = constant_body<T>(body);
+      Orbit<T> const orbit(lifted, u);
+      int const parts = 1 + static_cast<int>(to_double(base_value(sqrt(orbit.s1 * size * size + 1e-300))) /
+                                             std::sqrt(short_enough));
+      FrameState<T> moved{u, {T{} + 1.0, T{}, T{}, T{}}};
+      T const t = size / double(parts);
+      auto const flow = ShortFlow<T>::template at<8>(lifted, orbit, t);
+      HalfTurn<T> const part(
+          parameters_from<T>(lifted, orbit, flow.lever, flow.square, cos(flow.twist), sin(flow.twist)));
+      for (int k = 0; k < parts; ++k) part.step(moved);
+      Three<T> const d = minus(moved.direction, u);
+      return {{size * d[0], size * d[1], size * d[2]}, less_one(moved.attitude)};
+    } else {
+      return motion_of<T>(exact_flow<T>(body, u, size), u, size);
+    }
   }
 }
 
@@ -96,19 +118,25 @@ template <class T>
 /// @param body   inverse moments times the part of the step, in that unit
 /// @param terms  5 or 8, as many terms of the series as the last step needed; in, out
 template <class T>
-[[gnu::always_inline]] inline RotorMotion<T> exact_rotor(InverseMoments<T> const& body, Three<T> const& p,
-                                                         int& terms) {
-  if constexpr (std::is_same_v<T, double>) {
+[[gnu::always_inline]] inline RotorMotion<T> exact_rotor(InverseMoments<Base<T>> const& body,
+                                                         Three<T> const& p, int& terms) {
+  if constexpr (OfDoubles<T>) {
     if (terms == 5) {
-      auto const short_one = short_motion(StepTable<5>::get(), body, p);
+      auto const short_one = short_motion<5, T>(StepTable<5, Base<T>>::get(), body, p);
       if (all_within<5>(short_one.reach)) [[likely]]
         return {short_one.change, detail::less_one(short_one.turn)};
     }
-    auto const longer = short_motion(StepTable<8>::get(), body, p);
-    terms = longer.reach.turn <= short_reach<5> / 2 && longer.reach.twist <= short_twist<5> / 2 ? 5 : 8;
+    auto const longer = short_motion<8, T>(StepTable<8, Base<T>>::get(), body, p);
+    terms = longer.reach.turn <= T(short_reach<5> / 2) && longer.reach.twist <= T(short_twist<5> / 2) ? 5 : 8;
     if (all_within<8>(longer.reach)) return {longer.change, detail::less_one(longer.turn)};
   }
   return detail::long_rotor<T>(body, p);
+}
+/// The same where nothing is known of the step before.
+template <class T>
+RotorMotion<T> detail::any_rotor(InverseMoments<Base<T>> const& body, Three<T> const& p) {
+  int terms = 8;
+  return exact_rotor<T>(body, p, terms);
 }
 
 namespace detail {
@@ -133,7 +161,8 @@ StepParameters<T> parameters_of_scheme(HalfStep<T> const& step, Three<T> const& 
 /// The same by the scheme of Moser and Veselov.
 /// @throws OutsideDomain  where it has no solution
 template <class T>
-RotorMotion<T> moser_veselov_rotor(InverseMoments<T> const& body, Three<T> const& p) {
+RotorMotion<T> moser_veselov_rotor(InverseMoments<Base<T>> const& constant, Three<T> const& p) {
+  auto const body = detail::constant_body<T>(constant);
   if (base_value(dot(p, p)) == Base<T>(0)) return {};
   Three<T> u;
   T const size = detail::size_of(p, u);

@@ -38,8 +38,11 @@ template <class T>
 }
 
 /// The interaction of order 2 of two bodies.
+/// @tparam C  double, or a pack of pairs of bodies
+template <class C = double>
 class SecondOrderForce {
  public:
+  SecondOrderForce() = default;  // whose numbers are set lane by lane
   /// @param G  constant of gravitation
   SecondOrderForce(ExtendedBody const& first, ExtendedBody const& second, double G)
       : strength_1_(scaled(first.inertia, G * second.mass())),
@@ -68,8 +71,8 @@ class SecondOrderForce {
 
  private:
   static Three<double> scaled(Three<double> const& I, double c) { return {c * I[0], c * I[1], c * I[2]}; }
-  Three<double> strength_1_, strength_2_;  ///< G m2 I1 and G m1 I2
-  double trace_ =
+  Three<C> strength_1_, strength_2_;  ///< G m2 I1 and G m1 I2
+  C trace_ =
       strength_1_[0] + strength_1_[1] + strength_1_[2] + strength_2_[0] + strength_2_[1] + strength_2_[2];
 };
 

@@ -34,7 +34,7 @@ Tides::Tides(Tide const& first, Tide const& second, ExtendedBody const& one, Ext
       slow_1_(slow_of(first, one.inertia, G)),
       slow_2_(slow_of(second, two.inertia, G)) {}
 
-Tides::Rates Tides::rates(PairState<double> const& state, PairSetting const& setting) const {
+Tides::Rates Tides::rates(PairState<double> const& state, PairSetting<double> const& setting) const {
   auto const &X = state.position.value, &P = state.momentum.value;
   double const square = dot(X, X), sixth = square * square * square;
   Three<double> orbit = cross_product(X, P);
@@ -59,7 +59,7 @@ Tides::Rates Tides::rates(PairState<double> const& state, PairSetting const& set
   return {force, seen_by(state.attitude_1.value, t1), seen_by(state.attitude_2.value, t2)};
 }
 
-void Tides::kick(PairState<double>& state, PairSetting const& setting, double time) const {
+void Tides::kick(PairState<double>& state, PairSetting<double> const& setting, double time) const {
   auto const moved = [&](PairState<double>& at, Rates const& rate, double t) {
     auto const times = [](double c, Three<double> const& v) {
       return Three<double>{c * v[0], c * v[1], c * v[2]};

@@ -29,13 +29,13 @@ class Tides {
   Tides(Tide const& first, Tide const& second, ExtendedBody const& one, ExtendedBody const& two, double G);
 
   /// Half a step by the explicit midpoint rule, of order 2: only momenta change.
-  void kick(PairState<double>& state, PairSetting const& setting, double time) const;
+  void kick(PairState<double>& state, PairSetting<double> const& setting, double time) const;
 
  private:
   struct Rates {
     Three<double> force, torque_1, torque_2;
   };
-  Rates rates(PairState<double> const& state, PairSetting const& setting) const;
+  Rates rates(PairState<double> const& state, PairSetting<double> const& setting) const;
 
   Three<double> inertia_1_, inertia_2_;
   double size_1_, size_2_;  ///< of the torques, times r^6

@@ -66,7 +66,7 @@ TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const
     : first_(std::move(first)),
       second_(std::move(second)),
       options_(std::move(options)),
-      force_(SecondOrderForce(first_, second_, options_.G)) {
+      force_(SecondOrderForce<>(first_, second_, options_.G)) {
   double const h = options_.step, m1 = first_.mass(), m2 = second_.mass(), G = options_.G;
   if (!is_finite(h) || !is_finite(options_.start)) throw NotFinite("two bodies: step or time at the start");
   if (h == 0) throw OutsideDomain("two bodies", "the step must differ from zero", 0, 0);
@@ -74,13 +74,8 @@ TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const
     throw OutsideDomain("two bodies", "the constant of gravitation must be positive", G, 0);
   if (!is_finite(start.position) || !is_finite(start.momentum))
     throw NotFinite("two bodies: position or momentum");
-  setting_ = {m1 / (m1 + m2) * m2,
-              G * (m1 + m2),
-              G * m1 * m2,
-              h / 2 / unit_of(first_),
-              h / 2 / unit_of(second_),
-              options_.method.kepler,
-              options_.method.rotor == Rotor::moser_veselov};
+  setting_ = {m1 / (m1 + m2) * m2, G * (m1 + m2), G * m1 * m2, h / 2 / unit_of(first_),
+              h / 2 / unit_of(second_)};
   if (options_.order == 4 && has_planes_of_symmetry(first_) && has_planes_of_symmetry(second_))
     force_ = FourthOrderForce<true>(first_, second_, G);
   else if (options_.order == 4)
@@ -124,8 +119,20 @@ double TwoBodies::take(long count) {
       [&]<class F>(F const& force) {
         detail::InTime<double, F> const in_time{force, third_ ? &*third_ : nullptr};
         detail::PairSteps<double, detail::InTime<double, F>> steps{
-            setting_, stages_, kicks.front() * h, kicks.back() * h, in_time, h, options_.start, steps_,
-            count,    state_,  terms_1_,          terms_2_};
+            setting_,
+            options_.method.kepler,
+            options_.method.rotor == Rotor::moser_veselov,
+            stages_,
+            kicks.front() * h,
+            kicks.back() * h,
+            in_time,
+            h,
+            options_.start,
+            steps_,
+            count,
+            state_,
+            terms_1_,
+            terms_2_};
         run_on_best_machine(steps);
         state_ = steps.state, terms_1_ = steps.terms_1, terms_2_ = steps.terms_2;
         return std::sqrt(steps.nearest_square);

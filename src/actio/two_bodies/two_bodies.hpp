@@ -14,7 +14,7 @@
 
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/two_bodies/fourth_order_force.hpp"
-#include "actio/two_bodies/pair_steps.hpp"
+#include "actio/two_bodies/pair_tangent.hpp"
 #include "actio/two_bodies/third_body.hpp"
 #include "actio/two_bodies/tides.hpp"
 
@@ -41,6 +41,10 @@ struct TwoBodyOptions {
       tides{};  ///< on the first and on the second body: half a kick before and
                 ///< after each step, of order 2
 };
+
+namespace detail {
+struct SideBySide;
+}
 
 /// Two rigid bodies under their mutual gravity.
 class TwoBodies {
@@ -86,9 +90,12 @@ class TwoBodies {
   /// @throws OutsideDomain  where there are tides
   /// Accuracy: that of the steps; the map is symplectic to rounding.
   Eigen::Matrix<double, 18, 18> tangent_map(long count) const;
-  /// \f$\frac1t\log|\delta(t)|/|\delta(0)|\f$ of one tangent vector over so many steps from now, 1/time, with
-  /// lengths, momenta and angles in units of the orbit: it falls as log(t)/t where the motion is regular, and
-  /// tends to the largest Lyapunov exponent where it is chaotic.
+  /// What the parts of a tangent vector are measured in, so that all count alike: length, momentum and rate
+  /// of the orbit as it is now, radians, and the largest moment of inertia times that rate.
+  PairTangent tangent_units() const;
+  /// \f$\frac1t\log|\delta(t)|/|\delta(0)|\f$ of one tangent vector over so many steps from now, 1/time, in
+  /// these units: it falls as log(t)/t where the motion is regular, and tends to the largest Lyapunov
+  /// exponent where it is chaotic.
   /// @param every  steps after which the vector is made as long as one again
   double lyapunov_exponent(long count, long every = 16) const;
 
@@ -97,8 +104,9 @@ class TwoBodies {
   void remember(Memory& memory) { memory(state_, terms_1_, terms_2_, steps_); }
 
  private:
+  friend struct detail::SideBySide;
   using Force =
-      std::variant<SecondOrderForce, FourthOrderForce<true>, FourthOrderForce<false>, AnyOrderForce<>>;
+      std::variant<SecondOrderForce<>, FourthOrderForce<true>, FourthOrderForce<false>, AnyOrderForce<>>;
 
   void require_apart(char const* when, double nearest = HUGE_VAL) const;
   Kick<double> interaction() const;
@@ -107,7 +115,7 @@ class TwoBodies {
 
   ExtendedBody first_, second_;
   TwoBodyOptions options_;
-  PairSetting setting_;
+  PairSetting<double> setting_;
   Force force_;
   std::vector<PairStage<double>> stages_;
   std::optional<ThirdBodyForce> third_;

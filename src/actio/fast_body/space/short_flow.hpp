@@ -20,6 +20,7 @@
 #include <concepts>
 
 #include "actio/fast_body/space/half_turn.hpp"
+#include "actio/numbers/pack.hpp"
 
 namespace actio::bodies {
 
@@ -65,7 +66,7 @@ struct Orbit {
 };
 
 namespace detail {
-template <int terms>
+template <int terms, class T = double>
 struct ShortTable;
 }
 
@@ -100,23 +101,30 @@ struct ShortSeries {
   /// The same polynomials with coefficients from a table, for doubles: short chains of operations, and no
   /// division.
   template <int terms>
-  [[gnu::always_inline]] static ShortSeries by_table(detail::ShortTable<terms> const& table, T const& X,
-                                                     T const& Y, T const& W)
-    requires std::same_as<T, double>;
+  [[gnu::always_inline]] static ShortSeries by_table(detail::ShortTable<terms, Base<T>> const& table,
+                                                     T const& X, T const& Y, T const& W)
+    requires OfDoubles<T>;
 };
 
 namespace detail {
 
 /// Coefficients of the polynomials of \ref ShortSeries: of \f$Y^jX^i\f$, and of \f$W^kY^jX^i\f$, with
 /// \f$k+2j+i\f$ less than `terms`. Worked out when the program starts to use it.
-template <int terms>
+template <int terms, class T>
 struct ShortTable {
   static constexpr int rows = (terms + 1) / 2;
-  using Plane = std::array<std::array<double, terms>, rows>;
+  using Plane = std::array<std::array<T, terms>, rows>;
   Plane lever, square;
   std::array<Plane, terms> mean;
 
-  ShortTable() {
+  ShortTable()
+    requires is_pack<T>
+  {
+    set_all_lanes(*this, ShortTable<terms>());
+  }
+  ShortTable()
+    requires std::same_as<T, double>
+  {
     using Row = std::array<long double, rows>;
     std::array<Row, terms> z{}, ratio{};
     std::array<std::array<Row, terms>, terms> inverse{};
@@ -147,24 +155,25 @@ struct ShortTable {
       }
   }
 };
-template <int terms>
-ShortTable<terms> const& short_table() {
-  static ShortTable<terms> const table;
+template <int terms, class T = double>
+ShortTable<terms, T> const& short_table() {
+  static ShortTable<terms, T> const table;
   return table;
 }
 
 /// x, x^2, x^4, x^8: enough for sixteen terms.
+template <class T>
 struct Powers {
-  double one, two, four, eight;
-  [[gnu::always_inline]] explicit Powers(double x)
+  T one, two, four, eight;
+  [[gnu::always_inline]] explicit Powers(T const& x)
       : one(x), two(x * x), four(two * two), eight(four * four) {}
 };
 /// \f$\sum_{n<count} c_n x^n\f$, halved again and again, so that the chain of operations grows with the
 /// logarithm of their number.
-template <int count>
-[[gnu::always_inline]] inline double power_sum(double const* c, Powers const& x) {
+template <int count, class T>
+[[gnu::always_inline]] inline T power_sum(Base<T> const* c, Powers<T> const& x) {
   if constexpr (count == 1)
-    return c[0];
+    return T(c[0]);
   else if constexpr (count == 2)
     return x.one * c[1] + c[0];
   else if constexpr (count <= 4)
@@ -175,16 +184,16 @@ template <int count>
     return x.eight * power_sum<count - 8>(c + 8, x) + power_sum<8>(c, x);
 }
 /// \f$\sum_j Y^j\sum_{i<count-2j} c_{ji}X^i\f$.
-template <int count, int j = 0, class Plane>
-[[gnu::always_inline]] inline double plane_sum(Plane const& c, Powers const& X, double Y) {
+template <int count, int j = 0, class Plane, class T>
+[[gnu::always_inline]] inline T plane_sum(Plane const& c, Powers<T> const& X, T const& Y) {
   if constexpr (count <= 2)
     return power_sum<count>(c[j].data(), X);
   else
     return Y * plane_sum<count - 2, j + 1>(c, X, Y) + power_sum<count>(c[j].data(), X);
 }
 /// \f$\sum_k W^k\sum_jY^j\sum_{i<count-k-2j} c_{kji}X^i\f$.
-template <int count, int k = 0, class Planes>
-[[gnu::always_inline]] inline double space_sum(Planes const& c, Powers const& X, double Y, double W) {
+template <int count, int k = 0, class Planes, class T>
+[[gnu::always_inline]] inline T space_sum(Planes const& c, Powers<T> const& X, T const& Y, T const& W) {
   if constexpr (count == 1)
     return plane_sum<1>(c[k], X, Y);
   else
@@ -196,11 +205,11 @@ template <int count, int k = 0, class Planes>
 /// The same polynomials with coefficients from a table.
 template <class T>
 template <int terms>
-[[gnu::always_inline]] inline ShortSeries<T> ShortSeries<T>::by_table(detail::ShortTable<terms> const& table,
-                                                                      T const& X, T const& Y, T const& W)
-  requires std::same_as<T, double>
+[[gnu::always_inline]] inline ShortSeries<T> ShortSeries<T>::by_table(
+    detail::ShortTable<terms, Base<T>> const& table, T const& X, T const& Y, T const& W)
+  requires OfDoubles<T>
 {
-  detail::Powers const powers(X);
+  detail::Powers<T> const powers(X);
   // Of the mean the terms without W are 1 alone.
   return {detail::plane_sum<terms>(table.lever, powers, Y), detail::plane_sum<terms>(table.square, powers, Y),
           W * detail::space_sum<terms - 1, 1>(table.mean, powers, Y, W) + 1};
@@ -220,8 +229,8 @@ struct ShortFlow {
                                              T const& t) {
     T const x = t * t, X = orbit.s1 * x, Y = orbit.s2 * (x * x), W = orbit.a * orbit.b * x;
     ShortSeries<T> s;
-    if constexpr (std::same_as<T, double> && terms <= 12)
-      s = ShortSeries<T>::template by_table<terms>(detail::short_table<terms>(), X, Y, W);
+    if constexpr (OfDoubles<T> && terms <= 12)
+      s = ShortSeries<T>::template by_table<terms>(detail::short_table<terms, Base<T>>(), X, Y, W);
     else
       s = ShortSeries<T>::template by_recursion<terms>(X, Y, W);
     return {t * s.lever, W * s.square, t * (body.J[1] + orbit.beside * s.mean)};

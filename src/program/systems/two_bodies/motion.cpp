@@ -89,13 +89,7 @@ PairMotion::PairMotion(PairScene const& scene, double step, Follows follows)
   auto const& pair = state_.pair;
   if (follows.way) state_.way = OrbitWay(scene.start, pair.reduced_mass());
   if (!follows.tangent) return;
-  double const length = scene.start.position.norm(), m = pair.first().mass() + pair.second().mass(),
-               rate = std::sqrt(pair.options().G * m / length) / length;
-  auto& unit = state_.tangent.unit;
-  unit.setOnes(), state_.tangent.along.setConstant(1 / std::sqrt(18.0));
-  unit.head<3>() *= length, unit.segment<3>(3) *= pair.reduced_mass() * length * rate;
-  unit.segment<3>(9) *= rate * std::ranges::max(pair.first().inertia);
-  unit.segment<3>(15) *= rate * std::ranges::max(pair.second().inertia);
+  state_.tangent.unit = pair.tangent_units(), state_.tangent.along.setConstant(1 / std::sqrt(18.0));
 }
 
 void PairMotion::move(State& state, long count) const {

@@ -165,23 +165,6 @@ std::vector<Quantity> of_the_orbit() {
        "1/time",
        "",
        {}},
-      {"tangent_map",
-       Kind::matrix,
-       "How the state changes with that at the start: position, momentum, and of each body a turn and its "
-       "momentum, both in its frame. Without tides.",
-       "\\partial z(t)/\\partial z(0)",
-       "mixed",
-       "",
-       {}},
-      {"lyapunov",
-       Kind::scalar,
-       "The rate at which a tangent vector has grown since the start, its parts in units of the orbit: it "
-       "falls as log(t)/t where the motion is regular, and tends to the largest Lyapunov exponent where it "
-       "is chaotic. Zero at the start. Without tides.",
-       "\\tfrac1t\\log|\\delta z(t)|/|\\delta z(0)|",
-       "1/time",
-       "",
-       {}},
   };
 }
 
@@ -225,7 +208,6 @@ void define_state(QuantityGraph& graph, PairMotion const& motion) {
 }
 
 void define_orbit(QuantityGraph& graph, PairMotion const& motion) {
-  using Kind = Quantity::Kind;
   auto const& pair = motion.pair();
   double const mu = pair.options().G * (pair.first().mass() + pair.second().mass());
   auto const normal = [](auto needs) {
@@ -252,13 +234,6 @@ void define_orbit(QuantityGraph& graph, PairMotion const& motion) {
       });
   graph.define("mean_period", {""}, [&motion](auto, double* out) { *out = motion.way().mean_period(); });
   graph.define("precession", {""}, [&motion](auto, double* out) { *out = motion.way().precession(); });
-  graph.define("tangent_map", column_ends(Kind::matrix, 18), [&motion](auto, double* out) {
-    Eigen::Map<Eigen::Matrix<double, 18, 18, Eigen::RowMajor>>{out} = motion.tangent().map;
-  });
-  graph.define("lyapunov", {""}, [&motion](auto, double* out) {
-    double const time = motion.pair().time();
-    *out = time == 0 ? 0 : motion.tangent().growth / time;
-  });
 }
 
 }  // namespace
@@ -266,12 +241,14 @@ void define_orbit(QuantityGraph& graph, PairMotion const& motion) {
 std::vector<Quantity> pair_quantities() {
   auto all = of_the_state();
   for (auto& quantity : of_the_orbit()) all.push_back(std::move(quantity));
+  for (auto& quantity : tangent_quantities()) all.push_back(std::move(quantity));
   return all;
 }
 
 void define_pair(QuantityGraph& graph, PairMotion const& motion) {
   define_state(graph, motion);
   define_orbit(graph, motion);
+  define_tangent(graph, motion);
 }
 
 }  // namespace actio::scene

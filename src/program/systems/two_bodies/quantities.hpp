@@ -10,4 +10,9 @@ std::vector<Quantity> pair_quantities();
 /// How they come from a motion.
 void define_pair(QuantityGraph& graph, PairMotion const& motion);
 
+/// Those that tell how a motion depends on its start.
+std::vector<Quantity> tangent_quantities();
+/// How these come from a motion that follows its tangent map.
+void define_tangent(QuantityGraph& graph, PairMotion const& motion);
+
 }  // namespace actio::scene

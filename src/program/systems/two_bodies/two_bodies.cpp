@@ -40,10 +40,10 @@ bool asked(Request const& request, std::initializer_list<char const*> names) {
 
 PairMotion::Follows follows_of(Request const& request, PairScene const& scene) {
   PairMotion::Follows const out{asked(request, {"mean_period", "precession"}),
-                                asked(request, {"tangent_map", "lyapunov"})};
+                                asked(request, {"tangent_map", "lyapunov", "sensitivity"})};
   if (out.tangent && scene.options.tides)
     request.file.section("output").fail(
-        "quantities", "tangent_map and lyapunov are those of a motion without system.tides");
+        "quantities", "tangent_map, lyapunov and sensitivity are those of a motion without system.tides");
   return out;
 }
 
@@ -81,7 +81,7 @@ Companion companion_of(Request const& request, PairScene const& scene) {
       },
       {multiple}, order_shown(scene), true);
   out.momentum = "position";
-  for (char const* const name : {"precession", "mean_period", "tangent_map", "lyapunov"})
+  for (char const* const name : {"precession", "mean_period", "tangent_map", "sensitivity", "lyapunov"})
     if (asked(request, {name})) out.without.emplace_back(name);
   return out;
 }

@@ -1,6 +1,6 @@
-#include "actio/stored_energy/fast_lanes.hpp"
+#include "actio/numbers/registers.hpp"
 
-namespace actio::media {
+namespace actio {
 
 std::vector<Registers> usable_registers() {
   std::vector<Registers> all{Registers::plain};
@@ -14,4 +14,4 @@ std::vector<Registers> usable_registers() {
   return all;
 }
 
-}  // namespace actio::media
+}  // namespace actio
