@@ -148,7 +148,9 @@ class PairOnGroupoid {
 
  private:
   template <class T>
-  static Arrow<TwoPoses, T> const& on_arrows(Arrow<TwoPoses, T> const& arrow) { return arrow; }
+  static Arrow<TwoPoses, T> const& on_arrows(Arrow<TwoPoses, T> const& arrow) {
+    return arrow;
+  }
   template <class T>
   static Arrow<TwoPoses, T> on_arrows(PairArrow<DirectProduct<SE<3>, SE<3>>, T> const& pair) {
     auto const [g1, g2] = factors(pair.first);

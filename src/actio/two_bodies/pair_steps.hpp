@@ -57,6 +57,7 @@ struct PairSetting {
   C strength;      ///< \f$Gm_1m_2\f$
   C unit_1;        ///< a torque times a time times this is a change of p of the first body
   C unit_2;        ///< the same of the second body
+  C radii;         ///< both radii added up
 };
 
 namespace detail {
@@ -88,8 +89,8 @@ struct PairSteps {
   long from, count;
   PairState<T> state;
   int terms_1, terms_2;
-  /// of the least distance in all drifts so far; followed in double precision only
-  double nearest_square = std::numeric_limits<double>::infinity();
+  /// of the least distance in all drifts so far; of dual numbers it is not followed
+  Base<T> nearest_square = std::numeric_limits<double>::infinity();
 
   [[gnu::always_inline]] void kick(double part, double time, PairState<T>& at) const {
     auto const k = force(at.position.value, at.attitude_1.value, at.attitude_2.value, time);
@@ -110,14 +111,35 @@ struct PairSteps {
   /// @param least the square of the least distance
   [[gnu::always_inline]] void follow_distance(Three<double> const& x, Three<double> const& v,
                                               PairState<double> const& at, double time, double& least) const {
-    auto const &y = at.position.value, &w = at.momentum.value;
+    follow_distance(x, v, at.position.value, at.momentum.value, time, setting.mu, least);
+  }
+  [[gnu::always_inline]] void follow_distance(Three<double> const& x, Three<double> const& v,
+                                              Three<double> const& y, Three<double> const& w, double time,
+                                              double mu, double& least) const {
     least = std::min(least, dot(y, y));
-    if (may_pass_the_nearest(x, v, y, w, time, kepler, setting.mu)) [[unlikely]]
-      least =
-          std::min(least, kepler ? square_in_pericentre(x, v, y, w, time, setting.mu) : square_at_foot(x, v));
+    if (may_pass_the_nearest(x, v, y, w, time, kepler, mu)) [[unlikely]]
+      least = std::min(least, kepler ? square_in_pericentre(x, v, y, w, time, mu) : square_at_foot(x, v));
+  }
+  /// The same in lanes, where one of them may come within the radii: outside of them no body is faster than
+  /// on the way down to them.
+  template <int n>
+  [[gnu::always_inline]] void follow_distance(Three<Pack<n>> const& x, Three<Pack<n>> const& v,
+                                              PairState<Pack<n>> const& at, double time,
+                                              Pack<n>& least) const {
+    Pack<n> const R = setting.radii, fastest = dot(v, v) + 2.0 * setting.mu / R;
+    if (2.0 * (R * R + time * time * fastest) < dot(x, x)) [[likely]]
+      return;
+    for (int k = 0; k < n; ++k) {
+      double nearest = in_lane<double>(least, k);
+      follow_distance(in_lane<Three<double>>(x, k), in_lane<Three<double>>(v, k),
+                      in_lane<Three<double>>(at.position.value, k),
+                      in_lane<Three<double>>(at.momentum.value, k), time, in_lane<double>(setting.mu, k),
+                      nearest);
+      set_lane(least, k, nearest);
+    }
   }
   [[gnu::always_inline]] void drift(PairStage<Base<T>> const& stage, PairState<T>& at, int& terms_of_1,
-                                    int& terms_of_2, double& least) const {
+                                    int& terms_of_2, Base<T>& least) const {
     T const inverse = T{} + 1.0 / setting.reduced_mass;
     Three<T> const& P = at.momentum.value;
     Three<T> const v{inverse * P[0], inverse * P[1], inverse * P[2]}, x = at.position.value;
@@ -129,7 +151,7 @@ struct PairSteps {
     } else {
       at.position.add({stage.time * v[0], stage.time * v[1], stage.time * v[2]});
     }
-    if constexpr (std::is_same_v<T, double>) follow_distance(x, v, at, stage.time, least);
+    if constexpr (!is_dual<T>) follow_distance(x, v, at, stage.time, least);
     if constexpr (!is_pack<Base<T>>)
       if (moser_veselov) [[unlikely]] {
         turn(at.body_1, at.attitude_1, moser_veselov_rotor<T>(stage.body_1, at.body_1.value));
@@ -143,7 +165,7 @@ struct PairSteps {
   [[gnu::always_inline]] void operator()() {
     PairState<T> at = state;
     int t1 = terms_1, t2 = terms_2;
-    double least = nearest_square;
+    Base<T> least = nearest_square;
     int const size = static_cast<int>(stages.size()) - 1;
     bool const drift_first = first_kick == 0;
     for (long n = 0; n < count; ++n) {

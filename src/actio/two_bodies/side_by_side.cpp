@@ -121,8 +121,11 @@ struct SideBySide {
         actio::detail::run_with_avx2(kernel);
       state = kernel.state, terms_1 = kernel.terms_1, terms_2 = kernel.terms_2;
       int sound = -1;
-      for (int k = 0; k < C::lanes; ++k)
-        if (lost[k] |= !has_numbers(lane(k)); !lost[k]) sound = k;
+      for (int k = 0; k < C::lanes; ++k) {
+        double const radii = in_lane<double>(setting.radii, k);
+        bool const near = in_lane<double>(kernel.nearest_square, k) <= radii * radii;
+        if (lost[k] |= near || !has_numbers(lane(k)); !lost[k]) sound = k;
+      }
       for (int k = 0; sound >= 0 && k < C::lanes; ++k)
         if (lost[k]) set_lane(state, k, lane(sound));
       return sound >= 0;

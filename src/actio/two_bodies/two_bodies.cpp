@@ -74,8 +74,12 @@ TwoBodies::TwoBodies(ExtendedBody first, ExtendedBody second, TwoBodyState const
     throw OutsideDomain("two bodies", "the constant of gravitation must be positive", G, 0);
   if (!is_finite(start.position) || !is_finite(start.momentum))
     throw NotFinite("two bodies: position or momentum");
-  setting_ = {m1 / (m1 + m2) * m2, G * (m1 + m2), G * m1 * m2, h / 2 / unit_of(first_),
-              h / 2 / unit_of(second_)};
+  setting_ = {m1 / (m1 + m2) * m2,
+              G * (m1 + m2),
+              G * m1 * m2,
+              h / 2 / unit_of(first_),
+              h / 2 / unit_of(second_),
+              first_.radius + second_.radius};
   if (options_.order == 4 && has_planes_of_symmetry(first_) && has_planes_of_symmetry(second_))
     force_ = FourthOrderForce<true>(first_, second_, G);
   else if (options_.order == 4)

@@ -101,7 +101,9 @@ class TwoBodies {
 
   /// Saves, or restores, what the next step depends on besides bodies and options.
   template <class Memory>
-  void remember(Memory& memory) { memory(state_, terms_1_, terms_2_, steps_); }
+  void remember(Memory& memory) {
+    memory(state_, terms_1_, terms_2_, steps_);
+  }
 
  private:
   friend struct detail::SideBySide;
