@@ -70,7 +70,11 @@ class SizedLevelStep : public LevelStep {
         vectors_(column(start.vectors)),
         from_{G(std::shared_ptr<MatrixAlgebra const>(system, &system->algebra)), column(velocity)},
         velocities_(from_),
-        flow_(actio::detail::Commutators<double>(length_, constants_of(*system)), V::Zero(length_)) {}
+        flow_(actio::detail::Commutators<double>(length_, constants_of(*system)), V::Zero(length_)),
+        slopes_(start.vectors.size()) {
+    for (std::size_t i = 0; i < slopes_.size(); ++i)
+      constant_slopes_ &= system->slopes.is_constant(static_cast<int>(1 + start.momentum.size() + i));
+  }
 
   std::unique_ptr<LevelStep> copy() const override { return std::make_unique<SizedLevelStep>(*this); }
 
@@ -89,9 +93,12 @@ class SizedLevelStep : public LevelStep {
       if (!velocities_.find(held, momentum_, flow_.checks(stage))) return false;
       auto const& xi = velocities_.velocity().coordinates;
       std::copy_n(xi.data(), n, out.data());
-      if (m == 0) return true;
+      if (m == 0 || (constant_slopes_ && slopes > 0)) {
+        for (std::size_t i = 0; i < m; ++i) out.data()[n + i] = slopes_[i];
+        return true;
+      }
       auto const& slope = held.values(lagrangian_.system->slopes, xi);
-      for (std::size_t i = 0; i < m; ++i) out.data()[n + i] = -slope[1 + n + i];
+      for (std::size_t i = 0; i < m; ++i) out.data()[n + i] = slopes_[i] = -slope[1 + n + i];
       ++slopes;
       return true;
     };
@@ -127,6 +134,8 @@ class SizedLevelStep : public LevelStep {
   Velocity<G, double> from_;
   actio::detail::StageVelocities<G, double> velocities_;
   actio::detail::LevelFlow<side, double, V> flow_;
+  std::vector<double> slopes_;   // minus the differential in the vectors
+  bool constant_slopes_ = true;  // by the formula
 };
 
 template <int side>

@@ -72,7 +72,7 @@ class AdvectedMomentumLevelStep {
     for (Index i = 0; i < n; ++i) whole[i] = state.momentum.components[i];
     for (Index i = 0; i < length; ++i) whole[n + i] = state.vector[i];
 
-    auto& kept = LevelMemory<G, S, side, B, V>::of(
+    auto& kept = LevelMemory<G, S, side, B, V, Matrix<S, m, 1>>::of(
         memory_, state.velocity, eta, [&] { return Commutators<B>(state.momentum.group, length, act_); });
 
     Matrix<S, m, 1> a = state.vector;
@@ -82,15 +82,17 @@ class AdvectedMomentumLevelStep {
       for (Index i = 0; i < length; ++i) a[i] = now[n + i];
       if (!kept.velocities.find(holding(l_, a), mu, LevelFlow<side, B, V>::checks(stage))) return false;
       auto const& xi = kept.velocities.velocity();
-      // [advected_momentum_level]
-      auto const slope = slope_in_vector(l_, xi, a);
-      // [advected_momentum_level]
-      if (length > 0) ++evaluations;
       for (Index i = 0; i < n; ++i) out[i] = xi.coordinates[i];
-      for (Index i = 0; i < length; ++i) out[n + i] = -slope[i];
-      return true;
+      if (length == 0) return true;
+      bool const found = kept.slopes.find(stage == 0, LevelFlow<side, B, V>::checks(stage), [&] {
+        // [advected_momentum_level]
+        return slope_in_vector(l_, xi, a);
+        // [advected_momentum_level]
+      });
+      for (Index i = 0; i < length; ++i) out[n + i] = -kept.slopes.slope()[i];
+      return found;
     };
-    for (int tried = 0; tried < 2; ++tried) {
+    for (int tried = 0; tried < 3; ++tried) {
       kept.velocities.begin(holding(l_, state.vector), state.velocity);
       if (kept.flow(whole, h, velocity_of, eta)) break;
     }
@@ -99,7 +101,7 @@ class AdvectedMomentumLevelStep {
     for (Index i = 0; i < n; ++i) moved.coordinates[i] = eta[i], state.momentum.components[i] = whole[i];
     for (Index i = 0; i < length; ++i) state.vector[i] = whole[n + i];
     state.velocity = kept.velocities.velocity();
-    evaluations += kept.velocities.take_gradients();
+    evaluations += kept.velocities.take_gradients() + kept.slopes.take_evaluations();
     return {exp(-moved), state, evaluations};
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <any>
+#include <utility>
 
 #include "actio/reduction/legendre_chord.hpp"
 #include "actio/reduction/level_flow.hpp"
@@ -50,12 +51,44 @@ class StageVelocities {
   bool lines_ = true;  // no check has failed
 };
 
+/// The slopes of a Lagrangian in an advected vector at the stages of an explicit step: the one at the start
+/// where they are found to be the same all along, which is checked in the middle and at the end. Where a
+/// check has failed once, each is computed.
+template <class Column>
+class StageSlopes {
+ public:
+  /// @param first, check  whether it is the first stage, and one at which a constant slope is checked
+  /// @param slope         () -> the slope there
+  /// @return              false where slopes were taken for the same, and are not
+  template <class Slope>
+  bool find(bool first, bool check, Slope const& slope) {
+    if (constant_ && !first && !check) return true;
+    Column const now = slope();
+    ++evaluations_;
+    constant_ = constant_ && (first || now == slope_);
+    bool const goes_on = constant_ || learned_;
+    learned_ = !constant_, slope_ = now;
+    return goes_on;
+  }
+  /// The last one.
+  Column const& slope() const { return slope_; }
+  /// How many were computed since the last call.
+  int take_evaluations() { return std::exchange(evaluations_, 0); }
+
+ private:
+  Column slope_ = {};
+  bool constant_ = true, learned_ = false;  // no check has failed; one has failed before
+  int evaluations_ = 0;
+};
+
 /// What a step on a level of the momentum leaves to the next one of the same group.
-/// @tparam V  a column of the coordinates that move
-template <Group G, Real S, int side, class B, class V>
+/// @tparam V      a column of the coordinates that move
+/// @tparam Slope  a column like the advected vector
+template <Group G, Real S, int side, class B, class V, class Slope = Matrix<S, Dynamic, 1>>
 struct LevelMemory {
   G group;                           ///< whose commutators these are
   StageVelocities<G, S> velocities;  ///< found at the stages
+  StageSlopes<Slope> slopes;         ///< likewise
   LevelFlow<side, B, V> flow;        ///< of the group, or of a semidirect product with it
 
   /// What is left of the last call, where it was of this group and as many coordinates; new otherwise.
@@ -65,7 +98,7 @@ struct LevelMemory {
     auto* const kept = std::any_cast<LevelMemory>(&last);
     if (kept && known_to_be_same(kept->group, near.group) && kept->flow.size() == zero.size()) return *kept;
     return last.emplace<LevelMemory>(
-        LevelMemory{near.group, StageVelocities<G, S>(near), LevelFlow<side, B, V>(commutators(), zero)});
+        LevelMemory{near.group, StageVelocities<G, S>(near), {}, LevelFlow<side, B, V>(commutators(), zero)});
   }
 };
 
