@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(what_a_force_a_friction_or_a_shape_cannot_be_is_refused) {
   std::string const driven = sleigh("parameters =", good + "inputs = { u = \"t < 2\" }\nparameters =");
   BOOST_TEST(refusal(driven, "own.toml") == "");
   with("force = [\"w\", \"0\"]", "force: 3 formulas are expected, one for each of w, v1, v2; found 2");
-  with("force = { v3 = \"1\" }", "unknown key 'v3'");
+  with("force = { v3 = \"1\" }", "unknown key of [system.force] 'v3'; did you mean 'v1'?");
   with("force = { v1 = \"x + 1\" }", "unknown name 'x'");
   with("force = { v1 = \"1/(w - 0.7)\" }", "along v1 it is inf at the start");
   with("inputs = { u = \"t\" }", "inputs: they are given to the force, and there is no system.force");
