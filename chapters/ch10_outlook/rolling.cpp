@@ -68,7 +68,7 @@ double change_of_momentum(int steps) {
   Vertical const up{0.36, 0.48, 0.8}, w{0.9, -0.4, 1.2}, v = cross(w, up);
   auto run = ball.run(0.05, 2, {w.x, w.y, w.z, v.x, v.y, v.z}, {up.x, up.y, up.z, 0});
   auto const squared = [&] {
-    auto const& [p, u] = run.point();
+    auto const &p = run.point().momentum, &u = run.point().vectors;
     Vertical const K =
         Vertical{p[0], p[1], p[2]} + cross(Vertical{u[0], u[1], u[2]}, Vertical{p[3], p[4], p[5]});
     return dot(K, K);
