@@ -108,6 +108,9 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
       if (key["key"] == "system.algebra" ||
           (key["key"] == "system.lagrangian" && !has(values["system.lagrangian"], "c*")))
         values.erase("system.parameters");
+      if (key["key"] == "system.shape")
+        values["output.quantities"] = "[\"shape\"]", values["initial.velocity"] = "[0.1, 0.7, 1.0, 0.2]";
+      if (key["key"] == "system.inputs") values["system.force"] = "{ v1 = \"thrust\" }";
       if (key["key"] == "system.advected") values["output.quantities"] = "[\"gravity\"]";
       if (key["key"] == "system.loops") values["output.quantities"] = "[\"circulation\"]";
       if (key["key"] == "run.chosen_for") values["run.accuracy"] = key["example"];

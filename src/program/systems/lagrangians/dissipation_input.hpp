@@ -17,7 +17,7 @@ struct DissipationKeys : KeyTable {
       "\"conformal\" damps in proportion to the momentum: brackets and Casimirs decay at a known rate, and "
       "a quadratic Lagrangian runs along its free motion. \"orbit\" turns the momentum on its coadjoint "
       "orbit: Casimirs are conserved, and the energy falls.",
-      "\"conformal\"");
+      "\"orbit\"");
   Key<double> rate = key(
       "rate", number.called("a number >= 0").in("1/time, or of the metric over energy"), needed,
       "The rate c: p' has the term -c p (conformal), or ad*_theta p with theta = c (ad*_v p)^sharp (orbit).",
@@ -30,7 +30,7 @@ struct DissipationKeys : KeyTable {
 /// its keys
 inline DissipationKeys const dissipation_keys{{"system.dissipation", LeftOut{"none"},
                                                "Friction that keeps a structure.",
-                                               "{ kind = \"conformal\", rate = 0.01 }"}};
+                                               "{ kind = \"orbit\", rate = 0.01 }"}};
 
 /// The friction; none where the scene has none.
 /// @param remarks  what is to be known of the method with it

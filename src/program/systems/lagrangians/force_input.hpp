@@ -20,7 +20,7 @@ struct ForceKeys : KeyTable {
       "the sum of their products. Formulas have the components of the velocity, those of the momentum as "
       "p_w1, those of the carried vectors, the time t, the parameters and the inputs; a component without "
       "a formula is 0. momentum_level takes no forces.",
-      "[\"-0.1*w1\", \"-0.1*w2*abs(w2)\", \"cos(2*t)\"]");
+      "{ v1 = \"-0.1*v1*abs(v1)\" }");
   AnyKey inputs =
       key("inputs", "a table by names of one's own", LeftOut{"none"},
           "Numbers that the force is given as functions of time, each held over a step at its "

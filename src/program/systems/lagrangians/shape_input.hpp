@@ -18,7 +18,7 @@ namespace actio::scene {
 /// The key of the table.
 struct ShapeKeys : KeyTable {
   AnyKey shape =
-      key("shape", "a table of numbers by names of one's own", LeftOut{"none"},
+      key("shape", "a table by names of one's own", LeftOut{"none"},
           "Shape variables, with their values at the start, beside the group, which is then a named "
           "one: angle = 0.3 is a coordinate `angle` in the Lagrangian and in the force, and its rate "
           "`angle_rate` is a component of the velocity, before those of the group.",
