@@ -8,8 +8,8 @@
 namespace actio::scene {
 namespace {
 
-// In steps between two rows: the closed form takes as long as some fifty.
-constexpr long between_exact = 128, between_looks = 64;
+// In steps between two rows: the closed form takes as long as some fifty, which is no time at the beginning.
+constexpr long between_exact = 128, between_exact_at_first = 8, at_first = 2048, between_looks = 64;
 
 /// What rounding adds over so many steps.
 double rounding(long steps) {
@@ -50,8 +50,8 @@ void ErrorEstimate::see(long row, double time, long steps, bool last) {
   if (!companion_.motion || lost_ || time == 0) return;
   try {
     bool const exact = companion_.steps == 0;
-    bool const due =
-        last || row % (1 + (exact ? between_exact : between_looks) * row / std::max(1L, steps)) == 0;
+    long const between = !exact ? between_looks : steps <= at_first ? between_exact_at_first : between_exact;
+    bool const due = last || row % (1 + between * row / std::max(1L, steps)) == 0;
     if (exact) {
       if (!due) return;
       companion_.motion->go_to(time);

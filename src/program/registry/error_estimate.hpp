@@ -43,7 +43,8 @@ class ErrorEstimate {
   /// Moves the companions on with the run, which has made so many steps.
   void follow(long steps);
   /// Compares the states at a row of the run, if that is due: where the companions have a step, and otherwise
-  /// at rows that are some 64 steps apart, some 128 where the companion is exact, and in the last row.
+  /// at rows that are some 64 steps apart, some 128 where the companion is exact,
+  /// but 8 in the first 2048, and in the last row.
   /// @param time   of the row
   /// @param steps  of the run up to the row
   void see(long row, double time, long steps, bool last);
