@@ -75,7 +75,7 @@ class RollingSteps {
   };
   /// Both ends of a step of length h from here.
   template <class S>
-  Ends<S> ends(double h, Triad<S> const& w) const;
+  auto ends(double h, Triad<S> const& w) const -> Ends<S>;
   /// The derivative of the momentum at the start by the angular velocity, by columns.
   std::array<Triad<double>, 3> slope(double h, Triad<double> const& w) const;
   /// Finds the angular velocity from that of the substep on.

@@ -15,8 +15,11 @@ struct Dual<Pack<n>, 1> {
   std::array<B, 1> part{};  ///< their rates
 
   Dual() = default;
+  /// A constant.
   [[gnu::always_inline]] Dual(B const& v) : value(v) {}
+  /// The same constant in all lanes.
   [[gnu::always_inline]] Dual(double v) : value(v) {}
+  /// Values with these rates.
   [[gnu::always_inline]] Dual(B const& v, B const& rate) : value(v), part{rate} {}
 
   [[gnu::always_inline]] Dual& operator+=(Dual const& y) {

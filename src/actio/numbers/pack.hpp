@@ -49,7 +49,9 @@ struct Pack {
 
   Pack() = default;
   // Written out, or the compiler copies records of them by halves and through memory.
+  /// The same numbers.
   [[gnu::always_inline]] Pack(Pack const& x) : lane(x.lane) {}
+  /// Takes the same numbers.
   [[gnu::always_inline]] Pack& operator=(Pack const& x) {
     lane = x.lane;
     return *this;
@@ -84,11 +86,14 @@ struct Pack {
 /// Whether a scalar is several doubles.
 template <class S>
 inline constexpr bool is_pack = false;
+/// \copydoc is_pack
 template <int n>
 inline constexpr bool is_pack<Pack<n>> = true;
+/// Packs are plain, and round as doubles do.
 template <int n>
 struct NumberTraits<Pack<n>> {
-  static constexpr bool plain = true, exact = false;
+  static constexpr bool plain = true;   ///< extended by nothing
+  static constexpr bool exact = false;  ///< as doubles
 };
 /// Scalars that are made of doubles: one, several, and dual numbers over these.
 template <class S>

@@ -3,7 +3,7 @@
 //     std::vector<TwoBodies> pairs = ...;        // of any bodies and starts
 //     step_side_by_side(pairs, 1000);            // as pair.step(1000) for each of them
 //
-// The step is that of TwoBodies, the same lines of code over \ref Pack instead of double.
+// The step is that of TwoBodies, the same lines of code over \ref actio::Pack instead of double.
 #pragma once
 
 #include <span>

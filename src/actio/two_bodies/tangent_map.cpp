@@ -6,8 +6,9 @@
 #include "actio/two_bodies/two_bodies.hpp"
 
 namespace actio::bodies {
-
+namespace {
 using D = Dual<double>;
+}
 
 PairState<Dual<double>> TwoBodies::moved(PairState<Dual<double>> const& from, long first, long count) const {
   if (tides_)

@@ -9,7 +9,7 @@ namespace actio::scene {
 namespace {
 
 // In steps between two rows: the closed form takes as long as some fifty, which is no time at the beginning.
-constexpr long between_exact = 128, between_exact_at_first = 8, at_first = 2048, between_looks = 64;
+constexpr long between_exact = 128, between_exact_at_first = 8, at_first = 256, between_looks = 64;
 
 /// What rounding adds over so many steps.
 double rounding(long steps) {

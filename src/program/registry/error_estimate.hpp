@@ -44,7 +44,7 @@ class ErrorEstimate {
   void follow(long steps);
   /// Compares the states at a row of the run, if that is due: where the companions have a step, and otherwise
   /// at rows that are some 64 steps apart, some 128 where the companion is exact,
-  /// but 8 in the first 2048, and in the last row.
+  /// but 8 in the first 256, and in the last row.
   /// @param time   of the row
   /// @param steps  of the run up to the row
   void see(long row, double time, long steps, bool last);
