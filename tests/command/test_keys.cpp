@@ -109,7 +109,8 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
           (key["key"] == "system.lagrangian" && !has(values["system.lagrangian"], "c*")))
         values.erase("system.parameters");
       if (key["key"] == "system.shape")
-        values["output.quantities"] = "[\"shape\"]", values["initial.velocity"] = "[0.1, 0.7, 1.0, 0.2]";
+        values["system.lagrangian"] = "\"(w^2 + v1^2 + c*v2^2 + angle_rate^2 - angle^2)/2\"",
+        values["initial.velocity"] = "[0.1, 0.7, 1.0, 0.2]";
       if (key["key"] == "system.inputs") values["system.force"] = "{ v1 = \"thrust\" }";
       if (key["key"] == "system.advected") values["output.quantities"] = "[\"gravity\"]";
       if (key["key"] == "system.loops") values["output.quantities"] = "[\"circulation\"]";
@@ -180,6 +181,8 @@ BOOST_AUTO_TEST_CASE(words_that_are_allowed_are_those_that_are_taken) {
         if (text == "netcdf" || text == "vtu") values["output.snapshots"] = "[]";
         // Reactions are of constraints.
         if (text == "reaction" || text == "constraint") values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
+        // Friction has a rate.
+        if (text == "conformal" || text == "orbit") values["system.dissipation.rate"] = "0.1";
         // A layer has a radius.
         if (text == "quasi_geostrophic") values["system.deformation"] = "0.3";
         auto const outcome = actio({"run", folder.write("scene.toml", scene_of(values)), "--dry-run"});

@@ -238,7 +238,10 @@ class Inputs(unittest.TestCase):
 
             def change(fraction, done):
                 if done == 1 and next(members, None) == 0:
-                    path.write_text("l,m,re,im\n1,0,0,0\n1,1,0.3,0.1\n")
+                    # At once, so that nobody reads half of it.
+                    other = pathlib.Path(folder, "other.csv")
+                    other.write_text("l,m,re,im\n1,0,0,0\n1,1,0.3,0.1\n")
+                    other.replace(path)
 
             sweep = actio.sweep(text=scene, over={"run.until": [1, 30]}, jobs=1, progress=change)
             self.assertEqual(sweep[0].status, 0)
