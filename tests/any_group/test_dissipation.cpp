@@ -146,6 +146,15 @@ BOOST_AUTO_TEST_CASE(friction_on_the_orbit_conserves_casimirs_and_takes_energy) 
   BOOST_TEST(std::abs(last - before / (2 * I3)) < 1e-6);
 }
 
+BOOST_AUTO_TEST_CASE(steps_on_a_level_take_no_force_and_no_other_friction) {
+  System const free = free_system("SO(3)", Side::left);
+  List const v{0.6, 0.2, 0.5};
+  auto const level = [&](System const& system) { LevelIntegrator(system, 0.1, point_at(*system, v), v); };
+  BOOST_CHECK_NO_THROW(level(free));
+  BOOST_CHECK_THROW(level(with_force(free, {"w1", "0", "0"})), OutsideDomain);
+  BOOST_CHECK_THROW(level(symmetric_body()), OutsideDomain);
+}
+
 BOOST_AUTO_TEST_CASE(friction_that_turns_too_far_in_a_step_is_refused) {
   System const body = with_dissipation(own_system("SO(3)", Side::left, "(w1^2 + w2^2 + 1.6*w3^2)/2"),
                                        {Dissipation::Kind::orbit, 1e4, Square::Identity(3, 3)});

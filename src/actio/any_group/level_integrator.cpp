@@ -151,9 +151,24 @@ std::unique_ptr<LevelStep> level_step(std::shared_ptr<ReducedSystem const> const
 }  // namespace
 }  // namespace detail
 
+namespace {
+
+/// Refuses what leads the momentum away from its level, but for damping along the free motion.
+std::shared_ptr<ReducedSystem const> on_a_level(std::shared_ptr<ReducedSystem const> system) {
+  bool const damped = system->dissipation && (system->dissipation->kind != Dissipation::Kind::conformal ||
+                                              !damps_along_free_motion(*system));
+  if (system->force || damped)
+    throw OutsideDomain("momentum level",
+                        "there must be no force, and no friction but damping along the free motion; others",
+                        int(system->force.has_value()) + int(damped), 0);
+  return system;
+}
+
+}  // namespace
+
 LevelIntegrator::LevelIntegrator(std::shared_ptr<ReducedSystem const> system, double h, ReducedPoint start,
                                  std::vector<double> const& velocity)
-    : system_(std::move(system)),
+    : system_(on_a_level(std::move(system))),
       length_(system_->dissipation ? system_->dissipation->free_time(h) : h),
       decay_(system_->dissipation ? std::exp(-system_->dissipation->rate * h) : 1),
       level_(system_->side == Side::left ? detail::level_step<-1>(system_, start, velocity)

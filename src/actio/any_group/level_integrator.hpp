@@ -38,7 +38,7 @@ class LevelIntegrator {
   /// @param start     momentum and vectors
   /// @param velocity  near which the first step looks for its own
   ///
-  /// A damped system must be one that damps along its free motion.
+  /// @throws OutsideDomain  with a force, and with friction other than damping along the free motion
   LevelIntegrator(std::shared_ptr<ReducedSystem const> system, double h, ReducedPoint start,
                   std::vector<double> const& velocity);
   /// Goes on from where the other one is, independently of it.

@@ -10,6 +10,9 @@ void require_constant_metric(ReducedSystem const& system) {
   constexpr char const* where = "steps that conserve the energy";
   if (system.chart != Chart::cayley)
     throw OutsideDomain(where, "Cayley's chart is needed; chart, 0 for the exponential one", 0, 1);
+  if (system.force || system.dissipation)
+    throw OutsideDomain(where, "there must be no force and no friction; how many there are",
+                        int(system.force.has_value()) + int(system.dissipation.has_value()), 0);
   int const d = system.dimension();
   Tape momenta = system.slopes;
   momenta.outputs = {momenta.outputs.begin() + 1, momenta.outputs.begin() + 1 + d};
@@ -56,8 +59,7 @@ void ConservingSolver::operator()(ReducedPoint& point, double t) {
   if (!history_.empty()) history_.predict(iteration_.unknowns);
   if (history_.empty() || !iteration_.chord(look, differentiate_there)) newton(point, t);
   history_.remember(iteration_.unknowns);
-  // Of the two ways to the momentum at the end, that on which what is left of the residual does next to no
-  // work.
+  // Of the two ways to the momentum at the end, that on which the last residual does next to no work.
   std::size_t const d = v_.size();
   for (std::size_t i = 0; i < d; ++i) {
     double change = step_.change[i];

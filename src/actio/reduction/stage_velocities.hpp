@@ -91,7 +91,7 @@ struct LevelMemory {
   StageSlopes<Slope> slopes;         ///< likewise
   LevelFlow<side, B, V> flow;        ///< of the group, or of a semidirect product with it
 
-  /// What is left of the last call, where it was of this group and as many coordinates; new otherwise.
+  /// The memory of the last call, where it was of this group and as many coordinates; a new one otherwise.
   /// @param commutators  () -> those of all coordinates
   template <class Make>
   static LevelMemory& of(std::any& last, Velocity<G, S> const& near, V const& zero, Make const& commutators) {
