@@ -163,6 +163,11 @@ class HeldNodes {
     for (auto const& node : nodes_)
       if (node.motion >= 0) f(node.at);
   }
+  /// Calls f(node, projection) for the nodes that are held, with what is left to their changes.
+  template <class F>
+  void for_held(F const& f) const {
+    for (auto const& node : nodes_) f(node.at, node.allowed);
+  }
   /// Memory, bytes.
   std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 

@@ -1,0 +1,163 @@
+// An incompressible fluid or body on a mesh, in the plane or in space (chapters 7 and 8 of the thesis, chapter
+// 10C of the book).
+//
+//     IncompressibleStart<2> cells;
+//     cells.velocity = [](auto const& X) {
+//       return std::array{std::sin(X[0]) * std::cos(X[1]), -std::cos(X[0]) * std::sin(X[1])};
+//     };
+//     cells.project = true;
+//     IncompressibleMedium<2> water(box_mesh({0, 0}, {pi, pi}, {32, 32}), {}, cells, 0.01,
+//                                   {{"left", {Side::sliding}}, ...});
+//     water.step(100);
+//     water.pressures();
+//
+// Places and pressures have order 2 in space and time; the volume of each cell is kept to rounding, momenta
+// are where sides and loads allow it, and the multisymplectic form is. Nothing resists the shear of a fluid:
+// a cell may fold while its volume is kept, and that is refused.
+#pragma once
+
+#include "actio/incompressible_media/incompressible_motion.hpp"
+
+namespace actio::media {
+
+/// An incompressible medium at the start.
+template <int d>
+struct IncompressibleStart : BodyStart<d> {
+  bool project = false;  ///< whether what changes volumes is taken from placement and velocity
+};
+
+namespace detail {
+template <int d>
+struct FlatCell;
+template <>
+struct FlatCell<2> {
+  using Type = PlaneCell;
+};
+template <>
+struct FlatCell<3> {
+  using Type = SpaceCell;
+};
+/// The energy of a fluid that stores none.
+template <int d>
+std::shared_ptr<StoredEnergy<d> const> no_stored_energy() {
+  return stored_energy<d>([](auto const& F) { return typename std::decay_t<decltype(F)>::Scalar(0); });
+}
+}  // namespace detail
+
+/// An incompressible fluid or body on a mesh of quadrilaterals or hexahedra.
+template <int d>
+class IncompressibleMedium final : public IncompressibleMotion<typename detail::FlatCell<d>::Type> {
+ public:
+  using Cell = typename detail::FlatCell<d>::Type;     ///< of the mesh
+  using Base = IncompressibleMotion<Cell>;             ///< steps and state
+  using Place = std::array<double, d>;                 ///< a point, or a vector
+  using Law = std::shared_ptr<StoredEnergy<d> const>;  ///< what a body stores
+
+  /// @param mesh   of the body; reference volumes are those that are kept
+  /// @param law    the stored energy; none: a fluid. W(J) may be in it: pressure is then the sum of both
+  /// @param start  density per reference volume, placement and velocity
+  /// @param step   the time step
+  /// @throws NotABodyMesh, UnknownSide, NotFinite, NotADensity  where these do not fit together
+  /// @throws VolumesNotIndependent  where all nodes of the rim are prescribed, or all counts around are even
+  /// @throws StartChangesVolumes  where the start does and is not to be projected
+  IncompressibleMedium(BodyMesh mesh, Law law, IncompressibleStart<d> const& start, double step,
+                       BodySides<d> const& sides = {}, BodyLoads<d> const& loads = {},
+                       VolumeSolving const& solving = {})
+      : IncompressibleMedium(std::make_unique<BodyMesh>(std::move(mesh)), std::move(law), start, step, sides,
+                             loads, solving) {}
+
+  /// The mesh of the body.
+  BodyMesh const& mesh() const { return *mesh_; }
+  /// Kinetic and stored energy, and that of loads, now.
+  BodyEnergies energies() {
+    return {this->kinetic_energy(), stores_ ? forces_.stored(this->y()) : 0, forces_.of_loads(this->y())};
+  }
+
+ private:
+  std::unique_ptr<BodyMesh> mesh_;
+  HeldNodes<d> held_;
+  bool stores_;
+  BodyForces<d> forces_;
+
+  IncompressibleMedium(std::unique_ptr<BodyMesh> mesh, Law law, IncompressibleStart<d> const& start,
+                       double step, BodySides<d> const& sides, BodyLoads<d> const& loads,
+                       VolumeSolving const& solving)
+      : Base(*mesh, reference_of(*mesh), densities(*mesh, start), allowances(HeldNodes<d>(*mesh, sides)),
+             step, solving),
+        mesh_(std::move(mesh)),
+        held_(*mesh_, sides),
+        stores_(law != nullptr),
+        forces_(*mesh_, law ? std::move(law) : detail::no_stored_energy<d>(), start.density, loads) {
+    forces_.body.masses = this->masses();
+    std::vector<double> y, v;
+    for (std::size_t k = 0; k < mesh_->nodes.size(); ++k) {
+      Place X;
+      std::copy_n(mesh_->nodes[k].begin(), d, X.begin());
+      Place const place = start.placement(X), rate = start.velocity(X);
+      for (int a = 0; a < d; ++a) {
+        if (!is_finite(place[a]) || !is_finite(rate[a]))
+          throw NotFinite("medium: placement and velocity of node " + mesh_->node_name(static_cast<int>(k)));
+        y.push_back(place[a]), v.push_back(rate[a]);
+      }
+    }
+    held_.put_places(y, 0);
+    this->start(std::move(y), std::move(v), start.project);
+  }
+
+  bool forces(std::vector<double> const& y, double t, std::vector<double>& f) const override {
+    if (stores_) {
+      LeastJacobian const least = forces_.forces(y, t, f);
+      if (!(least.jacobian > 0))
+        throw BodyCellInverts(least.cell, mesh_->cell_name(least.cell), least.jacobian, {});
+    } else {
+      f.assign(y.size(), 0);
+      forces_.loads.add_forces(forces_.body, y, t, f);
+    }
+    held_.restrict_to_allowed(f);
+    return true;
+  }
+  void move(std::vector<double> const& from, double h, double t, std::vector<double>& v,
+            std::vector<double>& y) const override {
+    y.resize(from.size());
+    for (std::size_t k = 0; k < from.size(); ++k) y[k] = from[k] + h * v[k];
+    if (!held_.any_moved()) return;
+    held_.put_places(y, t);
+    held_.for_moved([&](int node) {
+      for (int a = 0; a < d; ++a) {
+        std::size_t const k = std::size_t(d) * node + a;
+        v[k] = (y[k] - from[k]) / h;
+      }
+    });
+  }
+  void tangent(std::vector<double> const&, double t, std::vector<double>& v) const override {
+    // Velocities of moved nodes are given, of others what is allowed.
+    held_.restrict_to_allowed(v);
+    held_.put_velocities(v, t);
+  }
+
+  static std::vector<double> reference_of(BodyMesh const& mesh) {
+    std::vector<double> out;
+    for (auto const& X : mesh.nodes) out.insert(out.end(), X.begin(), X.begin() + d);
+    return out;
+  }
+  static std::vector<double> densities(BodyMesh const& mesh, BodyStart<d> const& start) {
+    std::vector<double> out;
+    for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
+      Place centre{};
+      for (int b = 0; b < corner_count(mesh.shape); ++b)
+        for (int a = 0; a < d; ++a) centre[a] += corner_place(mesh, cell, b)[a] / corner_count(mesh.shape);
+      double const rho = start.density(centre);
+      if (!is_finite(rho)) throw NotFinite("density in " + mesh.cell_name(cell));
+      if (!(rho > 0)) throw NotADensity(mesh.cell_name(cell), "an incompressible medium has mass", rho);
+      out.push_back(rho);
+    }
+    return out;
+  }
+  static std::vector<NodeAllowance<d>> allowances(HeldNodes<d> const& held) {
+    std::vector<NodeAllowance<d>> out;
+    held.for_held([&](int node, Matrix<double, d, d> const& part) { out.push_back({node, part}); });
+    return out;
+  }
+};
+
+}  // namespace actio::media

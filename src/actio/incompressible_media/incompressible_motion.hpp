@@ -1,0 +1,382 @@
+// How an incompressible medium goes on in time: the state, its steps, and what can be read off it (chapter
+// 10C of the book). Media in the plane and in space, and the fluid on the sphere, say what acts on them.
+#pragma once
+
+#include "actio/incompressible_media/volume_steps.hpp"
+
+namespace actio::media {
+
+/// A cell of an incompressible medium that would fold: its volume is kept, and a corner of it turns inside
+/// out. The state is that before the step.
+struct CellFolds : OutsideDomain {
+  int cell;     ///< which
+  int corner;   ///< of it
+  double time;  ///< when it would, on the straight way of the step
+  /// @param name  of the cell, for messages
+  CellFolds(int which, int at, std::string const& name, double when, double jacobian)
+      : OutsideDomain(
+            "incompressible medium: corner " + std::to_string(at) + " of " + name + ", t = " + show(when),
+            "a cell is not sheared so far that it folds, although its volume is kept; Jacobian at the "
+            "corner after the step",
+            jacobian, 0),
+        cell(which),
+        corner(at),
+        time(when) {}
+};
+
+/// An incompressible medium whose start changes volumes.
+struct StartChangesVolumes : OutsideDomain {
+  using OutsideDomain::OutsideDomain;
+};
+
+/// Steps of an incompressible medium.
+template <class Cell>
+class IncompressibleMotion {
+ public:
+  static constexpr int N = Cell::space;  ///< components of a place
+  using Place = std::array<double, N>;   ///< a place, or a velocity
+
+  /// Held by who owns it.
+  virtual ~IncompressibleMotion() = default;
+  IncompressibleMotion(IncompressibleMotion const&) = delete;             ///< Its parts refer to it.
+  IncompressibleMotion& operator=(IncompressibleMotion const&) = delete;  ///< \copydoc IncompressibleMotion
+
+  /// So many steps on.
+  /// @throws CellFolds, VolumesUnsolved  where there is no such step; the state is that before it
+  /// @throws OutsideDomain  where count is negative
+  void step(long count = 1) {
+    if (count < 0)
+      throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
+                          0);
+    look_ahead(0);
+    for (; count > 0; --count) {
+      prepare();
+      state_ = std::move(next_), prepared_ = false;
+      pressures_[2] = std::move(pressures_[1]), pressures_[1] = std::move(pressures_[0]);
+      pressures_[0] = std::move(pressure_), ++known_, ++steps_;
+      // A matrix that is old, or no longer near.
+      age_ = volumes_.rounds > solving_.many_rounds ? solving_.rebuilt_after : age_ + 1;
+    }
+  }
+  /// Until the next step the state is that so long after the last one; zero: that of the last step again.
+  /// \copydetails step
+  void look_ahead(double time) {
+    if (ahead_ > 0) {
+      state_ = std::move(kept_), ahead_ = 0, prepared_ = false;
+      if (volumes_.built != kept_built_) volumes_.set_slopes(kept_built_), volumes_.rebuild();
+    }
+    if (!(time > 0)) return;
+    State const from{state_.y, velocities_now(), 0};
+    kept_built_ = volumes_.built;
+    auto const pressure = pressure_;
+    make(from, time, this->time() + time);
+    pressure_ = pressure;
+    kept_ = std::move(state_), state_ = std::move(next_), ahead_ = time, prepared_ = false;
+  }
+  /// One step of another length, and from then on steps of a third one.
+  /// @param first  of the one step; zero: there is none
+  /// @param step   of those that follow
+  /// @param made   how many of these are counted as made: the product is the time
+  void change_step(double first, double step, long made) {
+    look_ahead(first);
+    state_.v = velocities_now(), state_.lag = 0;
+    ahead_ = 0, prepared_ = false, known_ = 0, step_ = step, steps_ = made;
+  }
+  /// The time of the last step.
+  double time() const { return static_cast<double>(steps_) * step_; }
+  /// How many steps have been made.
+  long steps() const { return steps_; }
+  /// The time step.
+  double time_step() const { return step_; }
+
+  /// Places of the nodes, length.
+  std::vector<Place> places() const { return points(state_.y); }
+  /// Velocities of the nodes now, length/time, which change no volume: the second multiplier of RATTLE.
+  std::vector<Place> velocities() { return points(velocities_now()); }
+  /// The masses of the nodes.
+  std::vector<double> const& masses() const { return volumes_.masses; }
+  /// The pressure in each cell now, by the multiplier of the step that begins here; its mean by volume is zero
+  /// where it is known up to a constant.
+  /// \copydetails step
+  std::vector<double> pressures() {
+    prepare();
+    auto out = pressure_;
+    if (!volumes_.pinned) return out;
+    double sum = 0, volume = 0;
+    for (std::size_t k = 0; k < out.size(); ++k) sum += out[k] * volumes_.kept[k], volume += volumes_.kept[k];
+    for (double& one : out) one -= sum / volume;
+    return out;
+  }
+  /// The mean of \ref pressures over the cells at each node, by volume: a chessboard in them is not in it.
+  std::vector<double> pressures_at_nodes() {
+    auto const P = pressures();
+    std::vector<double> sum(masses().size(), 0), weight(masses().size(), 0);
+    for (std::size_t cell = 0; cell < P.size(); ++cell)
+      for (int b = 0; b < Cell::corners; ++b) {
+        int const at = volumes_.volumes.node(cell, b);
+        sum[at] += volumes_.kept[cell] * P[cell], weight[at] += volumes_.kept[cell];
+      }
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] /= weight[k];
+    return sum;
+  }
+  /// \f$\tfrac12\sum m|v|^2\f$ of \ref velocities.
+  double kinetic_energy() {
+    double sum = 0;
+    auto const v = velocities_now();
+    for (std::size_t k = 0; k < v.size(); ++k) sum += 0.5 * masses()[k / N] * v[k] * v[k];
+    return sum;
+  }
+  /// \f$\sum mv\f$, mass x length/time: kept to rounding where nothing is held and no load acts.
+  Place momentum() {
+    Place sum{};
+    auto const v = velocities_now();
+    for (std::size_t k = 0; k < v.size(); ++k) sum[k % N] += masses()[k / N] * v[k];
+    return sum;
+  }
+  /// \f$\sum m\,y\times v\f$, mass x area/time; in the plane the third component.
+  std::array<double, 3> angular_momentum() {
+    std::array<double, 3> sum{};
+    auto const v = velocities_now();
+    for (std::size_t k = 0; k < masses().size(); ++k) {
+      double place[3] = {}, rate[3] = {};
+      for (int a = 0; a < N; ++a) place[a] = state_.y[k * N + a], rate[a] = v[k * N + a];
+      auto const turn = detail::cross(place, rate);
+      for (int a = 0; a < 3; ++a) sum[a] += masses()[k] * turn[a];
+    }
+    return sum;
+  }
+  /// The largest modulus of A/A^0 - 1 over all cells.
+  double volume_defect() const {
+    std::vector<double> r;
+    return volumes_.defects(state_.y, r);
+  }
+  /// For each cell the least Jacobian at its corners, over that of the reference.
+  std::vector<double> jacobians() const {
+    auto const J = volumes_.volumes.corner_jacobians(state_.y);
+    std::vector<double> out(volumes_.kept.size(), HUGE_VAL);
+    for (std::size_t k = 0; k < J.size(); ++k)
+      out[k / Cell::corners] = std::min(out[k / Cell::corners], J[k] / reference_jacobians_[k]);
+    return out;
+  }
+  /// How many rounds the last step took.
+  int rounds() const { return volumes_.rounds; }
+  /// Whether pressures are known up to a constant: nothing changes the volume of the whole.
+  bool is_closed() const { return volumes_.pinned; }
+  /// By how much the projection of the start changed the velocity of a node, at most.
+  double projected() const { return projected_; }
+  /// Memory for volumes, solver and states, bytes.
+  std::size_t bytes() const {
+    return volumes_.bytes() +
+           (8 * state_.y.size() + 5 * pressure_.size() + reference_jacobians_.size()) * sizeof(double);
+  }
+
+  /// The whole state.
+  std::vector<double> remember() const {
+    State const& last = ahead_ > 0 ? kept_ : state_;
+    std::vector<double> out{static_cast<double>(steps_), static_cast<double>(age_),
+                            static_cast<double>(known_), last.lag};
+    for (auto const* part : {&last.y, &last.v, ahead_ > 0 ? &kept_built_ : &volumes_.built, &pressures_[0],
+                             &pressures_[1], &pressures_[2]})
+      out.insert(out.end(), part->begin(), part->end());
+    return out;
+  }
+  /// Goes on from a state that was remembered, bit for bit.
+  /// @throws OutsideDomain  where it is of another size
+  void restore(std::vector<double> const& from) {
+    std::size_t const n = state_.y.size(), cells = volumes_.kept.size();
+    std::size_t const known = from.size() < 4 ? 0 : std::min(3.0, from[2]);
+    if (from.size() != 4 + 3 * n + known * cells)
+      throw OutsideDomain("incompressible medium", "a remembered state is that of the same mesh; numbers",
+                          static_cast<double>(from.size()), static_cast<double>(4 + 3 * n + known * cells));
+    steps_ = static_cast<long>(from[0]), age_ = static_cast<long>(from[1]),
+    known_ = static_cast<long>(from[2]);
+    auto at = from.begin() + 4;
+    auto const take = [&](std::vector<double>& part, std::size_t count) {
+      part.assign(at, at + static_cast<long>(count)), at += static_cast<long>(count);
+    };
+    state_.lag = from[3], ahead_ = 0, prepared_ = false;
+    std::vector<double> built;
+    take(state_.y, n), take(state_.v, n), take(built, n);
+    for (std::size_t k = 0; k < 3; ++k) take(pressures_[k], k < known ? cells : 0);
+    volumes_.set_slopes(built), volumes_.rebuild();
+  }
+
+ protected:
+  /// @param mesh, reference, density, held, solving  as for \ref VolumeSteps
+  IncompressibleMotion(BodyMesh const& mesh, std::vector<double> const& reference,
+                       std::vector<double> const& density,
+                       std::vector<typename VolumeSteps<Cell>::Allowance> const& held, double step,
+                       VolumeSolving const& solving)
+      : volumes_(mesh, reference, density, held, solving),
+        reference_jacobians_(volumes_.volumes.corner_jacobians(reference)),
+        mesh_(mesh),
+        solving_(solving),
+        step_(step) {
+    if (!is_finite(step)) throw NotFinite("incompressible medium: time step");
+    if (!(step > 0)) throw OutsideDomain("incompressible medium", "a time step is positive", step, 0);
+  }
+
+  /// Places and velocities at the start.
+  /// @param project  whether what changes volumes is taken from them; if not it is refused
+  /// @throws StartChangesVolumes
+  void start(std::vector<double> y, std::vector<double> v, bool project) {
+    std::vector<double> r;
+    double const off = volumes_.defects(y, r);
+    double const bound = 1e-6;
+    if (!(off <= bound) && !project) refuse_places(r, off, bound);
+    if (off > solving_.tolerance) {
+      std::vector<double> P(r.size(), 0), way(y.size(), 0), from = y;
+      volumes_.set_slopes(y), volumes_.rebuild();
+      volumes_.solve(
+          [&](std::vector<double>& way_now, std::vector<double>& out) { move(from, 1, 0, way_now, out); }, 1,
+          1, P, way, y);
+    }
+    state_ = {std::move(y), std::move(v), 0};
+    volumes_.set_slopes(state_.y), volumes_.rebuild();
+    tangent(state_.y, 0, state_.v);
+    auto const given = state_.v;
+    double const rate = divergence(state_.v);
+    if (!(rate <= bound) && !project)
+      throw StartChangesVolumes(
+          "incompressible medium",
+          "a velocity changes no volume at the start: its divergence times the size of a "
+          "cell over its speed (project = true takes that from it)",
+          rate, bound);
+    volumes_.project(whole_slopes(state_.y), state_.v);
+    for (std::size_t k = 0; k < given.size(); k += N) {
+      double square = 0;
+      for (int a = 0; a < N; ++a) square += std::pow(state_.v[k + a] - given[k + a], 2);
+      projected_ = std::max(projected_, std::sqrt(square));
+    }
+    refuse_folds(state_.y, state_.y, 0, 0);
+  }
+
+  /// Forces on all nodes at places y and time t, without pressures; those of held nodes projected.
+  /// @return whether there are any
+  virtual bool forces(std::vector<double> const& y, double t, std::vector<double>& f) const = 0;
+  /// y from places a time h before t and velocities between; on a curved target it corrects the velocities.
+  virtual void move(std::vector<double> const& from, double h, double t, std::vector<double>& v,
+                    std::vector<double>& y) const = 0;
+  /// Makes velocities such as nodes at y may have at time t.
+  virtual void tangent(std::vector<double> const& y, double t, std::vector<double>& v) const = 0;
+
+  /// Places now.
+  std::vector<double> const& y() const { return state_.y; }
+  /// The time of the state: that of the last step, or of what was looked ahead to.
+  double time_of_state() const { return time() + ahead_; }
+
+ private:
+  struct State {
+    std::vector<double> y, v;
+    double lag = 0;  // velocities are those so long before the places: half a step, or zero
+  };
+  VolumeSteps<Cell> volumes_;
+  std::vector<double> reference_jacobians_;
+  BodyMesh const& mesh_;
+  VolumeSolving solving_;
+  double step_;
+  State state_, next_, kept_;
+  std::vector<double> pressure_, pressures_[3], kept_built_;  // of the step from the state, of the last three
+  long steps_ = 0, known_ = 0, age_ = 0;                      // age: steps with one matrix
+  bool prepared_ = false;  // next_ and pressure_ are those of the next step
+  double ahead_ = 0, projected_ = 0;
+
+  void prepare() {
+    if (prepared_) return;
+    if (age_ >= solving_.rebuilt_after) volumes_.set_slopes(state_.y), volumes_.rebuild(), age_ = 0;
+    make(state_, step_, time_of_state() + step_);
+    prepared_ = true;
+  }
+  /// next_ and pressure_: a step of length h from a state to time t.
+  void make(State const& from, double h, double t) {
+    std::vector<double> f, P = guess();
+    double const scale = from.lag + h / 2;
+    next_ = {{}, from.v, h / 2};
+    if (forces(from.y, t - h, f))
+      for (std::size_t k = 0; k < f.size(); ++k) next_.v[k] += scale * f[k] / masses()[k / N];
+    volumes_.set_slopes(from.y);
+    volumes_.solve([&](std::vector<double>& v, std::vector<double>& y) { move(from.y, h, t, v, y); }, scale,
+                   h, P, next_.v, next_.y);
+    refuse_folds(from.y, next_.y, t - h, h);
+    pressure_ = std::move(P);
+  }
+  /// The parabola through the last three pressures, or what is known of it.
+  std::vector<double> guess() const {
+    if (known_ == 0) return std::vector<double>(volumes_.kept.size(), 0);
+    auto out = pressures_[0];
+    for (std::size_t k = 0; k < out.size() && known_ > 1; ++k) {
+      double const p = pressures_[0][k], q = pressures_[1][k];
+      out[k] = known_ == 2 ? 2 * p - q : 3 * (p - q) + pressures_[2][k];
+    }
+    return out;
+  }
+  std::vector<double> whole_slopes(std::vector<double> const& y) const {
+    std::vector<double> out;
+    volumes_.volumes.slopes(y, out);
+    return out;
+  }
+  /// Velocities at the time of the places.
+  std::vector<double> velocities_now() {
+    auto v = state_.v;
+    if (state_.lag == 0) return v;
+    std::vector<double> f;
+    if (forces(state_.y, time_of_state(), f))
+      for (std::size_t k = 0; k < f.size(); ++k) v[k] += state_.lag * f[k] / masses()[k / N];
+    tangent(state_.y, time_of_state(), v);
+    volumes_.set_slopes(state_.y);
+    volumes_.project(whole_slopes(state_.y), v);
+    return v;
+  }
+  /// The largest |G v| over what velocities of that size could do to the cell.
+  double divergence(std::vector<double> const& v) const {
+    std::vector<double> rates;
+    auto const slopes = whole_slopes(state_.y);
+    volumes_.volumes.rates(slopes, v, rates);
+    double speed = 0, most = 0;
+    for (std::size_t k = 0; k < v.size(); k += N) {
+      double square = 0;
+      for (int a = 0; a < N; ++a) square += v[k + a] * v[k + a];
+      speed = std::max(speed, std::sqrt(square));
+    }
+    for (std::size_t cell = 0; cell < rates.size(); ++cell) {
+      double sum = 0;
+      for (int k = 0; k < Cell::corners * N; ++k) sum += std::abs(slopes[cell * Cell::corners * N + k]);
+      if (speed > 0) most = std::max(most, std::abs(rates[cell]) / (sum * speed));
+    }
+    return most;
+  }
+  [[noreturn]] void refuse_places(std::vector<double> const& r, double off, double bound) const {
+    std::size_t worst = 0;
+    for (std::size_t k = 0; k < r.size(); ++k)
+      if (!(std::abs(r[k]) / volumes_.kept[k] <= std::abs(r[worst]) / volumes_.kept[worst])) worst = k;
+    throw StartChangesVolumes(
+        "incompressible medium: " + mesh_.cell_name(static_cast<int>(worst)),
+        "the placement keeps the volume of each cell; A/A0 - 1 (project = true takes that "
+        "from it)",
+        off, bound);
+  }
+  /// Refuses places at which a corner is inside out, with the time on the way at which it turned.
+  void refuse_folds(std::vector<double> const& from, std::vector<double> const& to, double t,
+                    double h) const {
+    auto const J = volumes_.volumes.corner_jacobians(to);
+    auto const worst = std::min_element(J.begin(), J.end()) - J.begin();
+    if (J[worst] > 0) return;
+    double low = 0, high = 1;
+    std::vector<double> y = to;
+    for (int k = 0; k < 40; ++k) {
+      double const middle = 0.5 * (low + high);
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] = from[i] + middle * (to[i] - from[i]);
+      (volumes_.volumes.corner_jacobians(y)[worst] > 0 ? low : high) = middle;
+    }
+    int const cell = static_cast<int>(worst) / Cell::corners;
+    throw CellFolds(cell, static_cast<int>(worst) % Cell::corners, mesh_.cell_name(cell), t + high * h,
+                    J[worst] / reference_jacobians_[worst]);
+  }
+  static std::vector<Place> points(std::vector<double> const& in) {
+    std::vector<Place> out(in.size() / N);
+    for (std::size_t k = 0; k < in.size(); ++k) out[k / N][k % N] = in[k];
+    return out;
+  }
+};
+
+}  // namespace actio::media

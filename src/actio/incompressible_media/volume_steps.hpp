@@ -1,0 +1,216 @@
+// Steps that keep the volume of every cell: SHAKE with one multiplier a cell, the pressure (chapter 10C of the
+// book).
+//
+// The discrete extended section has places y_k at the nodes and a pressure P_k in each cell at every level.
+// Its field equations are, with slopes G_k = dA/dy(y_k), forces F_k = -dE/dy(y_k) and masses M,
+//
+//     v_{k+1/2} = v_{k-1/2} + h M^-1 (F_k + G_k^T P_k),   y_{k+1} = y_k + h v_{k+1/2},   A(y_{k+1}) = A^0.
+//
+// The last equation determines P_k, the pressure at the time of y_k. The step is solved by a chord iteration:
+// the matrix G M^-1 G^T is that of a level some steps ago, and the pressures begin with the parabola through
+// the last three.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "actio/incompressible_media/pressure_solver.hpp"
+#include "actio/media_on_meshes/body_steps.hpp"
+
+namespace actio::media {
+
+/// A step whose volumes were not reached.
+struct VolumesUnsolved : Error {
+  double residual;  ///< the largest modulus of A/A^0 - 1
+  double bound;     ///< what it had to come under
+  /// @param rounds  of the iteration
+  VolumesUnsolved(int rounds, double off, double allowed)
+      : Error("incompressible medium: after " + std::to_string(rounds) +
+              " rounds the volume of a cell is off by " + show(off) + " of it, more than " + show(allowed) +
+              "; take a shorter step"),
+        residual(off),
+        bound(allowed) {}
+};
+
+/// How the volumes of a step are solved for.
+struct VolumeSolving {
+  double tolerance = 2e-13;  ///< of A/A^0 - 1, the largest modulus over all cells; or rounding of the places
+  int most_rounds = 40;      ///< of a step
+  int rebuilt_after = 10;    ///< steps with one matrix
+  int many_rounds = 8;       ///< of a step, after which there is a new one
+};
+
+/// What a side leaves to the changes of one node: a projection.
+template <int N>
+struct NodeAllowance {
+  int node;                   ///< which
+  Matrix<double, N, N> part;  ///< symmetric, its own square
+};
+
+/// The volumes of cells at a level, and the pressures that keep them.
+template <class Cell>
+class VolumeSteps {
+ public:
+  static constexpr int N = Cell::space;  ///< components of a place
+  using Allowance = NodeAllowance<N>;    ///< of a node that is held
+
+  /// @param mesh       of the body
+  /// @param reference  places at which each cell has the volume that it keeps
+  /// @param density    of each cell
+  /// @param held       what sides leave to their nodes
+  /// @throws NotABodyMesh  where a cell has no volume or a node no mass
+  /// @throws VolumesNotIndependent  where the volumes are no independent constraints but for their sum
+  VolumeSteps(BodyMesh const& mesh, std::vector<double> const& reference, std::vector<double> const& density,
+              std::vector<Allowance> const& held, VolumeSolving const& solving)
+      : volumes(mesh), masses(volumes.masses(reference, density)), solving_(solving) {
+    volumes.volumes(reference, kept);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      if (!(kept[k] > 0))
+        throw NotABodyMesh(mesh.cell_name(static_cast<int>(k)), "a cell has a volume", kept[k], 0,
+                           static_cast<int>(k));
+    for (std::size_t k = 0; k < masses.size(); ++k)
+      if (!(masses[k] > 0))
+        throw NotABodyMesh("node " + mesh.node_name(static_cast<int>(k)),
+                           "a node has mass: its cells are not bent inwards there; mass", masses[k], 0);
+    hold(held);
+    set_slopes(reference);
+    pinned = is_closed();
+    solver_ = std::make_unique<CholeskyPressure<Cell>>(volumes, masses, pinned);
+    rebuild();
+  }
+
+  VolumeSteps(VolumeSteps const&) = delete;             ///< The solver refers to the volumes.
+  VolumeSteps& operator=(VolumeSteps const&) = delete;  ///< \copydoc VolumeSteps(VolumeSteps const&)
+
+  CellVolumes<Cell> volumes;   ///< of the mesh
+  std::vector<double> masses;  ///< of the nodes
+  std::vector<double> kept;    ///< the volume of each cell
+  bool pinned = false;         ///< whether the sum of all volumes cannot change: pressures up to a constant
+  int rounds = 0;              ///< of the last solution
+  std::vector<double> built;   ///< the places of the matrix: with them alone a state goes on bit for bit
+
+  /// The slopes are those at these places, for what follows.
+  void set_slopes(std::vector<double> const& y) {
+    level_ = y;
+    volumes.slopes(y, slopes_);
+    for (auto const& [corner, part] : held_) {
+      double* slope = slopes_.data() + corner * N;
+      double const given[] = {slope[0], slope[1], slope[N - 1]};
+      for (int a = 0; a < N; ++a) {
+        slope[a] = 0;
+        for (int b = 0; b < N; ++b) slope[a] += (*part)(a, b) * given[b];
+      }
+    }
+  }
+  /// The matrix is that of the slopes now.
+  void rebuild() { solver_->build(slopes_), built = level_; }
+  /// v += scale M^-1 G^T P.
+  void push(std::vector<double> const& pressure, double scale, std::vector<double>& v) const {
+    std::vector<double> f(v.size(), 0);
+    volumes.push(slopes_, pressure, scale, f);
+    for (std::size_t k = 0; k < v.size(); ++k) v[k] += f[k] / masses[k / N];
+  }
+  /// Pressures P for which the velocities v + scale M^-1 G^T P lead to places with the volumes that are kept.
+  /// @param place  the places, given velocities: a callable (v, y)
+  /// @param h      how much places change with velocities, about
+  /// @param P      a guess, and then the solution
+  /// @param v      velocities without the pressure, and then with it
+  /// @param y      the places
+  /// @return the largest modulus of A/A^0 - 1: within the tolerance, or within the rounding of places
+  /// @throws VolumesUnsolved  where the iteration does not come there
+  template <class Place>
+  double solve(Place const& place, double scale, double h, std::vector<double>& P, std::vector<double>& v,
+               std::vector<double>& y) {
+    std::vector<double> const without = v;
+    std::vector<double> r, more;
+    bool fresh = false;
+    double last = HUGE_VAL;
+    for (rounds = 1;; ++rounds) {
+      push(P, scale, v);
+      place(v, y);
+      double const off = defects(y, r);
+      if (off <= solving_.tolerance || (off >= 0.5 * last && off <= rounding_of(y))) return off;
+      bool const lost = !is_finite(off);
+      if (lost || rounds % solving_.most_rounds == 0) {
+        if (fresh || lost) throw VolumesUnsolved(rounds, off, solving_.tolerance);
+        rebuild(), fresh = true;
+      }
+      last = off;
+      solver_->apply(r, more);
+      for (std::size_t k = 0; k < P.size(); ++k) P[k] -= more[k] / (scale * h);
+      v = without;
+    }
+  }
+  /// Takes from velocities at the places of the slopes what changes volumes: v -= M^-1 G^T Q with G v = 0.
+  /// @param whole  slopes without the projection of held nodes
+  void project(std::vector<double> const& whole, std::vector<double>& v) {
+    std::vector<double> r, Q;
+    double last = HUGE_VAL;
+    for (int round = 0; round < 100; ++round) {
+      volumes.rates(whole, v, r);
+      double size = 0;
+      for (std::size_t k = 0; k < r.size(); ++k) size = std::max(size, std::abs(r[k]) / kept[k]);
+      if (size == 0 || !(size < 0.5 * last)) return;
+      last = size;
+      solver_->apply(r, Q);
+      push(Q, -1, v);
+    }
+  }
+  /// A - A^0 of all cells.
+  /// @return the largest modulus of A/A^0 - 1; no finite number where a place is none
+  double defects(std::vector<double> const& y, std::vector<double>& r) const {
+    volumes.volumes(y, r);
+    double most = 0;
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      r[k] -= kept[k];
+      double const off = std::abs(r[k]) / kept[k];
+      if (!is_finite(off)) return off;
+      most = std::max(most, off);
+    }
+    return most;
+  }
+  /// Memory, bytes.
+  std::size_t bytes() const {
+    return volumes.bytes() + solver_->bytes() +
+           (masses.size() + kept.size() + slopes_.size()) * sizeof(double);
+  }
+
+ private:
+  VolumeSolving solving_;
+  std::vector<Allowance> parts_;
+  std::vector<std::pair<std::size_t, Matrix<double, N, N> const*>> held_;  // corners of cells at held nodes
+  std::vector<double> level_, slopes_;
+  std::unique_ptr<PressureSolver> solver_;
+
+  void hold(std::vector<Allowance> const& held) {
+    std::vector<int> at(masses.size(), -1);
+    parts_ = held;
+    for (std::size_t k = 0; k < held.size(); ++k) at[held[k].node] = static_cast<int>(k);
+    for (std::size_t cell = 0; cell < volumes.cells(); ++cell)
+      for (int b = 0; b < Cell::corners; ++b)
+        if (int const part = at[volumes.node(cell, b)]; part >= 0)
+          held_.push_back({cell * Cell::corners + b, &parts_[part].part});
+  }
+  /// Whether nothing that the nodes may do changes the sum of all volumes.
+  bool is_closed() const {
+    std::vector<double> f(masses.size() * N, 0);
+    volumes.push(slopes_, std::vector<double>(kept.size(), 1.0), 1, f);
+    double most = 0, slope = 0;
+    for (double const one : f) most = std::max(most, std::abs(one));
+    for (double const one : slopes_) slope = std::max(slope, std::abs(one));
+    return most <= 1e-9 * slope;
+  }
+  /// By how much rounding of places may change A/A^0.
+  double rounding_of(std::vector<double> const& y) const {
+    double size = 0, most = 0;
+    for (double const one : y) size = std::max(size, std::abs(one));
+    for (std::size_t cell = 0; cell < kept.size(); ++cell) {
+      double sum = 0;
+      for (int k = 0; k < Cell::corners * N; ++k) sum += std::abs(slopes_[cell * Cell::corners * N + k]);
+      most = std::max(most, sum / kept[cell]);
+    }
+    return 4 * std::numeric_limits<double>::epsilon() * size * most;
+  }
+};
+
+}  // namespace actio::media
