@@ -16,6 +16,7 @@
 // a cell may fold while its volume is kept, and that is refused.
 #pragma once
 
+#include "actio/incompressible_media/cell_weight.hpp"
 #include "actio/incompressible_media/incompressible_motion.hpp"
 
 namespace actio::media {
@@ -24,6 +25,8 @@ namespace actio::media {
 template <int d>
 struct IncompressibleStart : BodyStart<d> {
   bool project = false;  ///< whether what changes volumes is taken from placement and velocity
+  /// Uniform gravity, acceleration: the weight acts on cells, where potentials among loads act on nodes.
+  std::array<double, d> gravity = {};
 };
 
 namespace detail {
@@ -70,7 +73,11 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
   BodyMesh const& mesh() const { return *mesh_; }
   /// Kinetic and stored energy, and that of loads, now.
   BodyEnergies energies() {
-    return {this->kinetic_energy(), stores_ ? forces_.stored(this->y()) : 0, forces_.of_loads(this->y())};
+    double loads = forces_.of_loads(this->y());
+    double at[Cell::corners][d];
+    for (std::size_t cell = 0; weight_.any() && cell < this->cells().cells(); ++cell)
+      this->cells().gather(this->y(), cell, at), loads += weight_.of_cell(cell, at, nullptr);
+    return {this->kinetic_energy(), stores_ ? forces_.stored(this->y()) : 0, loads};
   }
 
  private:
@@ -78,6 +85,7 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
   HeldNodes<d> held_;
   bool stores_;
   BodyForces<d> forces_;
+  CellWeight<d> weight_;
 
   IncompressibleMedium(std::unique_ptr<BodyMesh> mesh, Law law, IncompressibleStart<d> const& start,
                        double step, BodySides<d> const& sides, BodyLoads<d> const& loads,
@@ -87,7 +95,8 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
         mesh_(std::move(mesh)),
         held_(*mesh_, sides),
         stores_(law != nullptr),
-        forces_(*mesh_, law ? std::move(law) : detail::no_stored_energy<d>(), start.density, loads) {
+        forces_(*mesh_, law ? std::move(law) : detail::no_stored_energy<d>(), start.density, loads),
+        weight_(*mesh_, start.gravity, densities(*mesh_, start)) {
     forces_.body.masses = this->masses();
     std::vector<double> y, v;
     for (std::size_t k = 0; k < mesh_->nodes.size(); ++k) {
@@ -113,8 +122,23 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
       f.assign(y.size(), 0);
       forces_.loads.add_forces(forces_.body, y, t, f);
     }
+    double at[Cell::corners][d], on[Cell::corners][d];
+    for (std::size_t cell = 0; weight_.any() && cell < this->cells().cells(); ++cell) {
+      this->cells().gather(y, cell, at);
+      std::fill_n(&on[0][0], Cell::corners * d, 0.0);
+      weight_.of_cell(cell, at, on);
+      for (int b = 0; b < Cell::corners; ++b)
+        for (int a = 0; a < d; ++a) f[std::size_t(d) * this->cells().node(cell, b) + a] += on[b][a];
+    }
     held_.restrict_to_allowed(f);
     return true;
+  }
+  void take_weight(std::vector<double>& pressure) const override {
+    double at[Cell::corners][d];
+    for (std::size_t cell = 0; weight_.any() && cell < pressure.size(); ++cell) {
+      this->cells().gather(this->y(), cell, at);
+      pressure[cell] -= weight_.of_cell(cell, at, nullptr) / Cell::volume(at);
+    }
   }
   void move(std::vector<double> const& from, double h, double t, std::vector<double>& v,
             std::vector<double>& y) const override {

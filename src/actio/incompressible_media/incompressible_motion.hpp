@@ -101,6 +101,7 @@ class IncompressibleMotion {
   std::vector<double> pressures() {
     prepare();
     auto out = pressure_;
+    take_weight(out);
     if (!volumes_.pinned) return out;
     double sum = 0, volume = 0;
     for (std::size_t k = 0; k < out.size(); ++k) sum += out[k] * volumes_.kept[k], volume += volumes_.kept[k];
@@ -260,6 +261,11 @@ class IncompressibleMotion {
   /// Makes velocities such as nodes at y may have at time t.
   virtual void tangent(std::vector<double> const& y, double t, std::vector<double>& v) const = 0;
 
+  /// Takes from multipliers the part that carries what is not pressure of the medium: its weight.
+  virtual void take_weight(std::vector<double>& pressure) const = 0;
+
+  /// The volumes and the kind of the cells.
+  CellVolumes<Cell> const& cells() const { return volumes_.volumes; }
   /// Places now.
   std::vector<double> const& y() const { return state_.y; }
   /// The time of the state: that of the last step, or of what was looked ahead to.
