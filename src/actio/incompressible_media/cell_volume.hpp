@@ -39,9 +39,10 @@ double corner_determinant(double const (*y)[d], int b) {
 /// A quadrilateral in the plane: half the cross product of its diagonals, which is the mean of the Jacobians
 /// at its corners.
 struct PlaneCell {
-  static constexpr int body = 2;     ///< dimension of the body
-  static constexpr int space = 2;    ///< components of a place
-  static constexpr int corners = 4;  ///< of a cell
+  static constexpr int body = 2;      ///< dimension of the body
+  static constexpr int space = 2;     ///< components of a place
+  static constexpr bool flat = true;  ///< volumes are functions of differences of places
+  static constexpr int corners = 4;   ///< of a cell
 
   /// The Jacobian at a corner: four times its share of the area.
   static double corner(double const (*y)[2], int b) { return corner_determinant<2>(y, b); }
@@ -66,9 +67,10 @@ struct PlaneCell {
 /// and the bends \f$h_i\f$ of the faces (corner_correction.hpp) the volume is
 /// \f$8\det a+\tfrac83\sum_ia_i\cdot h_k\times h_j\f$, i, j, k in cyclic order.
 struct SpaceCell {
-  static constexpr int body = 3;     ///< dimension of the body
-  static constexpr int space = 3;    ///< components of a place
-  static constexpr int corners = 8;  ///< of a cell
+  static constexpr int body = 3;      ///< dimension of the body
+  static constexpr int space = 3;     ///< components of a place
+  static constexpr bool flat = true;  ///< volumes are functions of differences of places
+  static constexpr int corners = 8;   ///< of a cell
 
   /// The Jacobian at a corner.
   static double corner(double const (*y)[3], int b) { return corner_determinant<3>(y, b); }
@@ -123,9 +125,10 @@ struct SpaceCell {
 /// A quadrilateral of great circles on the unit sphere: two triangles with the area
 /// \f$2\arctan\frac{a\cdot b\times c}{1+a\cdot b+b\cdot c+c\cdot a}\f$ each.
 struct SphereCell {
-  static constexpr int body = 2;     ///< dimension of the body
-  static constexpr int space = 3;    ///< components of a place, a unit vector
-  static constexpr int corners = 4;  ///< of a cell
+  static constexpr int body = 2;       ///< dimension of the body
+  static constexpr int space = 3;      ///< components of a place, a unit vector
+  static constexpr bool flat = false;  ///< volumes are functions of places
+  static constexpr int corners = 4;    ///< of a cell
 
   /// The Jacobian at a corner, in the plane that touches the sphere there.
   static double corner(double const (*y)[3], int b) {

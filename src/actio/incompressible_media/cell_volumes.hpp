@@ -7,9 +7,15 @@
 
 namespace actio::media {
 
+/// Places of nodes as sums of two numbers: where cells are small, their volumes are not rounded as places are.
+struct SharpPlaces {
+  std::vector<double> y;     ///< the nearest numbers, length
+  std::vector<double> rest;  ///< what is to be added to them; empty: nothing
+};
+
 /// The volumes of the cells of a mesh as functions of the places of its nodes.
 ///
-/// Places, velocities and forces are lists with `Cell::space` numbers a node; slopes, the derivatives G of all
+/// Velocities and forces, as places, are lists with `Cell::space` numbers a node; slopes, the derivatives G of all
 /// volumes, have as many for each corner of each cell.
 /// @tparam Cell  what the cells are: \ref PlaneCell, \ref SpaceCell or \ref SphereCell
 template <class Cell>
@@ -44,14 +50,28 @@ class CellVolumes {
       for (int a = 0; a < N; ++a)
         if (wraps_[cell * corners + b] >> a & 1) out[b][a] += period_[a];
   }
+  /// The same, sharply: in flat space relative to the first corner.
+  void gather(SharpPlaces const& places, std::size_t cell, double (*out)[N]) const {
+    gather(places.y, cell, out);
+    if constexpr (Cell::flat) {
+      double const first[3] = {out[0][0], out[0][1], out[0][N - 1]};
+      for (int b = 0; b < corners; ++b)
+        for (int a = 0; a < N; ++a) out[b][a] -= first[a];
+      if (places.rest.empty()) return;
+      std::size_t const from = std::size_t(N) * node(cell, 0);
+      for (int b = 1; b < corners; ++b)
+        for (int a = 0; a < N; ++a)
+          out[b][a] += places.rest[std::size_t(N) * node(cell, b) + a] - places.rest[from + a];
+    }
+  }
   /// The volumes of all cells.
-  void volumes(std::vector<double> const& y, std::vector<double>& out) const {
+  void volumes(SharpPlaces const& y, std::vector<double>& out) const {
     out.resize(cells());
     double at[corners][N];
     for (std::size_t cell = 0; cell < cells(); ++cell) gather(y, cell, at), out[cell] = Cell::volume(at);
   }
   /// The slopes of all volumes.
-  void slopes(std::vector<double> const& y, std::vector<double>& out) const {
+  void slopes(SharpPlaces const& y, std::vector<double>& out) const {
     out.resize(nodes_.size() * N);
     double at[corners][N], slope[corners][N];
     for (std::size_t cell = 0; cell < cells(); ++cell) {
@@ -95,8 +115,8 @@ class CellVolumes {
   /// gradient. In a parallelogram each corner has its share.
   /// @param y        places at which the medium has this density
   /// @param density  of each cell
-  std::vector<double> masses(std::vector<double> const& y, std::vector<double> const& density) const {
-    std::vector<double> out(y.size() / N, 0);
+  std::vector<double> masses(SharpPlaces const& y, std::vector<double> const& density) const {
+    std::vector<double> out(y.y.size() / N, 0);
     double at[corners][N], slope[corners][N];
     for (std::size_t cell = 0; cell < cells(); ++cell) {
       gather(y, cell, at);

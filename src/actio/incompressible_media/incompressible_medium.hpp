@@ -140,28 +140,26 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
       pressure[cell] -= weight_.of_cell(cell, at, nullptr) / Cell::volume(at);
     }
   }
-  void move(std::vector<double> const& from, double h, double t, std::vector<double>& v,
-            std::vector<double>& y) const override {
-    y.resize(from.size());
-    for (std::size_t k = 0; k < from.size(); ++k) y[k] = from[k] + h * v[k];
+  void move(SharpPlaces const& from, double h, double t, std::vector<double>& v,
+            SharpPlaces& to) const override {
+    to = from;
+    for (std::size_t k = 0; k < v.size(); ++k) detail::add_with_rest(to.y[k], to.rest[k], h * v[k]);
     if (!held_.any_moved()) return;
-    held_.put_places(y, t);
+    held_.put_places(to.y, t);
     held_.for_moved([&](int node) {
       for (int a = 0; a < d; ++a) {
         std::size_t const k = std::size_t(d) * node + a;
-        v[k] = (y[k] - from[k]) / h;
+        v[k] = (to.y[k] - from.y[k]) / h, to.rest[k] = 0;
       }
     });
   }
   void tangent(std::vector<double> const&, double t, std::vector<double>& v) const override {
-    // Velocities of moved nodes are given, of others what is allowed.
-    held_.restrict_to_allowed(v);
-    held_.put_velocities(v, t);
+    if (held_.any_moved()) held_.put_velocities(v, t);
   }
 
-  static std::vector<double> reference_of(BodyMesh const& mesh) {
-    std::vector<double> out;
-    for (auto const& X : mesh.nodes) out.insert(out.end(), X.begin(), X.begin() + d);
+  static SharpPlaces reference_of(BodyMesh const& mesh) {
+    SharpPlaces out;
+    for (auto const& X : mesh.nodes) out.y.insert(out.y.end(), X.begin(), X.begin() + d);
     return out;
   }
   static std::vector<double> densities(BodyMesh const& mesh, BodyStart<d> const& start) {

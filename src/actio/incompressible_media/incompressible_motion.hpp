@@ -63,10 +63,10 @@ class IncompressibleMotion {
   void look_ahead(double time) {
     if (ahead_ > 0) {
       state_ = std::move(kept_), ahead_ = 0, prepared_ = false;
-      if (volumes_.built != kept_built_) volumes_.set_slopes(kept_built_), volumes_.rebuild();
+      if (volumes_.built.y != kept_built_.y) volumes_.set_slopes(kept_built_), volumes_.rebuild();
     }
     if (!(time > 0)) return;
-    State const from{state_.y, velocities_now(), 0};
+    State const from{state_.at, velocities_now(), 0};
     kept_built_ = volumes_.built;
     auto const pressure = pressure_;
     make(from, time, this->time() + time);
@@ -90,7 +90,7 @@ class IncompressibleMotion {
   double time_step() const { return step_; }
 
   /// Places of the nodes, length.
-  std::vector<Place> places() const { return points(state_.y); }
+  std::vector<Place> places() const { return points(state_.at.y); }
   /// Velocities of the nodes now, length/time, which change no volume: the second multiplier of RATTLE.
   std::vector<Place> velocities() { return points(velocities_now()); }
   /// The masses of the nodes.
@@ -140,7 +140,7 @@ class IncompressibleMotion {
     auto const v = velocities_now();
     for (std::size_t k = 0; k < masses().size(); ++k) {
       double place[3] = {}, rate[3] = {};
-      for (int a = 0; a < N; ++a) place[a] = state_.y[k * N + a], rate[a] = v[k * N + a];
+      for (int a = 0; a < N; ++a) place[a] = state_.at.y[k * N + a], rate[a] = v[k * N + a];
       auto const turn = detail::cross(place, rate);
       for (int a = 0; a < 3; ++a) sum[a] += masses()[k] * turn[a];
     }
@@ -149,11 +149,11 @@ class IncompressibleMotion {
   /// The largest modulus of A/A^0 - 1 over all cells.
   double volume_defect() const {
     std::vector<double> r;
-    return volumes_.defects(state_.y, r);
+    return volumes_.defects(state_.at, r);
   }
   /// For each cell the least Jacobian at its corners, over that of the reference.
   std::vector<double> jacobians() const {
-    auto const J = volumes_.volumes.corner_jacobians(state_.y);
+    auto const J = volumes_.volumes.corner_jacobians(state_.at.y);
     std::vector<double> out(volumes_.kept.size(), HUGE_VAL);
     for (std::size_t k = 0; k < J.size(); ++k)
       out[k / Cell::corners] = std::min(out[k / Cell::corners], J[k] / reference_jacobians_[k]);
@@ -168,7 +168,7 @@ class IncompressibleMotion {
   /// Memory for volumes, solver and states, bytes.
   std::size_t bytes() const {
     return volumes_.bytes() +
-           (8 * state_.y.size() + 5 * pressure_.size() + reference_jacobians_.size()) * sizeof(double);
+           (11 * state_.at.y.size() + 5 * pressure_.size() + reference_jacobians_.size()) * sizeof(double);
   }
 
   /// The whole state.
@@ -176,7 +176,8 @@ class IncompressibleMotion {
     State const& last = ahead_ > 0 ? kept_ : state_;
     std::vector<double> out{static_cast<double>(steps_), static_cast<double>(age_),
                             static_cast<double>(known_), last.lag};
-    for (auto const* part : {&last.y, &last.v, ahead_ > 0 ? &kept_built_ : &volumes_.built, &pressures_[0],
+    SharpPlaces const& built = ahead_ > 0 ? kept_built_ : volumes_.built;
+    for (auto const* part : {&last.at.y, &last.at.rest, &last.v, &built.y, &built.rest, &pressures_[0],
                              &pressures_[1], &pressures_[2]})
       out.insert(out.end(), part->begin(), part->end());
     return out;
@@ -184,11 +185,11 @@ class IncompressibleMotion {
   /// Goes on from a state that was remembered, bit for bit.
   /// @throws OutsideDomain  where it is of another size
   void restore(std::vector<double> const& from) {
-    std::size_t const n = state_.y.size(), cells = volumes_.kept.size();
+    std::size_t const n = state_.at.y.size(), cells = volumes_.kept.size();
     std::size_t const known = from.size() < 4 ? 0 : std::min(3.0, from[2]);
-    if (from.size() != 4 + 3 * n + known * cells)
+    if (from.size() != 4 + 5 * n + known * cells)
       throw OutsideDomain("incompressible medium", "a remembered state is that of the same mesh; numbers",
-                          static_cast<double>(from.size()), static_cast<double>(4 + 3 * n + known * cells));
+                          static_cast<double>(from.size()), static_cast<double>(4 + 5 * n + known * cells));
     steps_ = static_cast<long>(from[0]), age_ = static_cast<long>(from[1]),
     known_ = static_cast<long>(from[2]);
     auto at = from.begin() + 4;
@@ -196,20 +197,19 @@ class IncompressibleMotion {
       part.assign(at, at + static_cast<long>(count)), at += static_cast<long>(count);
     };
     state_.lag = from[3], ahead_ = 0, prepared_ = false;
-    std::vector<double> built;
-    take(state_.y, n), take(state_.v, n), take(built, n);
+    SharpPlaces built;
+    take(state_.at.y, n), take(state_.at.rest, n), take(state_.v, n), take(built.y, n), take(built.rest, n);
     for (std::size_t k = 0; k < 3; ++k) take(pressures_[k], k < known ? cells : 0);
     volumes_.set_slopes(built), volumes_.rebuild();
   }
 
  protected:
   /// @param mesh, reference, density, held, solving  as for \ref VolumeSteps
-  IncompressibleMotion(BodyMesh const& mesh, std::vector<double> const& reference,
-                       std::vector<double> const& density,
+  IncompressibleMotion(BodyMesh const& mesh, SharpPlaces const& reference, std::vector<double> const& density,
                        std::vector<typename VolumeSteps<Cell>::Allowance> const& held, double step,
                        VolumeSolving const& solving)
       : volumes_(mesh, reference, density, held, solving),
-        reference_jacobians_(volumes_.volumes.corner_jacobians(reference)),
+        reference_jacobians_(volumes_.volumes.corner_jacobians(reference.y)),
         mesh_(mesh),
         solving_(solving),
         step_(step) {
@@ -221,20 +221,21 @@ class IncompressibleMotion {
   /// @param project  whether what changes volumes is taken from them; if not it is refused
   /// @throws StartChangesVolumes
   void start(std::vector<double> y, std::vector<double> v, bool project) {
-    std::vector<double> r;
-    double const off = volumes_.defects(y, r);
+    std::vector<double> r, none(y.size(), 0);
+    SharpPlaces at{std::move(y), none};
+    double const off = volumes_.defects(at, r);
     double const bound = 1e-6;
     if (!(off <= bound) && !project) refuse_places(r, off, bound);
     if (off > solving_.tolerance) {
-      std::vector<double> P(r.size(), 0), way(y.size(), 0), from = y;
-      volumes_.set_slopes(y), volumes_.rebuild();
-      volumes_.solve(
-          [&](std::vector<double>& way_now, std::vector<double>& out) { move(from, 1, 0, way_now, out); }, 1,
-          1, P, way, y);
+      std::vector<double> P(r.size(), 0), way = none;
+      SharpPlaces const from = at;
+      volumes_.set_slopes(at), volumes_.rebuild();
+      volumes_.solve([&](std::vector<double>& now, SharpPlaces& to) { move(from, 1, 0, now, to); }, 1, 1, P,
+                     way, at);
     }
-    state_ = {std::move(y), std::move(v), 0};
-    volumes_.set_slopes(state_.y), volumes_.rebuild();
-    tangent(state_.y, 0, state_.v);
+    state_ = {std::move(at), std::move(v), 0};
+    volumes_.set_slopes(state_.at), volumes_.rebuild();
+    tangent(state_.at.y, 0, state_.v);
     auto const given = state_.v;
     double const rate = divergence(state_.v);
     if (!(rate <= bound) && !project)
@@ -243,21 +244,21 @@ class IncompressibleMotion {
           "a velocity changes no volume at the start: its divergence times the size of a "
           "cell over its speed (project = true takes that from it)",
           rate, bound);
-    volumes_.project(whole_slopes(state_.y), state_.v);
+    volumes_.project(whole_slopes(), state_.v);
     for (std::size_t k = 0; k < given.size(); k += N) {
       double square = 0;
       for (int a = 0; a < N; ++a) square += std::pow(state_.v[k + a] - given[k + a], 2);
       projected_ = std::max(projected_, std::sqrt(square));
     }
-    refuse_folds(state_.y, state_.y, 0, 0);
+    refuse_folds(state_.at.y, state_.at.y, 0, 0);
   }
 
   /// Forces on all nodes at places y and time t, without pressures; those of held nodes projected.
   /// @return whether there are any
   virtual bool forces(std::vector<double> const& y, double t, std::vector<double>& f) const = 0;
-  /// y from places a time h before t and velocities between; on a curved target it corrects the velocities.
-  virtual void move(std::vector<double> const& from, double h, double t, std::vector<double>& v,
-                    std::vector<double>& y) const = 0;
+  /// Places at time t from those a time h before and velocities between; on a curved target it corrects the velocities.
+  virtual void move(SharpPlaces const& from, double h, double t, std::vector<double>& v,
+                    SharpPlaces& to) const = 0;
   /// Makes velocities such as nodes at y may have at time t.
   virtual void tangent(std::vector<double> const& y, double t, std::vector<double>& v) const = 0;
 
@@ -267,13 +268,14 @@ class IncompressibleMotion {
   /// The volumes and the kind of the cells.
   CellVolumes<Cell> const& cells() const { return volumes_.volumes; }
   /// Places now.
-  std::vector<double> const& y() const { return state_.y; }
+  std::vector<double> const& y() const { return state_.at.y; }
   /// The time of the state: that of the last step, or of what was looked ahead to.
   double time_of_state() const { return time() + ahead_; }
 
  private:
   struct State {
-    std::vector<double> y, v;
+    SharpPlaces at;
+    std::vector<double> v;
     double lag = 0;  // velocities are those so long before the places: half a step, or zero
   };
   VolumeSteps<Cell> volumes_;
@@ -282,14 +284,15 @@ class IncompressibleMotion {
   VolumeSolving solving_;
   double step_;
   State state_, next_, kept_;
-  std::vector<double> pressure_, pressures_[3], kept_built_;  // of the step from the state, of the last three
-  long steps_ = 0, known_ = 0, age_ = 0;                      // age: steps with one matrix
-  bool prepared_ = false;  // next_ and pressure_ are those of the next step
+  SharpPlaces kept_built_;                       // places of the matrix when it was looked ahead
+  std::vector<double> pressure_, pressures_[3];  // of the step from the state, of the last three
+  long steps_ = 0, known_ = 0, age_ = 0;         // age: steps with one matrix
+  bool prepared_ = false;                        // next_ and pressure_ are those of the next step
   double ahead_ = 0, projected_ = 0;
 
   void prepare() {
     if (prepared_) return;
-    if (age_ >= solving_.rebuilt_after) volumes_.set_slopes(state_.y), volumes_.rebuild(), age_ = 0;
+    if (age_ >= solving_.rebuilt_after) volumes_.set_slopes(state_.at), volumes_.rebuild(), age_ = 0;
     make(state_, step_, time_of_state() + step_);
     prepared_ = true;
   }
@@ -298,12 +301,12 @@ class IncompressibleMotion {
     std::vector<double> f, P = guess();
     double const scale = from.lag + h / 2;
     next_ = {{}, from.v, h / 2};
-    if (forces(from.y, t - h, f))
+    if (forces(from.at.y, t - h, f))
       for (std::size_t k = 0; k < f.size(); ++k) next_.v[k] += scale * f[k] / masses()[k / N];
-    volumes_.set_slopes(from.y);
-    volumes_.solve([&](std::vector<double>& v, std::vector<double>& y) { move(from.y, h, t, v, y); }, scale,
-                   h, P, next_.v, next_.y);
-    refuse_folds(from.y, next_.y, t - h, h);
+    volumes_.set_slopes(from.at);
+    volumes_.solve([&](std::vector<double>& v, SharpPlaces& to) { move(from.at, h, t, v, to); }, scale, h, P,
+                   next_.v, next_.at);
+    refuse_folds(from.at.y, next_.at.y, t - h, h);
     pressure_ = std::move(P);
   }
   /// The parabola through the last three pressures, or what is known of it.
@@ -316,9 +319,9 @@ class IncompressibleMotion {
     }
     return out;
   }
-  std::vector<double> whole_slopes(std::vector<double> const& y) const {
+  std::vector<double> whole_slopes() const {
     std::vector<double> out;
-    volumes_.volumes.slopes(y, out);
+    volumes_.volumes.slopes(state_.at, out);
     return out;
   }
   /// Velocities at the time of the places.
@@ -326,17 +329,17 @@ class IncompressibleMotion {
     auto v = state_.v;
     if (state_.lag == 0) return v;
     std::vector<double> f;
-    if (forces(state_.y, time_of_state(), f))
+    if (forces(state_.at.y, time_of_state(), f))
       for (std::size_t k = 0; k < f.size(); ++k) v[k] += state_.lag * f[k] / masses()[k / N];
-    tangent(state_.y, time_of_state(), v);
-    volumes_.set_slopes(state_.y);
-    volumes_.project(whole_slopes(state_.y), v);
+    tangent(state_.at.y, time_of_state(), v);
+    volumes_.set_slopes(state_.at);
+    volumes_.project(whole_slopes(), v);
     return v;
   }
   /// The largest |G v| over what velocities of that size could do to the cell.
   double divergence(std::vector<double> const& v) const {
     std::vector<double> rates;
-    auto const slopes = whole_slopes(state_.y);
+    auto const slopes = whole_slopes();
     volumes_.volumes.rates(slopes, v, rates);
     double speed = 0, most = 0;
     for (std::size_t k = 0; k < v.size(); k += N) {

@@ -32,13 +32,13 @@ void smooth(BodyMesh& mesh, int rounds) {
   }
 }
 
-std::vector<double> reference_of(BodyMesh const& mesh) {
-  std::vector<double> out;
+SharpPlaces reference_of(BodyMesh const& mesh) {
+  SharpPlaces out;
   for (auto const& x : mesh.nodes) {
     double const off = std::abs(detail::dot(x.data(), x.data()) - 1);
     if (!(off <= 1e-12))
       throw NotABodyMesh("fluid on the sphere", "nodes are unit vectors; off by", off, 1e-12);
-    out.insert(out.end(), x.begin(), x.end());
+    out.y.insert(out.y.end(), x.begin(), x.end());
   }
   return out;
 }
@@ -91,22 +91,19 @@ IncompressibleSphere::IncompressibleSphere(std::unique_ptr<BodyMesh> mesh, Veloc
       if (!is_finite(rate)) throw NotFinite("fluid on the sphere: velocity at the start");
       v.push_back(rate);
     }
-  start(reference_of(*mesh_), std::move(v), true);
+  start(reference_of(*mesh_).y, std::move(v), true);
 }
 
-void IncompressibleSphere::move(std::vector<double> const& from, double h, double, std::vector<double>& v,
-                                std::vector<double>& y) const {
-  y.resize(from.size());
-  for (std::size_t k = 0; k < from.size(); k += 3) {
+void IncompressibleSphere::move(SharpPlaces const& from, double h, double, std::vector<double>& v,
+                                SharpPlaces& to) const {
+  to = from;
+  for (std::size_t k = 0; k < v.size(); k += 3) {
     // y = w + n y_k with w = y_k + h v, such that |y| = 1.
-    double const* last = from.data() + k;
+    double const* last = from.y.data() + k;
     double w[3];
     for (int a = 0; a < 3; ++a) w[a] = last[a] + h * v[k + a];
     double const up = detail::dot(w, last), n = -up + std::sqrt(up * up - detail::dot(w, w) + 1);
-    for (int a = 0; a < 3; ++a) {
-      y[k + a] = w[a] + n * last[a];
-      v[k + a] += n * last[a] / h;
-    }
+    for (int a = 0; a < 3; ++a) to.y[k + a] = w[a] + n * last[a], v[k + a] += n * last[a] / h;
   }
 }
 

@@ -41,8 +41,8 @@ class IncompressibleSphere final : public IncompressibleMotion<SphereCell> {
   IncompressibleSphere(std::unique_ptr<BodyMesh> mesh, Velocity const& velocity, double step,
                        VolumeSolving const& solving);
   bool forces(std::vector<double> const&, double, std::vector<double>&) const override { return false; }
-  void move(std::vector<double> const& from, double h, double t, std::vector<double>& v,
-            std::vector<double>& y) const override;
+  void move(SharpPlaces const& from, double h, double t, std::vector<double>& v,
+            SharpPlaces& to) const override;
   void tangent(std::vector<double> const& y, double t, std::vector<double>& v) const override;
   void take_weight(std::vector<double>&) const override {}
 };

@@ -32,6 +32,11 @@ struct VolumesUnsolved : Error {
         bound(allowed) {}
 };
 
+/// Sides all around a medium whose motion changes the volume of the whole.
+struct WallsChangeVolume : OutsideDomain {
+  using OutsideDomain::OutsideDomain;
+};
+
 /// How the volumes of a step are solved for.
 struct VolumeSolving {
   double tolerance = 2e-13;  ///< of A/A^0 - 1, the largest modulus over all cells; or rounding of the places
@@ -60,7 +65,7 @@ class VolumeSteps {
   /// @param held       what sides leave to their nodes
   /// @throws NotABodyMesh  where a cell has no volume or a node no mass
   /// @throws VolumesNotIndependent  where the volumes are no independent constraints but for their sum
-  VolumeSteps(BodyMesh const& mesh, std::vector<double> const& reference, std::vector<double> const& density,
+  VolumeSteps(BodyMesh const& mesh, SharpPlaces const& reference, std::vector<double> const& density,
               std::vector<Allowance> const& held, VolumeSolving const& solving)
       : volumes(mesh), masses(volumes.masses(reference, density)), solving_(solving) {
     volumes.volumes(reference, kept);
@@ -75,7 +80,10 @@ class VolumeSteps {
     hold(held);
     set_slopes(reference);
     pinned = is_closed();
-    solver_ = std::make_unique<CholeskyPressure<Cell>>(volumes, masses, pinned);
+    if constexpr (Cell::body == 2)
+      solver_ = std::make_unique<CholeskyPressure<Cell>>(volumes, masses, pinned);
+    else
+      solver_ = std::make_unique<ConjugatePressure<Cell>>(volumes, masses, pinned);
     rebuild();
   }
 
@@ -87,10 +95,10 @@ class VolumeSteps {
   std::vector<double> kept;    ///< the volume of each cell
   bool pinned = false;         ///< whether the sum of all volumes cannot change: pressures up to a constant
   int rounds = 0;              ///< of the last solution
-  std::vector<double> built;   ///< the places of the matrix: with them alone a state goes on bit for bit
+  SharpPlaces built;           ///< the places of the matrix: with them alone a state goes on bit for bit
 
   /// The slopes are those at these places, for what follows.
-  void set_slopes(std::vector<double> const& y) {
+  void set_slopes(SharpPlaces const& y) {
     level_ = y;
     volumes.slopes(y, slopes_);
     for (auto const& [corner, part] : held_) {
@@ -120,7 +128,7 @@ class VolumeSteps {
   /// @throws VolumesUnsolved  where the iteration does not come there
   template <class Place>
   double solve(Place const& place, double scale, double h, std::vector<double>& P, std::vector<double>& v,
-               std::vector<double>& y) {
+               SharpPlaces& y) {
     std::vector<double> const without = v;
     std::vector<double> r, more;
     bool fresh = false;
@@ -129,13 +137,14 @@ class VolumeSteps {
       push(P, scale, v);
       place(v, y);
       double const off = defects(y, r);
-      if (off <= solving_.tolerance || (off >= 0.5 * last && off <= rounding_of(y))) return off;
+      if (off <= solving_.tolerance || (off >= 0.5 * last && off <= rounding())) return off;
       bool const lost = !is_finite(off);
       if (lost || rounds % solving_.most_rounds == 0) {
         if (fresh || lost) throw VolumesUnsolved(rounds, off, solving_.tolerance);
         rebuild(), fresh = true;
       }
       last = off;
+      if (pinned) share_out(r, solving_.tolerance);
       solver_->apply(r, more);
       for (std::size_t k = 0; k < P.size(); ++k) P[k] -= more[k] / (scale * h);
       v = without;
@@ -152,13 +161,14 @@ class VolumeSteps {
       for (std::size_t k = 0; k < r.size(); ++k) size = std::max(size, std::abs(r[k]) / kept[k]);
       if (size == 0 || !(size < 0.5 * last)) return;
       last = size;
+      if (pinned) share_out(r, HUGE_VAL);
       solver_->apply(r, Q);
       push(Q, -1, v);
     }
   }
   /// A - A^0 of all cells.
   /// @return the largest modulus of A/A^0 - 1; no finite number where a place is none
-  double defects(std::vector<double> const& y, std::vector<double>& r) const {
+  double defects(SharpPlaces const& y, std::vector<double>& r) const {
     volumes.volumes(y, r);
     double most = 0;
     for (std::size_t k = 0; k < r.size(); ++k) {
@@ -179,7 +189,8 @@ class VolumeSteps {
   VolumeSolving solving_;
   std::vector<Allowance> parts_;
   std::vector<std::pair<std::size_t, Matrix<double, N, N> const*>> held_;  // corners of cells at held nodes
-  std::vector<double> level_, slopes_;
+  SharpPlaces level_;
+  std::vector<double> slopes_;
   std::unique_ptr<PressureSolver> solver_;
 
   void hold(std::vector<Allowance> const& held) {
@@ -200,16 +211,31 @@ class VolumeSteps {
     for (double const one : slopes_) slope = std::max(slope, std::abs(one));
     return most <= 1e-9 * slope;
   }
-  /// By how much rounding of places may change A/A^0.
-  double rounding_of(std::vector<double> const& y) const {
-    double size = 0, most = 0;
-    for (double const one : y) size = std::max(size, std::abs(one));
+  /// Takes from defects of all volumes the part of each in their sum, which no pressure can mend: rounding, or
+  /// what walls do.
+  /// @param bound  of that part over the volume
+  /// @throws WallsChangeVolume  where it is more
+  void share_out(std::vector<double>& r, double bound) const {
+    double sum = 0, volume = 0;
+    for (std::size_t k = 0; k < r.size(); ++k) sum += r[k], volume += kept[k];
+    double const part = sum / volume;
+    if (!(std::abs(part) <= bound))
+      throw WallsChangeVolume("incompressible medium",
+                              "sides that are held or moved on all sides keep the volume of the whole; they "
+                              "change it by",
+                              part, bound);
+    for (std::size_t k = 0; k < r.size(); ++k) r[k] -= part * kept[k];
+  }
+  /// By how much rounding may change A/A^0: of places on a curved target, of the volume itself on a flat one.
+  double rounding() const {
+    double most = 0;
     for (std::size_t cell = 0; cell < kept.size(); ++cell) {
       double sum = 0;
       for (int k = 0; k < Cell::corners * N; ++k) sum += std::abs(slopes_[cell * Cell::corners * N + k]);
-      most = std::max(most, sum / kept[cell]);
+      double const size = Cell::flat ? std::pow(kept[cell], 1.0 / Cell::body) : 1;
+      most = std::max(most, sum * size / kept[cell]);
     }
-    return 4 * std::numeric_limits<double>::epsilon() * size * most;
+    return 8 * std::numeric_limits<double>::epsilon() * most;
   }
 };
 
