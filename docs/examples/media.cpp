@@ -2,6 +2,7 @@
 // lines to try of chapter 10.
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "actio/fast_media/fast_medium_3d.hpp"
+#include "actio/incompressible_media/incompressible_medium.hpp"
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "actio/meshes/gmsh_mesh.hpp"
@@ -54,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_of_rubber) {
   assert(std::abs(sheet.energy() / energy - 1) < 0.02);              // oscillates with the square of the step
   // [fast_medium_2d]
   // [fast_box_2d]
-  FastBox2d box{{12, 8}, {0.1, 0.1}};            // cells and their lengths; all sides are free
+  FastBox2d box{{12, 8}, {0.1, 0.1}};             // cells and their lengths; all sides are free
   box.left_right = {Side::fixed, Side::sliding};  // held at the left, sliding along the right
   assert(box.count() == 13 * 9 && box.nodes(0) == 13 && std::abs(box.measure() - 0.01) < 1e-16);
   // [fast_box_2d]
@@ -101,6 +102,24 @@ BOOST_AUTO_TEST_CASE(a_beam) {
   assert(beam.places()[0] == (std::array{0.0, 0.0, 0.0}));  // a node of the side
   assert(beam.places()[8][1] > 0.05);                       // one of the free end
   // [medium_on_mesh]
+}
+
+// ---- incompressible_media
+
+BOOST_AUTO_TEST_CASE(a_tank) {
+  // [incompressible_medium]
+  // Water in a tank, which sways: the volume of each cell is kept.
+  IncompressibleStart<2> start;  // density 1
+  start.gravity = {0, -9.81};
+  start.velocity = [](auto const& X) { return std::array{0.1 * std::sin(3.14159265 * X[0]), 0.0}; };
+  start.project = true;  // takes from the velocity what would change volumes
+  IncompressibleMedium<2> water(
+      box_mesh({0, 0}, {1, 0.5}, {16, 8}), {}, start, 0.01,
+      {{"left", {Side::sliding, {}}}, {"right", {Side::sliding, {}}}, {"bottom", {Side::sliding, {}}}});
+  water.step(100);
+  assert(water.volume_defect() < 2e-13);
+  assert(std::abs(water.pressures()[0] / (9.81 * 0.5) - 1) < 0.2);  // at the bottom
+  // [incompressible_medium]
 }
 
 BOOST_AUTO_TEST_SUITE_END()
