@@ -42,6 +42,8 @@ class CellWeight {
 
   /// Whether there is gravity.
   bool any() const { return strength_ > 0; }
+  /// Its acceleration.
+  double strength() const { return strength_; }
   /// The energy of a cell, and what its weight does to its corners.
   /// @param y  places of the corners
   /// @param f  forces, to which minus the derivative is added; may be null

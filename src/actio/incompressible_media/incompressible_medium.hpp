@@ -40,12 +40,13 @@ template <>
 struct FlatCell<3> {
   using Type = SpaceCell;
 };
+}  // namespace detail
+
 /// The energy of a fluid that stores none.
 template <int d>
 std::shared_ptr<StoredEnergy<d> const> no_stored_energy() {
   return stored_energy<d>([](auto const& F) { return typename std::decay_t<decltype(F)>::Scalar(0); });
 }
-}  // namespace detail
 
 /// An incompressible fluid or body on a mesh of quadrilaterals or hexahedra.
 template <int d>
@@ -79,6 +80,27 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
       this->cells().gather(this->y(), cell, at), loads += weight_.of_cell(cell, at, nullptr);
     return {this->kinetic_energy(), stores_ ? forces_.stored(this->y()) : 0, loads};
   }
+  /// A bound of the frequencies of small motions now, per time: of what is stored, and of waves that weight
+  /// drives along free sides, whose squares are at most 2 |g| over an edge. Steps longer than two over it are
+  /// not stable.
+  double largest_frequency() const {
+    double const elastic = stores_ ? largest_frequency_of(forces_, held_, this->y()) : 0;
+    return std::sqrt(elastic * elastic + 2 * weight_.strength() / shortest_edge());
+  }
+  /// The shortest edge of a cell now, length.
+  double shortest_edge() const {
+    double shortest = HUGE_VAL, at[Cell::corners][d];
+    for (std::size_t cell = 0; cell < this->cells().cells(); ++cell) {
+      this->cells().gather(this->y(), cell, at);
+      for (int b = 0; b < Cell::corners; ++b)
+        for (int k = 0; k < d; ++k) {
+          double square = 0;
+          for (int a = 0; a < d; ++a) square += std::pow(at[b ^ 1 << k][a] - at[b][a], 2);
+          shortest = std::min(shortest, square);
+        }
+    }
+    return std::sqrt(shortest);
+  }
 
  private:
   std::unique_ptr<BodyMesh> mesh_;
@@ -86,6 +108,7 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
   bool stores_;
   BodyForces<d> forces_;
   CellWeight<d> weight_;
+  double outside_;  // pressure, on the whole body
 
   IncompressibleMedium(std::unique_ptr<BodyMesh> mesh, Law law, IncompressibleStart<d> const& start,
                        double step, BodySides<d> const& sides, BodyLoads<d> const& loads,
@@ -95,8 +118,9 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
         mesh_(std::move(mesh)),
         held_(*mesh_, sides),
         stores_(law != nullptr),
-        forces_(*mesh_, law ? std::move(law) : detail::no_stored_energy<d>(), start.density, loads),
-        weight_(*mesh_, start.gravity, densities(*mesh_, start)) {
+        forces_(*mesh_, law ? std::move(law) : no_stored_energy<d>(), start.density, without_outside(loads)),
+        weight_(*mesh_, start.gravity, densities(*mesh_, start)),
+        outside_(loads.outside_pressure) {
     forces_.body.masses = this->masses();
     std::vector<double> y, v;
     for (std::size_t k = 0; k < mesh_->nodes.size(); ++k) {
@@ -139,6 +163,8 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
       this->cells().gather(this->y(), cell, at);
       pressure[cell] -= weight_.of_cell(cell, at, nullptr) / Cell::volume(at);
     }
+    // From outside it does no work on a body of fixed volume.
+    for (double& one : pressure) one += outside_;
   }
   void move(SharpPlaces const& from, double h, double t, std::vector<double>& v,
             SharpPlaces& to) const override {
@@ -157,6 +183,10 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
     if (held_.any_moved()) held_.put_velocities(v, t);
   }
 
+  static BodyLoads<d> without_outside(BodyLoads<d> loads) {
+    loads.outside_pressure = 0;
+    return loads;
+  }
   static SharpPlaces reference_of(BodyMesh const& mesh) {
     SharpPlaces out;
     for (auto const& X : mesh.nodes) out.y.insert(out.y.end(), X.begin(), X.begin() + d);

@@ -26,7 +26,11 @@ struct CellFolds : OutsideDomain {
 
 /// An incompressible medium whose start changes volumes.
 struct StartChangesVolumes : OutsideDomain {
-  using OutsideDomain::OutsideDomain;
+  bool placement;  ///< whether its placement does; if not its velocity
+  /// As \ref OutsideDomain.
+  StartChangesVolumes(bool by_placement, std::string const& where, std::string const& required, double was,
+                      double allowed)
+      : OutsideDomain(where, required, was, allowed), placement(by_placement) {}
 };
 
 /// Steps of an incompressible medium.

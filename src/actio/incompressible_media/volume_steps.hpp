@@ -21,12 +21,12 @@ namespace actio::media {
 
 /// A step whose volumes were not reached.
 struct VolumesUnsolved : Error {
-  double residual;  ///< the largest modulus of A/A^0 - 1
+  double residual;  ///< the largest modulus of A/A^0 - 1; no finite number where the iteration left them
   double bound;     ///< what it had to come under
   /// @param rounds  of the iteration
   VolumesUnsolved(int rounds, double off, double allowed)
-      : Error("incompressible medium: after " + std::to_string(rounds) +
-              " rounds the volume of a cell is off by " + show(off) + " of it, more than " + show(allowed) +
+      : Error("incompressible medium: after " + std::to_string(rounds) + " rounds the volume of a cell is " +
+              (is_finite(off) ? "off by " + show(off) + " of it, more than " + show(allowed) : "no number") +
               "; take a shorter step"),
         residual(off),
         bound(allowed) {}
@@ -230,12 +230,13 @@ class VolumeSteps {
       }
       double const push = push_of(board), bound = 1e-9;
       if (push <= bound)
-        throw VolumesNotIndependent("incompressible medium",
-                                    "pressures alternating from cell to cell push the nodes, which they do not "
-                                    "where all nodes of the rim are prescribed, or all counts of cells are even "
-                                    "along periodic directions: an odd count or sliding sides help; largest "
-                                    "force over that of one cell",
-                                    push, bound);
+        throw VolumesNotIndependent(
+            "incompressible medium",
+            "pressures alternating from cell to cell push the nodes, which they do not "
+            "where all nodes of the rim are prescribed, or all counts of cells are even "
+            "along periodic directions: an odd count or sliding sides help; largest "
+            "force over that of one cell",
+            push, bound);
     }
   }
   /// Takes from defects of all volumes the part of each in their sum, which no pressure can mend: rounding, or

@@ -55,6 +55,24 @@ inline void add_with_rest(double& x, double& rest, double y) {
 }
 }  // namespace detail
 
+/// The largest frequency of small motions about places x, per time: from below, within half a per cent
+/// (`detail::largest_frequency`). Cost: about forty forces on all nodes.
+template <int d>
+double largest_frequency_of(BodyForces<d> const& forces, HeldNodes<d> const& held,
+                            std::vector<double> const& x) {
+  std::vector<double> start(x.size());
+  std::minstd_rand random(1);
+  for (double& one : start) one = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
+  held.restrict_to_allowed(start);
+  auto const& masses = forces.body.masses;
+  return detail::largest_frequency([&](std::size_t k) { return masses[k / d]; }, std::move(start),
+                                   [&](std::vector<double> const& u, std::vector<double>& out) {
+                                     forces.stiffness(x, u, out);
+                                     for (std::size_t k = 0; k < out.size(); ++k) out[k] /= masses[k / d];
+                                     held.restrict_to_allowed(out);
+                                   });
+}
+
 /// The steps of a body.
 template <int d>
 class BodySteps {
@@ -136,18 +154,9 @@ class BodySteps {
     throw NotConverged("medium: a step that conserves energy", history, 1e3 * rounding);
   }
 
-  /// The largest frequency of small motions about places x, per time: from below, within half a per cent
-  /// (`detail::largest_frequency`). Cost: about forty forces on all nodes.
+  /// \copydoc largest_frequency_of
   double largest_frequency(std::vector<double> const& x) const {
-    std::vector<double> start(x.size());
-    std::minstd_rand random(1);
-    for (double& one : start) one = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
-    held.restrict_to_allowed(start);
-    return detail::largest_frequency([&](std::size_t k) { return masses()[k / d]; }, std::move(start),
-                                     [&](std::vector<double> const& u, std::vector<double>& out) {
-                                       forces.stiffness(x, u, out);
-                                       accelerate(out);
-                                     });
+    return largest_frequency_of(forces, held, x);
   }
 
  private:

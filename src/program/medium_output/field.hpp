@@ -29,6 +29,7 @@ struct PointOfCell {
   Matrix<double, d, d> inverse;                          ///< of the reference edges
   double jacobian;                                       ///< det F
   media::CornerCorrection<double, d> const* correction;  ///< of the corners of the cell
+  double multiplier = 0;                                 ///< the pressure that keeps the volume of the cell
 };
 
 /// What a field is computed from at a point.

@@ -47,7 +47,8 @@ void write_fields(MediumView<d> const& medium, PointOfCell<d> const& point, Medi
                   double* out) {
   PointOfMedium<d> at{*medium.law, point, Matrix<double, d, d>::Zero()};
   if (std::ranges::any_of(asked, &MediumField<d>::needs_stress))
-    at.stress = medium.law->stress_beyond(point.H) * point.F.transpose() * (point.weight / point.jacobian);
+    at.stress = medium.law->stress_beyond(point.H) * point.F.transpose() * (point.weight / point.jacobian) -
+                Matrix<double, d, d>::Identity() * point.multiplier;
   for (auto const& field : asked) field.write(at, out), out += field.width();
 }
 
@@ -67,7 +68,11 @@ std::vector<double> mean_fields(MediumView<d> const& medium,
   };
   bool const many = cells.points() > 1;
   int const corners = media::corner_count(cells.shape());
-  for_points(medium, x, true, [&](PointOfCell<d> const& point, auto const& cell) {
+  auto const multipliers = std::ranges::any_of(asked, &MediumField<d>::needs_stress)
+                               ? medium.motion->multipliers()
+                               : std::vector<double>{};
+  for_points(medium, x, true, [&](PointOfCell<d> point, auto const& cell) {
+    if (!multipliers.empty()) point.multiplier = multipliers[point.cell];
     write_fields(medium, point, asked, here.data());
     if (!on_nodes)
       add(point.cell, point.volume);

@@ -134,6 +134,9 @@ class MediumMotion : public Motion {
   virtual double mass(std::size_t node) const = 0;    ///< of a node
   virtual media::BodyEnergies energies() const = 0;   ///< now
   virtual double dissipated() const { return 0; }     ///< by viscosity, energy
+  /// The pressure of each cell beyond that of the stored energy, the multiplier of its volume; none where
+  /// volumes are not kept.
+  virtual std::vector<double> multipliers() const { return {}; }
 
  private:
   virtual void show_after(double time) = 0;  // since the last step; 0: the last step itself

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "program/pictures/played_medium.hpp"
 #include "program/medium_output/fields.hpp"
+#include "program/pictures/played_medium.hpp"
 
 namespace actio::scene {
 

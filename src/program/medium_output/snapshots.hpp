@@ -1,8 +1,8 @@
 // What snapshots of a medium hold, and their files: a table of the nodes, and grids for ParaView.
 #pragma once
 
-#include "program/registry/system.hpp"
 #include "program/medium_output/fields.hpp"
+#include "program/registry/system.hpp"
 
 namespace actio::scene {
 

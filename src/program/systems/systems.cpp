@@ -12,6 +12,8 @@
   with(vorticity_sphere)        \
   with(barotropic_fluid)        \
   with(elastic_body)            \
+  with(incompressible_fluid)    \
+  with(incompressible_body)     \
   with(two_bodies)
 // clang-format on
 

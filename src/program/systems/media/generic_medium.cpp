@@ -114,7 +114,9 @@ class MeshMotion final : public MotionOnMesh<d> {
 }  // namespace
 
 template <int d>
-std::unique_ptr<MotionOnMesh<d>> GenericMedium<d>::motion() { return std::make_unique<MeshMotion<d>>(*this); }
+std::unique_ptr<MotionOnMesh<d>> GenericMedium<d>::motion() {
+  return std::make_unique<MeshMotion<d>>(*this);
+}
 
 /// Along a line.
 template struct GenericMedium<1>;

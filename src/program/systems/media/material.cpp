@@ -63,7 +63,9 @@ M read(SceneTable const& table, int d) {
 
 /// All of the list.
 template <class... M>
-std::vector<NamedMaterial> materials_of(std::variant<M...> const&) { return {record_of<M>()...}; }
+std::vector<NamedMaterial> materials_of(std::variant<M...> const&) {
+  return {record_of<M>()...};
+}
 /// The one of that name of the list.
 template <class... M>
 Material read_named(std::string const& name, SceneTable const& table, int d, std::variant<M...> out) {

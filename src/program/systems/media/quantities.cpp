@@ -190,6 +190,8 @@ void define_checks(QuantityGraph& graph, Seen<d> const& seen, double step) {
   });
 }
 
+}  // namespace
+
 std::vector<Quantity> sums_of_body(bool fluid) {
   std::string const loss = " The steps of conserve = form keep it to the square of the step.";
   return {
@@ -197,14 +199,6 @@ std::vector<Quantity> sums_of_body(bool fluid) {
        Kind::scalar,
        "The kinetic energy, the stored one, and that of loads." + loss,
        "E = \\sum\\tfrac m2|v|^2 + \\int\\rho W + \\int\\rho V",
-       "energy",
-       "",
-       {}},
-      {"dissipated",
-       Kind::scalar,
-       "The energy that method.viscosity has taken since the start: energy and this together are constant "
-       "to the square of the step. Zero without viscosity.",
-       "\\int_0^t\\!\\int q\\,|\\dot J|",
        "energy",
        "",
        {}},
@@ -240,10 +234,16 @@ std::vector<Quantity> sums_of_body(bool fluid) {
   };
 }
 
-}  // namespace
-
 std::vector<Quantity> medium_quantities(bool fluid) {
   auto all = sums_of_body(fluid);
+  all.insert(all.begin() + 1, {"dissipated",
+                               Kind::scalar,
+                               "The energy that method.viscosity has taken since the start: energy and this "
+                               "together are constant to the square of the step. Zero without viscosity.",
+                               "\\int_0^t\\!\\int q\\,|\\dot J|",
+                               "energy",
+                               "",
+                               {}});
   all.push_back(
       {"noether_balance",
        Kind::scalar,
@@ -265,15 +265,27 @@ std::vector<Quantity> medium_quantities(bool fluid) {
   return all;
 }
 
+namespace {
+template <int d>
+void define_sums(QuantityGraph& graph, Seen<d> const& seen, std::vector<MaterialLoop<d>> const& loops) {
+  define_energy<d>(graph, seen);
+  define_momenta<d>(graph, seen);
+  define_circulation<d>(graph, seen, loops);
+}
+}  // namespace
+
+template <int d>
+void define_sums(QuantityGraph& graph, MediumView<d> const& medium,
+                 std::vector<MaterialLoop<d>> const& loops) {
+  define_sums<d>(graph, std::make_shared<Observed<d>>(medium), loops);
+}
 template <int d>
 void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
                    std::vector<MaterialLoop<d>> const& loops, double step) {
   auto const seen = std::make_shared<Observed<d>>(medium);
   MediumMotion<d> const& motion = *medium.motion;
-  define_energy<d>(graph, seen);
+  define_sums<d>(graph, seen, loops);
   graph.define("dissipated", {""}, [&motion](auto, double* out) { *out = motion.dissipated(); });
-  define_momenta<d>(graph, seen);
-  define_circulation<d>(graph, seen, loops);
   define_checks<d>(graph, seen, step);
 }
 /// \copydoc define_medium
@@ -285,5 +297,11 @@ template void define_medium(QuantityGraph& graph, MediumView<2> const& medium,
 /// \copydoc define_medium
 template void define_medium(QuantityGraph& graph, MediumView<3> const& medium,
                             std::vector<MaterialLoop<3>> const& loops, double step);
+/// \copydoc define_sums
+template void define_sums(QuantityGraph& graph, MediumView<2> const& medium,
+                          std::vector<MaterialLoop<2>> const& loops);
+/// \copydoc define_sums
+template void define_sums(QuantityGraph& graph, MediumView<3> const& medium,
+                          std::vector<MaterialLoop<3>> const& loops);
 
 }  // namespace actio::scene

@@ -17,4 +17,11 @@ template <int d>
 void define_medium(QuantityGraph& graph, MediumView<d> const& medium,
                    std::vector<MaterialLoop<d>> const& loops, double step);
 
+/// The records of the sums over a body alone: energy, momenta, circulation.
+std::vector<Quantity> sums_of_body(bool fluid);
+/// How these come from its motion.
+/// \copydetails define_medium
+template <int d>
+void define_sums(QuantityGraph& graph, MediumView<d> const& medium, std::vector<MaterialLoop<d>> const& loops);
+
 }  // namespace actio::scene

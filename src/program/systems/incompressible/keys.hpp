@@ -1,0 +1,48 @@
+// The keys of [system], [initial] and [method] of an incompressible medium. Mesh, material, sides and loads
+// are those of other media.
+#pragma once
+
+#include "program/systems/media/keys.hpp"
+
+namespace actio::scene {
+
+/// [system] of an incompressible medium: records, of what the keys of media read.
+struct IncompressibleKeys : KeyTable {
+  /// @param fluid  whether they are those of a fluid
+  explicit IncompressibleKeys(bool fluid) : KeyTable(records(fluid)) {}
+
+ private:
+  static std::vector<Parameter> records(bool fluid) {
+    std::vector<Parameter> out;
+    for (auto const& record : MediumKeys{{"system"}, fluid}.records())
+      if (record.key != "system.metric" && record.key != "system.obstacle" &&
+          !(fluid && record.key == "system.material"))
+        out.push_back(record);
+    return out;
+  }
+};
+
+/// [initial] of an incompressible medium, beside that of other media.
+struct IncompressibleStartKeys : KeyTable {
+  Key<bool> project =
+      key("project", truth, false,
+          "Whether what changes the volume of a cell is taken from placement and velocity. By default such a "
+          "start is refused, with how much it changes.",
+          "true");
+};
+inline IncompressibleStartKeys const incompressible_start_keys{{"initial"}};  ///< its keys
+
+/// [method] of an incompressible medium.
+struct IncompressibleMethodKeys : KeyTable {
+  Key<double> step =
+      key("step", positive.in("time"),
+          LeftOut{"a tenth of the time in which the fastest node passes an edge, and four tenths "
+                  "of the longest stable step at most"},
+          "The time that a step takes.", "0.01");
+  Key<double> tolerance =
+      key("tolerance", positive.called("a number from 1e-14 to 1e-6"), 2e-13,
+          "How far the volume of a cell may be off, over that volume, at every step.", "1e-12");
+};
+inline IncompressibleMethodKeys const incompressible_method_keys{{"method"}};  ///< its keys
+
+}  // namespace actio::scene
