@@ -244,9 +244,9 @@ class IncompressibleMotion {
     double const rate = divergence(state_.v);
     if (!(rate <= bound) && !project)
       throw StartChangesVolumes(
-          "incompressible medium",
-          "a velocity changes no volume at the start: its divergence times the size of a "
-          "cell over its speed (project = true takes that from it)",
+          false, "incompressible medium",
+          "a velocity changes no volume at the start, or what does is to be taken from it "
+          "(project = true); the rate of a volume over what that speed could do",
           rate, bound);
     volumes_.project(whole_slopes(), state_.v);
     for (std::size_t k = 0; k < given.size(); k += N) {
@@ -363,7 +363,7 @@ class IncompressibleMotion {
     for (std::size_t k = 0; k < r.size(); ++k)
       if (!(std::abs(r[k]) / volumes_.kept[k] <= std::abs(r[worst]) / volumes_.kept[worst])) worst = k;
     throw StartChangesVolumes(
-        "incompressible medium: " + mesh_.cell_name(static_cast<int>(worst)),
+        true, "incompressible medium: " + mesh_.cell_name(static_cast<int>(worst)),
         "the placement keeps the volume of each cell; A/A0 - 1 (project = true takes that "
         "from it)",
         off, bound);

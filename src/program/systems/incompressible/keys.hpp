@@ -14,7 +14,8 @@ struct IncompressibleKeys : KeyTable {
  private:
   static std::vector<Parameter> records(bool fluid) {
     std::vector<Parameter> out;
-    for (auto const& record : MediumKeys{{"system"}, fluid}.records())
+    MediumKeys const all{{"system"}, fluid};
+    for (auto const& record : all.records())
       if (record.key != "system.metric" && record.key != "system.obstacle" &&
           !(fluid && record.key == "system.material"))
         out.push_back(record);
