@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "actio/incompressible_media/two_colour_level.hpp"
 #include "actio/incompressible_media/two_colour_transfer.hpp"
@@ -55,10 +57,15 @@ struct Coarsest {
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     factors.compute(matrix);
-    double const least = factors.info() == Eigen::Success ? factors.vectorD().minCoeff() : 0;
-    if (!(least > 0))
-      throw Singular(name, "the matrix must be positive definite; least pivot on the coarsest lattice", least,
-                     0);
+    bool const found_factors = factors.info() == Eigen::Success;
+    double const least = found_factors ? factors.vectorD().minCoeff() / factors.vectorD().maxCoeff() : 0;
+    // A zero that rounding has made positive is no pivot.
+    if (!(least > 1e-10))
+      throw Singular(
+          name,
+          "only constants may be in the kernel of the matrix; least pivot on the coarsest lattice, "
+          "relative to the largest",
+          least, 1e-10);
     right.resize(n), found.resize(n);
   }
   void solve(std::vector<float> const& r, std::vector<float>& x) {
@@ -94,6 +101,37 @@ int count(TwoColourLattice const& lattice) {
   lattice.each_site([&](Diagonals s) { sum += lattice.holds(0, s) + lattice.holds(1, s); });
   return sum;
 }
+/// What is at the sides of a box, as the sums of the rows of its matrix show.
+struct Sides {
+  Walls walls{};
+  std::size_t pinned = 0;  ///< number of the only cell whose row has a sum, if there is one
+  double pin = 0;          ///< this sum; 0: there is none
+  bool closed = false;     ///< whether constants are in the kernel of the matrix, without the pin
+
+  explicit Sides(NinePointMatrix const& m) {
+    std::vector<double> const ones(m.size(), 1.0);
+    std::vector<double> sums(m.size());
+    m.product(ones.data(), sums.data());
+    std::size_t open = 0;
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      if (std::abs(sums[k]) > 1e-10 * m.self[k]) ++open, pinned = k;
+    closed = open <= 1;
+    if (open == 1) pin = std::exchange(sums[pinned], 0.0);
+    for (std::size_t side = 0; side < 4; ++side) {
+      std::size_t const axis = side / 2;
+      int const across = side % 2 ? m.cells[axis] - 1 : 0, along = m.cells[1 - axis];
+      // Corners belong to two sides.
+      int const corner = along > 2 ? 1 : 0;
+      double sum = 0, self = 0;
+      for (int k = corner; k < along - corner; ++k) {
+        std::size_t const at = axis == 0 ? m.at(across, k) : m.at(k, across);
+        sum += std::abs(sums[at]), self += m.self[at];
+      }
+      walls[side] = sum <= 0.05 * self;
+    }
+  }
+};
+
 /// Refuses what has no hierarchy.
 void require_sound(NinePointMatrix const& m) {
   for (int axis = 0; axis < 2; ++axis) {
@@ -123,11 +161,11 @@ struct TwoColourMultigrid::Hierarchy {
   std::array<int, 2> cells{};
   std::vector<Level> levels;
   Coarsest coarsest;
-  double factor = 1;                ///< by which the matrix is multiplied
-  std::size_t pinned = 0;           ///< number of the only cell whose row has a sum, if there is one
-  double pin = 0;                   ///< this sum; 0: there is none
-  std::ptrdiff_t pinned_place = 0;  ///< where the cell is in a field
-  bool singular = false;            ///< whether constants are in the kernel of the matrix, without the pin
+  double factor = 1;            ///< by which the matrix is multiplied
+  std::size_t pinned = 0;       ///< number of the only cell whose row has a sum, if there is one
+  double pin = 0;               ///< this sum; 0: there is none
+  bool floats = false;          ///< whether constants are in the kernel of the matrix
+  std::ptrdiff_t in_field = 0;  ///< where the cell is in a field
 };
 
 TwoColourMultigrid::TwoColourMultigrid(Registers registers) : hierarchy_(std::make_unique<Hierarchy>()) {
@@ -149,50 +187,25 @@ void TwoColourMultigrid::build(NinePointMatrix const& matrix) {
   // A power of two brings the largest entry near 1.
   h.factor = std::ldexp(1.0, -std::ilogb(*std::max_element(matrix.self.begin(), matrix.self.end())));
 
-  // Rows with a sum: none or one for a box that is closed, and many along a free side.
-  std::vector<double> const ones(matrix.size(), 1.0);
-  std::vector<double> sums(matrix.size());
-  matrix.product(ones.data(), sums.data());
-  std::size_t open = 0;
-  for (std::size_t k = 0; k < sums.size(); ++k)
-    if (std::abs(sums[k]) > 1e-10 * matrix.self[k]) ++open, h.pinned = k;
-  h.singular = open <= 1;
-  h.pin = open == 1 ? sums[h.pinned] : 0;
-  if (open == 1) cells.pinned = h.pinned, cells.pin = h.pin, sums[h.pinned] = 0;
-  Walls walls;
-  for (int side = 0; side < 4; ++side) {
-    int const axis = side / 2, across = side % 2 ? matrix.cells[axis] - 1 : 0;
-    double sum = 0, self = 0;
-    for (int k = 1; k < matrix.cells[1 - axis] - 1; ++k) {
-      std::size_t const at = axis == 0 ? matrix.at(across, k) : matrix.at(k, across);
-      sum += std::abs(sums[at]), self += matrix.self[at];
-    }
-    walls[side] = sum <= 0.05 * self;
-  }
+  Sides const sides(matrix);
+  h.pinned = cells.pinned = sides.pinned, h.pin = cells.pin = sides.pin, h.in_field = cells.place(h.pinned);
+  h.floats = sides.closed && sides.pin == 0;
 
-  std::vector<CoarseMatrix> coarse;
   std::size_t number = 0;
-  auto const go_on = [&](auto const& m) {
+  auto const go_on = [&](auto const& m) -> std::optional<CoarseMatrix> {
     if (h.levels.size() <= number) h.levels.emplace_back();
     Level& level = h.levels[number++];
     level.take(m, h.factor);
     if (count(m.lattice) <= few || !m.lattice.can_be_coarsened()) {
-      h.coarsest.take(m, h.factor, h.singular);
-      return false;
+      h.coarsest.take(m, h.factor, sides.closed);
+      return {};
     }
-    Interpolation const p(m.lattice, walls);
+    Interpolation const p(m.lattice, sides.walls);
     level.join(p);
-    CoarseMatrix next = coarsened(m, p);
-    coarse.push_back(std::move(next));
-    return true;
+    return coarsened(m, p);
   };
-  bool more = go_on(cells);
-  while (more) {
-    CoarseMatrix const m = std::move(coarse.back());
-    more = go_on(m);
-  }
+  for (auto next = go_on(cells); next;) next = go_on(*next);
   h.levels.resize(number);
-  h.pinned_place = cells.place(h.pinned);
 }
 
 void TwoColourMultigrid::apply(double const* r, double* delta) {
@@ -207,15 +220,21 @@ void TwoColourMultigrid::apply(double const* r, double* delta) {
     return;
   }
   double const scale = std::ldexp(1.0, -std::ilogb(size.largest));
+  double const cells = static_cast<double>(count);
   Transfer<true> take{finest.lattice, finest.r.data(), r, h.cells[0], h.cells[1], scale};
+  if (h.floats) take.more = -size.sum / cells;
   run_with(h.registers, take);
   // S = S' + pin e e^T with S' 1 = 0: the equations add up to pin times the pressure of the pinned cell.
-  if (h.pin != 0) finest.r[h.pinned_place] = static_cast<float>(scale * (r[h.pinned] - size.sum));
+  if (h.pin != 0) finest.r[h.in_field] = static_cast<float>(scale * (r[h.pinned] - size.sum));
   Cycle cycle{h.levels, h.coarsest};
   run_with(h.registers, cycle);
   Transfer<false> give{finest.lattice, finest.x.data(), delta, h.cells[0], h.cells[1], h.factor / scale};
-  if (h.pin != 0) give.more = size.sum / h.pin - give.factor * static_cast<double>(finest.x[h.pinned_place]);
+  if (h.pin != 0) give.more = size.sum / h.pin - give.factor * static_cast<double>(finest.x[h.in_field]);
   run_with(h.registers, give);
+  if (!h.floats) return;
+  Size found{delta, count};
+  run_with(h.registers, found);
+  for (std::size_t k = 0; k < count; ++k) delta[k] -= found.sum / cells;
 }
 
 }  // namespace actio::media

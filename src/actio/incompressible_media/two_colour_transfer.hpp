@@ -48,7 +48,7 @@ struct Transfer {
   Cells* cells;
   int columns, rows;
   double factor;    ///< by which they are multiplied
-  double more = 0;  ///< what is added to cells
+  double more = 0;  ///< what is added to the numbers of the cells
 
   [[gnu::always_inline]] void operator()() {
     constexpr int width = 4 * lanes;
@@ -78,7 +78,7 @@ struct Transfer {
     Floats x[4], half[4];
     if constexpr (in) {
       for (int n = 0; n < 4; ++n)
-        for (int k = 0; k < lanes; ++k) x[n][k] = static_cast<float>(factor * at[lanes * n + k]);
+        for (int k = 0; k < lanes; ++k) x[n][k] = static_cast<float>(factor * (at[lanes * n + k] + more));
       part_pairs(x[0], x[1], half[0], half[1]), part_pairs(x[2], x[3], half[2], half[3]);
       part_pairs(half[0], half[2], x[0], x[2]), part_pairs(half[1], half[3], x[1], x[3]);
       for (int n = 0; n < 4; ++n) store(part(j, n) + a, x[n]);
