@@ -1,8 +1,9 @@
-// Examples of the modules stored_energy, fast_media, meshes and media_on_meshes; those of multisymplectic are
-// lines to try of chapter 10.
+// Examples of the modules stored_energy, fast_media, meshes, media_on_meshes and incompressible_media; those
+// of multisymplectic are lines to try of chapter 10.
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "actio/fast_media/fast_medium_3d.hpp"
 #include "actio/incompressible_media/incompressible_medium.hpp"
+#include "actio/incompressible_media/two_colour_multigrid.hpp"
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "actio/meshes/gmsh_mesh.hpp"
@@ -120,6 +121,31 @@ BOOST_AUTO_TEST_CASE(a_tank) {
   assert(water.volume_defect() < 2e-13);
   assert(std::abs(water.pressures()[0] / (9.81 * 0.5) - 1) < 0.2);  // at the bottom
   // [incompressible_medium]
+}
+
+BOOST_AUTO_TEST_CASE(pressures) {
+  // [two_colour_multigrid]
+  // Unit squares with free sides and node masses of 1: a square acts on itself, and on those beyond its
+  // corners.
+  NinePointMatrix S({40, 30});
+  for (int j = 0; j < 30; ++j)
+    for (int i = 0; i < 40; ++i) {
+      std::size_t const k = S.at(i, j);
+      S.self[k] = 2;
+      if (S.holds(i + 1, j + 1)) S.north_east[k] = -0.5;
+      if (S.holds(i - 1, j + 1)) S.north_west[k] = -0.5;
+    }
+  TwoColourMultigrid cycle;
+  cycle.build(S);
+  std::vector<double> const b(S.size(), 1.0);
+  std::vector<double> x(S.size(), 0.0), r = b, delta(S.size());
+  for (int count = 0; count < 15; ++count) {
+    cycle.apply(r.data(), delta.data());
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += delta[k];
+    S.residual(b.data(), x.data(), r.data());  // in double
+  }
+  for (double const rest : r) assert(std::abs(rest) < 1e-8);
+  // [two_colour_multigrid]
 }
 
 BOOST_AUTO_TEST_SUITE_END()
