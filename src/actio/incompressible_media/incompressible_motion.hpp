@@ -179,7 +179,7 @@ class IncompressibleMotion {
   std::vector<double> remember() const {
     State const& last = ahead_ > 0 ? kept_ : state_;
     std::vector<double> out{static_cast<double>(steps_), static_cast<double>(age_),
-                            static_cast<double>(known_), last.lag};
+                            static_cast<double>(known_), last.lag, volumes_.fell_back ? 1.0 : 0.0};
     SharpPlaces const& built = ahead_ > 0 ? kept_built_ : volumes_.built;
     for (auto const* part : {&last.at.y, &last.at.rest, &last.v, &built.y, &built.rest, &pressures_[0],
                              &pressures_[1], &pressures_[2]})
@@ -190,13 +190,13 @@ class IncompressibleMotion {
   /// @throws OutsideDomain  where it is of another size
   void restore(std::vector<double> const& from) {
     std::size_t const n = state_.at.y.size(), cells = volumes_.kept.size();
-    std::size_t const known = from.size() < 4 ? 0 : std::min(3.0, from[2]);
-    if (from.size() != 4 + 5 * n + known * cells)
+    std::size_t const known = from.size() < 5 ? 0 : std::min(3.0, from[2]);
+    if (from.size() != 5 + 5 * n + known * cells)
       throw OutsideDomain("incompressible medium", "a remembered state is that of the same mesh; numbers",
-                          static_cast<double>(from.size()), static_cast<double>(4 + 5 * n + known * cells));
+                          static_cast<double>(from.size()), static_cast<double>(5 + 5 * n + known * cells));
     steps_ = static_cast<long>(from[0]), age_ = static_cast<long>(from[1]),
     known_ = static_cast<long>(from[2]);
-    auto at = from.begin() + 4;
+    auto at = from.begin() + 5;
     auto const take = [&](std::vector<double>& part, std::size_t count) {
       part.assign(at, at + static_cast<long>(count)), at += static_cast<long>(count);
     };
@@ -204,6 +204,7 @@ class IncompressibleMotion {
     SharpPlaces built;
     take(state_.at.y, n), take(state_.at.rest, n), take(state_.v, n), take(built.y, n), take(built.rest, n);
     for (std::size_t k = 0; k < 3; ++k) take(pressures_[k], k < known ? cells : 0);
+    if (from[4] != 0 && !volumes_.fell_back) volumes_.fall_back();
     volumes_.set_slopes(built), volumes_.rebuild();
   }
 

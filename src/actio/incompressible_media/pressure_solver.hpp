@@ -30,6 +30,8 @@ class PressureSolver {
   virtual void build(std::vector<double> const& slopes) = 0;
   /// P with S P = r up to a part of r.
   virtual void apply(std::vector<double> const& r, std::vector<double>& P) = 0;
+  /// Whether it may be slow where cells are far from squares.
+  virtual bool is_iterative() const { return false; }
   /// Memory, bytes.
   virtual std::size_t bytes() const = 0;
 };

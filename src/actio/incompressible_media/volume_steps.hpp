@@ -14,7 +14,7 @@
 #include <functional>
 #include <memory>
 
-#include "actio/incompressible_media/pressure_solver.hpp"
+#include "actio/incompressible_media/multigrid_pressure.hpp"
 #include "actio/media_on_meshes/body_steps.hpp"
 
 namespace actio::media {
@@ -37,12 +37,20 @@ struct WallsChangeVolume : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
 
+/// By what pressures are found.
+enum class PressureBy {
+  best,  ///< multigrid on large boxes in the plane, factors on other meshes there, and in space iteration
+  multigrid,  ///< \ref TwoColourMultigrid, on boxes in the plane
+  factors     ///< \ref CholeskyPressure, in the plane and on the sphere
+};
+
 /// How the volumes of a step are solved for.
 struct VolumeSolving {
   double tolerance = 2e-13;  ///< of A/A^0 - 1, the largest modulus over all cells; or rounding of the places
-  int most_rounds = 40;      ///< of a step
+  int most_rounds = 20;      ///< with one matrix: then there is a new one, then its factors, and then no more
   int rebuilt_after = 10;    ///< steps with one matrix
   int many_rounds = 8;       ///< of a step, after which there is a new one
+  PressureBy by = PressureBy::best;  ///< the solver
 };
 
 /// What a side leaves to the changes of one node: a projection.
@@ -81,10 +89,7 @@ class VolumeSteps {
     set_slopes(reference);
     pinned = is_closed();
     refuse_chessboards(mesh);
-    if constexpr (Cell::body == 2)
-      solver_ = std::make_unique<CholeskyPressure<Cell>>(volumes, masses, pinned);
-    else
-      solver_ = std::make_unique<ConjugatePressure<Cell>>(volumes, masses, pinned);
+    solver_ = solver_for(mesh);
     rebuild();
   }
 
@@ -96,6 +101,7 @@ class VolumeSteps {
   std::vector<double> kept;    ///< the volume of each cell
   bool pinned = false;         ///< whether the sum of all volumes cannot change: pressures up to a constant
   int rounds = 0;              ///< of the last solution
+  bool fell_back = false;      ///< whether cycles did not do, and pressures are found from factors
   SharpPlaces built;           ///< the places of the matrix: with them alone a state goes on bit for bit
 
   /// The slopes are those at these places, for what follows.
@@ -113,6 +119,12 @@ class VolumeSteps {
   }
   /// The matrix is that of the slopes now.
   void rebuild() { solver_->build(slopes_), built = level_; }
+  /// From now on pressures are found from factors, by a matrix that is to be built.
+  void fall_back() {
+    if constexpr (Cell::body == 2)
+      solver_ = std::make_unique<CholeskyPressure<Cell>>(volumes, masses, pinned);
+    fell_back = true;
+  }
   /// v += scale M^-1 G^T P.
   void push(std::vector<double> const& pressure, double scale, std::vector<double>& v) const {
     std::vector<double> f(v.size(), 0);
@@ -141,7 +153,9 @@ class VolumeSteps {
       if (off <= solving_.tolerance || (off >= 0.5 * last && off <= rounding())) return off;
       bool const lost = !is_finite(off);
       if (lost || rounds % solving_.most_rounds == 0) {
-        if (fresh || lost) throw VolumesUnsolved(rounds, off, solving_.tolerance);
+        // A matrix of these places, then its factors; and no more.
+        if (lost || (fresh && !can_fall_back())) throw VolumesUnsolved(rounds, off, solving_.tolerance);
+        if (fresh) fall_back();
         rebuild(), fresh = true;
       }
       last = off;
@@ -194,6 +208,26 @@ class VolumeSteps {
   std::vector<double> slopes_;
   std::unique_ptr<PressureSolver> solver_;
 
+  bool can_fall_back() const { return Cell::body == 2 && solver_->is_iterative() && !fell_back; }
+  std::unique_ptr<PressureSolver> solver_for(BodyMesh const& mesh) const {
+    constexpr std::size_t many = 1000;  // cells from which on cycles cost less than factors
+    if constexpr (std::is_same_v<Cell, PlaneCell>) {
+      bool const suits = MultigridPressure::suits(mesh);
+      if (solving_.by == PressureBy::multigrid && !suits)
+        throw NotABodyMesh(
+            "multigrid for pressures",
+            "a mesh is a box of two cells at least along each direction, a multiple of four along "
+            "a periodic one; cells along the first",
+            mesh.grid[0], 2);
+      if (suits &&
+          (solving_.by == PressureBy::multigrid || (solving_.by == PressureBy::best && kept.size() >= many)))
+        return std::make_unique<MultigridPressure>(mesh, volumes, masses);
+    }
+    if constexpr (Cell::body == 2)
+      return std::make_unique<CholeskyPressure<Cell>>(volumes, masses, pinned);
+    else
+      return std::make_unique<ConjugatePressure<Cell>>(volumes, masses, pinned);
+  }
   void hold(std::vector<Allowance> const& held) {
     std::vector<int> at(masses.size(), -1);
     parts_ = held;
