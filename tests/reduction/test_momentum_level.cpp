@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_SUITE(momentum_level)
 
 BOOST_AUTO_TEST_CASE(coefficients_satisfy_the_conditions_of_quadrature_to_order_eight_and_no_further) {
   WithArithmetic const digits(Arithmetic::decimal(50));
-  detail::CooperVerner<Number> const method;
+  detail::Fehlberg<Number> const method;
   auto const sum = [&](int row, auto const& of) {
     Number out(0);
     for (int k = 0; k < method.rows[row].count; ++k)
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_quadratic_lagrangian_costs_two_gradients_a_step_and_anoth
   auto const quadratic = gradients(body, 40);
   BOOST_TEST(quadratic.back() == 2);
   auto const bent = gradients(bent_body, 40);
-  BOOST_TEST(*std::ranges::max_element(bent) <= 10 * detail::CooperVerner<double>::stages);
+  BOOST_TEST(*std::ranges::max_element(bent) <= 10 * detail::Fehlberg<double>::stages);
   BOOST_TEST(bent.back() > 2);
 }
 
