@@ -89,10 +89,10 @@ class ColumnSum<V> {
 /// Adds to a sum a square matrix times a column, but for its columns before `from`.
 template <int from, class V, class M>
 [[gnu::always_inline]] inline void add_columns(ColumnSum<V>& sum, M const& matrix, V const& by) {
-  if constexpr (constexpr Index n = V::RowsAtCompileTime; n != Dynamic && n <= 8)
+  if constexpr (constexpr Index n = V::RowsAtCompileTime; n >= from && n <= 8)
     [&]<Index... b>(std::integer_sequence<Index, b...>) {
       (sum.add(matrix.data() + (b + from) * n, by[b + from]), ...);
-    }(std::make_integer_sequence<Index, (n > from ? n - from : 0)>());
+    }(std::make_integer_sequence<Index, n - from>());
   else
     for (Index b = from; b < by.size(); ++b) sum.add(matrix.data() + b * by.size(), by[b]);
 }
