@@ -111,6 +111,44 @@ BOOST_AUTO_TEST_CASE(coefficients_satisfy_the_conditions_of_quadrature_to_order_
   BOOST_TEST((two < 64 * epsilon<Number>()));
 }
 
+BOOST_AUTO_TEST_CASE(stages_without_weight_are_felt_at_the_end_in_the_third_order_alone) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
+  detail::Fehlberg<Number> const method;
+  auto const weight = [&](int row, int stage) {
+    Number out(0);
+    for (int k = 0; k < method.rows[row].count; ++k)
+      if (method.rows[row].of[k] == stage) out += method.rows[row].weight[k];
+    return out;
+  };
+  auto const felt = [&](int j, auto const& of) {
+    Number out(0);
+    for (int i = 0; i < method.stages; ++i) out += weight(method.stages, i) * of(i, j);
+    return magnitude(out);
+  };
+  auto const node = [&](int stage) {
+    Number out(0);
+    for (int k = 0; k < method.stages; ++k) out += weight(stage, k);
+    return out;
+  };
+  auto const by_node = [&](int i, int j) { return Number(node(i) * weight(i, j)); };
+  auto const twice = [&](int i, int j) {
+    Number out(0);
+    for (int k = 0; k < method.stages; ++k) out += weight(i, k) * weight(k, j);
+    return out;
+  };
+  Number const rounding = 64 * epsilon<Number>();
+  for (int j = 1; j < method.first_with_weight; ++j) {
+    BOOST_TEST((weight(method.stages, j) == Number(0)));
+    BOOST_TEST((felt(j, weight) < rounding));
+    BOOST_TEST((felt(j, by_node) < rounding));
+    BOOST_TEST((felt(j, twice) < rounding));
+  }
+  // Others are felt; the stage but one is at the start of the step.
+  BOOST_TEST((felt(0, by_node) > rounding));
+  BOOST_TEST((magnitude(node(method.stages - 2)) < rounding));
+  BOOST_TEST((magnitude(node(method.stages - 1) - Number(1)) < rounding));
+}
+
 BOOST_AUTO_TEST_CASE(the_order_is_eight_on_either_side_of_four_groups) {
   WithArithmetic const digits(Arithmetic::decimal(50));
   for (auto const& group : four_groups()) has_order_eight<1>(group), has_order_eight<-1>(group);

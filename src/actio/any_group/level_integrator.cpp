@@ -150,10 +150,10 @@ std::unique_ptr<LevelStep> level_step(std::shared_ptr<ReducedSystem const> const
     return std::make_unique<SizedLevelStep<side, N, M>>(system, start, velocity);
   };
   auto const n = start.momentum.size(), m = start.vectors.size();
-  if (n <= 3 && m == 0) return of(std::integer_sequence<int, 3, 0>());
-  if (n <= 3 && m <= 3) return of(std::integer_sequence<int, 3, 3>());
-  if (n <= 6 && m == 0) return of(std::integer_sequence<int, 6, 0>());
-  if (n <= 8 && m == 0) return of(std::integer_sequence<int, 8, 0>());
+  if (n <= 3 && 0 < m && m <= 3) return of(std::integer_sequence<int, 3, 3>());
+  if (n <= 3) return of(std::integer_sequence<int, 3, Dynamic>());
+  if (n <= 6) return of(std::integer_sequence<int, 6, Dynamic>());
+  if (n <= 8) return of(std::integer_sequence<int, 8, Dynamic>());
   return of(std::integer_sequence<int, Dynamic, Dynamic>());
 }
 

@@ -42,8 +42,8 @@ class LevelFlow {
         a_(nothing),
         w_(nothing),
         pushed_(nothing),
-        ad_(Square<V>::Zero(zero.size(), zero.size())),
-        dual_(Square<U>::Zero(nothing.size(), nothing.size())) {
+        ad_(Square<V>::Zero(zero.size(), zero.size())) {
+    if (nothing.size() > 0) dual_ = Square<U>::Zero(nothing.size(), nothing.size());
     rates_.fill({zero, zero, nothing, nothing}), powers_.fill(zero), terms_.fill(nothing);
     chart_.fill(B(0)), exponential_.fill(B(1));
     chart_[1] = B(-side) / B(2), chart_[2] = B(1) / B(12), chart_[4] = B(-1) / B(720);
