@@ -2,8 +2,9 @@
 //
 // Momentum and vector are a covector of the semidirect product of the group with the covectors of the space
 // of vectors, and move on its coadjoint orbit: (Pi, a)' = ad*_(xi, w) (Pi, a), where l'(xi) = Pi and
-// w = -dl/da. Each step moves them by the coadjoint action of one element, so every Casimir is conserved to
-// rounding, whatever the error of the step.
+// w = -dl/da. Each step moves them by the coadjoint action of one element, first by a covector, the integral
+// of w in coordinates at the start of the step, then by the group. So every Casimir is conserved to rounding,
+// whatever the error of the step.
 #pragma once
 
 #include <any>
@@ -117,8 +118,9 @@ class AdvectedMomentumLevelStep {
 /// (state, h) -> \ref AdvectedMomentumStep.
 ///
 /// Solves \f$\dot\Pi = \mathrm{ad}^*_\xi\,\Pi - \langle\partial l/\partial a, \cdot\,a\rangle\f$,
-/// \f$\dot a = -\xi a\f$ with \f$\partial l/\partial\xi = \Pi\f$ as an equation on the semidirect product, as
-/// \ref momentum_level_step_left does on the group.
+/// \f$\dot a = -\xi a\f$ with \f$\partial l/\partial\xi = \Pi\f$ in the chart of the group, as
+/// \ref momentum_level_step_left does. The torque is integrated by the same method in coordinates at the
+/// start of the step, where the vector is fixed.
 /// @param l    reduced Lagrangian, function of \f$g^{-1}\dot g\f$ and of \f$a = g^{-1}c\f$, energy; its
 ///             Legendre map is regular
 /// @param act  the action of the group on vectors
