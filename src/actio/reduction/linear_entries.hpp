@@ -14,9 +14,10 @@ class LinearEntries {
   /// Adds value times a coordinate to an entry.
   /// @param at  of the entry: its row, and its column times the rows that there are
   void add(Index at, Index coordinate, B const& value) {
-    for (auto const& e : first_)
-      if (e.at == at) return other_.push_back({at, coordinate, value});
-    first_.push_back({at, coordinate, value});
+    auto const which = static_cast<std::size_t>(at);
+    if (which >= there_.size()) there_.resize(which + 1);
+    (there_[which] ? other_ : first_).push_back({at, coordinate, value});
+    there_[which] = true;
   }
   /// Writes them into a matrix, whose other entries are zero already.
   template <class V, class M>
@@ -32,6 +33,7 @@ class LinearEntries {
     B value;
   };
   std::vector<Part> first_, other_;  // of each entry; of those that have several
+  std::vector<bool> there_;          // whether an entry has a part
 };
 
 }  // namespace actio::detail
