@@ -124,7 +124,7 @@ class AdvectedMomentumLevelStep {
 /// @param l    reduced Lagrangian, function of \f$g^{-1}\dot g\f$ and of \f$a = g^{-1}c\f$, energy; its
 ///             Legendre map is regular
 /// @param act  the action of the group on vectors
-/// @throws OutsideDomain  when called, for a step that is zero, not finite, or too long for its series
+/// @throws OutsideDomain  when called, for a step that is zero or not finite
 /// @throws NotConverged, Singular  when called, where the velocity of a momentum is not found
 template <Real S, class F, class Act = MatrixAction>
 auto advected_momentum_level_step_left(F l, Act act = {}) {
