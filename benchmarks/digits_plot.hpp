@@ -11,7 +11,8 @@
 
 namespace benchmark {
 
-/// Lines of methods over the number of correct digits; ours are bold.
+/// Lines of methods over the number of correct digits; ours are bold. A line of others is broken where its
+/// colour comes again.
 class DigitsPlot {
  public:
   /// @param digits  what the digits are of
@@ -35,8 +36,10 @@ class DigitsPlot {
     // Fewer digits take no longer.
     if (x.back() > 2) x.push_back(2), y.push_back(y.back());
     std::reverse(x.begin(), x.end()), std::reverse(y.begin(), y.end());
+    bool const again = !ours && others_ >= 4;
     int const colour = ours ? ours_++ % 2 + 1 : others_++ % 4 + 3;
-    plot_.curve(x, y, std::move(label), {.colour = colour, .width = ours ? 3.2 : 1.4, .named = true});
+    plot_.curve(x, y, std::move(label),
+                {.colour = colour, .width = ours ? 3.2 : 1.4, .dashed = again, .named = true});
     return *this;
   }
 

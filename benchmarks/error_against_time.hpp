@@ -18,6 +18,8 @@ struct Way {
   std::function<double(double setting)>
       error;            ///< runs with so many steps, or a tolerance, and says the largest error on the way
   double first, ratio;  ///< settings: the first, and the factor from one to the next
+  std::string curve =
+      {};  ///< of the picture, where it shows the best of several ways as one; its own if empty
 };
 
 /// One run of a way.

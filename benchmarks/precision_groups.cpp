@@ -63,7 +63,7 @@ Found study(std::string const& name, double longest) {
   constexpr std::size_t all = n + s * s;
   OnGroup<n, s> const rate(name);
   auto const same = [](auto const& y) { return y; };
-  benchmark::System<all, all, OnGroup<n, s>, decltype(same)> system{rate, same, {}, 1};
+  benchmark::System<all, all, OnGroup<n, s>, decltype(same)> system{rate, same, {}, {}, 1};
   for (int a = 0; a < n; ++a) system.start[a] = rate.inertia[a] * rate.velocity[a];
   for (int i = 0; i < s; ++i) system.start[n + i * s + i] = 1;
   Found found;

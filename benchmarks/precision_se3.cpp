@@ -1,5 +1,5 @@
 // Work and precision on SE(3): a body in still water (Kirchhoff) as a Lagrangian of one's own, beside GSL,
-// odeint and Runge-Kutta on its equations.
+// odeint, Runge-Kutta and Munthe-Kaas' methods on its equations.
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
@@ -34,6 +34,30 @@ auto const shown = [](auto const& y) {
   std::copy_n(&y[10], 3, out.begin() + 15);
   return out;
 };
+/// The same by rigid motions.
+struct Moving {
+  using State = peers::Numbers<double, 13>;
+  static std::array<double, 6> velocity(State const& y) {
+    std::array<double, 6> out;
+    for (int i = 0; i < 6; ++i) out[i] = y[i] / inertia[i];
+    return out;
+  }
+  static std::array<double, 6> bracket(std::array<double, 6> const& a, std::array<double, 6> const& b) {
+    return peers::bracket_of_motions(a, b);
+  }
+  static State act(std::array<double, 6> const& eta, State const& y) {
+    State out;
+    peers::Turn const turn(eta.data());
+    auto const shift = peers::move_momenta(turn, eta, y, out);
+    turn.after(&y[6], &out[6]);
+    double rotation[9];
+    benchmark::write_rotation(&y[6], rotation);
+    for (int i = 0; i < 3; ++i)
+      out[10 + i] = y[10 + i] + rotation[3 * i] * shift[0] + rotation[3 * i + 1] * shift[1] +
+                    rotation[3 * i + 2] * shift[2];
+    return out;
+  }
+};
 auto const energy = [](auto const& xi) {
   auto sum = xi.coordinates[0] * xi.coordinates[0] * inertia[0];
   for (int i = 1; i < 6; ++i) sum += xi.coordinates[i] * xi.coordinates[i] * inertia[i];
@@ -45,8 +69,8 @@ int main(int argc, char** argv) {
       argc, argv,
       "work and precision on SE(3): a Lagrangian of one's own beside codes for differential equations");
   Matrix<double, 6, 1> const xi{1.8, -1, 0.7, 0.4, 0.2, -0.3};
-  benchmark::System<13, 18, decltype(equations), decltype(shown)> system{
-      equations, shown, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
+  benchmark::System<13, 18, decltype(equations), decltype(shown), Moving> system{
+      equations, shown, {}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
   for (int i = 0; i < 6; ++i) system.start[i] = inertia[i] * xi[i];
   auto const start = momentum_state(energy, velocity(SE<3>{}, xi));
   auto const way = [&](std::string const& name, auto const& step, double first) {

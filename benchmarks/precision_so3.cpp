@@ -1,5 +1,5 @@
-// Work and precision on SO(3): a free body as a Lagrangian of one's own, beside GSL, odeint and Runge-Kutta
-// on Euler's equations.
+// Work and precision on SO(3): a free body as a Lagrangian of one's own, beside GSL, odeint, Runge-Kutta and
+// Munthe-Kaas' methods on Euler's equations.
 #include "actio/groups/rotations.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
@@ -24,6 +24,21 @@ auto const shown = [](auto const& y) {
   benchmark::write_rotation(&y[3], out.begin() + 3);
   return out;
 };
+/// The same by rotations.
+struct Turning {
+  using Seven = peers::Numbers<double, 7>;
+  static peers::Three velocity(Seven const& y) {
+    return {y[0] / inertia[0], y[1] / inertia[1], y[2] / inertia[2]};
+  }
+  static peers::Three bracket(peers::Three const& a, peers::Three const& b) { return peers::cross(a, b); }
+  static Seven act(peers::Three const& eta, Seven const& y) {
+    Seven out;
+    peers::Turn const turn(eta.data());
+    std::ranges::copy(turn.back({y[0], y[1], y[2]}), out.begin());
+    turn.after(&y[3], &out[3]);
+    return out;
+  }
+};
 auto const energy = [](auto const& xi) {
   auto const& v = xi.coordinates;
   return (v[0] * v[0] * inertia[0] + v[1] * v[1] * inertia[1] + v[2] * v[2] * inertia[2]) / 2;
@@ -33,8 +48,8 @@ int main(int argc, char** argv) {
   benchmark::Benchmark program(
       argc, argv,
       "work and precision on SO(3): a Lagrangian of one's own beside codes for differential equations");
-  benchmark::System<7, 12, decltype(equations), decltype(shown)> system{
-      equations, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
+  benchmark::System<7, 12, decltype(equations), decltype(shown), Turning> system{
+      equations, shown, {}, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
   auto const start = momentum_state(energy, velocity(SO<3>{}, Vector<double, 3>(1.8, -1, 0.7)));
   auto const way = [&](std::string const& name, auto const& step, double first) {
     return benchmark::own_way(

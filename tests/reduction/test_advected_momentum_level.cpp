@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_kinetic_energy_that_depends_on_the_vector_gives_the_motio
   detail::LegendreChord<SO<3>, double> legendre;
   auto const held = detail::holding(bent_top, end.vector);
   legendre.begin(held, end.velocity);
-  legendre.solve(held, end.momentum, end.velocity);
+  legendre.solve(held, end.momentum.components, end.velocity);
   BOOST_TEST(std::abs(energy(end) - energy(start)) < 160 * 64 * eps);
 }
 
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_linear_potential_costs_three_slopes_a_step_and_another_on
   };
   // Two gradients in the velocity, which a line checks.
   BOOST_TEST(gradients(0) == 3 + 2);
-  BOOST_TEST(gradients(0.1) == detail::CooperVerner<double>::stages + 2);
+  BOOST_TEST(gradients(0.1) == detail::Fehlberg<double>::stages + 2);
 }
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {

@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_SUITE(momentum_level)
 
 BOOST_AUTO_TEST_CASE(coefficients_satisfy_the_conditions_of_quadrature_to_order_eight_and_no_further) {
   WithArithmetic const digits(Arithmetic::decimal(50));
-  detail::CooperVerner<Number> const method;
+  detail::Fehlberg<Number> const method;
   auto const sum = [&](int row, auto const& of) {
     Number out(0);
     for (int k = 0; k < method.rows[row].count; ++k)
@@ -109,6 +109,44 @@ BOOST_AUTO_TEST_CASE(coefficients_satisfy_the_conditions_of_quadrature_to_order_
                two = magnitude(sum(end, chain(chain(power(5)))) - Number(1) / Number(336));
   BOOST_TEST((one < 64 * epsilon<Number>()));
   BOOST_TEST((two < 64 * epsilon<Number>()));
+}
+
+BOOST_AUTO_TEST_CASE(stages_without_weight_are_felt_at_the_end_in_the_third_order_alone) {
+  WithArithmetic const digits(Arithmetic::decimal(50));
+  detail::Fehlberg<Number> const method;
+  auto const weight = [&](int row, int stage) {
+    Number out(0);
+    for (int k = 0; k < method.rows[row].count; ++k)
+      if (method.rows[row].of[k] == stage) out += method.rows[row].weight[k];
+    return out;
+  };
+  auto const felt = [&](int j, auto const& of) {
+    Number out(0);
+    for (int i = 0; i < method.stages; ++i) out += weight(method.stages, i) * of(i, j);
+    return magnitude(out);
+  };
+  auto const node = [&](int stage) {
+    Number out(0);
+    for (int k = 0; k < method.stages; ++k) out += weight(stage, k);
+    return out;
+  };
+  auto const by_node = [&](int i, int j) { return Number(node(i) * weight(i, j)); };
+  auto const twice = [&](int i, int j) {
+    Number out(0);
+    for (int k = 0; k < method.stages; ++k) out += weight(i, k) * weight(k, j);
+    return out;
+  };
+  Number const rounding = 64 * epsilon<Number>();
+  for (int j = 1; j < method.first_with_weight; ++j) {
+    BOOST_TEST((weight(method.stages, j) == Number(0)));
+    BOOST_TEST((felt(j, weight) < rounding));
+    BOOST_TEST((felt(j, by_node) < rounding));
+    BOOST_TEST((felt(j, twice) < rounding));
+  }
+  // Others are felt; the stage but one is at the start of the step.
+  BOOST_TEST((felt(0, by_node) > rounding));
+  BOOST_TEST((magnitude(node(method.stages - 2)) < rounding));
+  BOOST_TEST((magnitude(node(method.stages - 1) - Number(1)) < rounding));
 }
 
 BOOST_AUTO_TEST_CASE(the_order_is_eight_on_either_side_of_four_groups) {
@@ -138,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_quadratic_lagrangian_costs_two_gradients_a_step_and_anoth
   auto const quadratic = gradients(body, 40);
   BOOST_TEST(quadratic.back() == 2);
   auto const bent = gradients(bent_body, 40);
-  BOOST_TEST(*std::ranges::max_element(bent) <= 10 * detail::CooperVerner<double>::stages);
+  BOOST_TEST(*std::ranges::max_element(bent) <= 10 * detail::Fehlberg<double>::stages);
   BOOST_TEST(bent.back() > 2);
 }
 

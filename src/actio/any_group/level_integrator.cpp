@@ -11,7 +11,6 @@ namespace detail {
 namespace {
 
 using Column = Matrix<double, Dynamic, 1>;
-using Constant = actio::detail::Commutators<double>::Constant;
 
 Column column(std::vector<double> const& list) {
   Column out(static_cast<Index>(list.size()));
@@ -19,17 +18,19 @@ Column column(std::vector<double> const& list) {
   return out;
 }
 
-/// The structure constants of the group with the covectors of its carried vectors.
-std::vector<Constant> constants_of(ReducedSystem const& system) {
-  std::vector<Constant> out;
-  for (auto const& c : system.algebra.constants)
+actio::detail::Commutators<double> commutators_of(MatrixAlgebra const& algebra, Index size) {
+  std::vector<actio::detail::Commutators<double>::Constant> out;
+  for (auto const& c : algebra.constants)
     if (c.a < c.b) out.push_back({c.a, c.b, c.c, c.value});
-  for (int k = 0; k < system.vectors; ++k) {
-    int const first = system.dimension() + k * system.length();
+  return {size, std::move(out)};
+}
+/// On all vectors, one below the other.
+actio::detail::VectorAction<double> action_of(ReducedSystem const& system, Index size) {
+  std::vector<actio::detail::VectorAction<double>::Entry> out;
+  for (int first = 0; first < system.carried(); first += system.length())
     for (auto const& e : system.algebra.entries)
-      out.push_back({e.direction, first + e.row, first + e.column, -e.value});
-  }
-  return out;
+      out.push_back({e.direction, first + e.row, first + e.column, e.value});
+  return {size, std::move(out)};
 }
 
 /// Numbers in a row, written down or read back.
@@ -55,24 +56,31 @@ class Numbers {
   std::size_t at_ = 0;
 };
 
-/// On one side, in columns of N numbers, or of any number; those that a system does not need are zero.
-template <int side, int N>
+/// On one side, in columns of N numbers of a momentum and M of the vectors, or of any number; those that a
+/// system does not need are zero.
+template <int side, int N, int M>
 class SizedLevelStep : public LevelStep {
   using V = Matrix<double, N, 1>;
+  using U = Matrix<double, M, 1>;
   using G = SpanOfMatrices;
+
+  static Index size_in(int fixed, std::size_t needed) {
+    return fixed == Dynamic ? static_cast<Index>(needed) : fixed;
+  }
 
  public:
   SizedLevelStep(std::shared_ptr<ReducedSystem const> const& system, ReducedPoint const& start,
                  std::vector<double> const& velocity)
       : lagrangian_{system},
-        length_(N == Dynamic ? static_cast<Index>(start.momentum.size() + start.vectors.size()) : N),
+        whole_(V::Zero(size_in(N, start.momentum.size()))),
+        carried_(U::Zero(size_in(M, start.vectors.size()))),
         momentum_(column(start.momentum)),
         vectors_(column(start.vectors)),
         from_{G(std::shared_ptr<MatrixAlgebra const>(system, &system->algebra)), column(velocity)},
         velocities_(from_),
-        flow_(actio::detail::Commutators<double>(length_, constants_of(*system)), V::Zero(length_)),
-        slopes_(start.vectors.size()) {
-    for (std::size_t i = 0; i < slopes_.size(); ++i)
+        flow_(commutators_of(system->algebra, whole_.size()), action_of(*system, carried_.size()), whole_,
+              carried_) {
+    for (std::size_t i = 0; i < start.vectors.size(); ++i)
       constant_slopes_ &= system->slopes.is_constant(static_cast<int>(1 + start.momentum.size() + i));
   }
 
@@ -81,37 +89,34 @@ class SizedLevelStep : public LevelStep {
   int advance(double h, ReducedPoint& point, std::vector<double>& velocity,
               std::vector<double>& turn) override {
     std::size_t const n = point.momentum.size(), m = point.vectors.size();
-    V whole = V::Zero(length_), eta = whole;
-    std::copy_n(point.momentum.data(), n, whole.data());
-    std::copy_n(point.vectors.data(), m, whole.data() + n);
+    std::copy_n(point.momentum.data(), n, whole_.data());
+    std::copy_n(point.vectors.data(), m, carried_.data());
     std::copy_n(velocity.data(), n, from_.coordinates.data());
+    V eta = V::Zero(whole_.size());
     int slopes = 0;
     HeldTape const held{*lagrangian_.system, vectors_};
-    auto const velocity_of = [&](int stage, V const& now, V& out) {
-      std::copy_n(now.data(), n, momentum_.data());
-      std::copy_n(now.data() + n, m, vectors_.data());
+    auto const velocity_of = [&](int stage, V const& mu, U const& a, V& out, U& push) {
+      std::copy_n(mu.data(), n, momentum_.data());
+      std::copy_n(a.data(), m, vectors_.data());
       if (!velocities_.find(held, momentum_, flow_.checks(stage))) return false;
       auto const& xi = velocities_.velocity().coordinates;
       std::copy_n(xi.data(), n, out.data());
-      if (m == 0 || (constant_slopes_ && slopes > 0)) {
-        for (std::size_t i = 0; i < m; ++i) out.data()[n + i] = slopes_[i];
-        return true;
-      }
+      if (m == 0 || (constant_slopes_ && slopes > 0)) return true;
       auto const& slope = held.values(lagrangian_.system->slopes, xi);
-      for (std::size_t i = 0; i < m; ++i) out.data()[n + i] = slopes_[i] = -slope[1 + n + i];
+      for (std::size_t i = 0; i < m; ++i) push.data()[i] = -slope[1 + n + i];
       ++slopes;
       return true;
     };
     for (int tried = 0; tried < 2; ++tried) {
       std::copy_n(point.vectors.data(), m, vectors_.data());
       velocities_.begin(held, from_);
-      if (flow_(whole, h, velocity_of, eta)) break;
+      if (flow_(whole_, carried_, h, velocity_of, eta)) break;
     }
-    flow_.transport(eta, whole);
-    if (!is_finite(whole)) throw NotFinite("momentum level: momentum after a step");
+    flow_.push(carried_, whole_), flow_.transport(eta, whole_, carried_);
+    if (!is_finite(whole_) || !is_finite(carried_)) throw NotFinite("momentum level: momentum after a step");
     turn.assign(eta.data(), eta.data() + n);
-    std::copy_n(whole.data(), n, point.momentum.data());
-    std::copy_n(whole.data() + n, m, point.vectors.data());
+    std::copy_n(whole_.data(), n, point.momentum.data());
+    std::copy_n(carried_.data(), m, point.vectors.data());
     std::copy_n(velocities_.velocity().coordinates.data(), n, velocity.data());
     return velocities_.take_gradients() + slopes;
   }
@@ -129,23 +134,27 @@ class SizedLevelStep : public LevelStep {
 
  private:
   TapeLagrangian lagrangian_;
-  Index length_;
+  V whole_;    // momentum
+  U carried_;  // vectors
   Column momentum_, vectors_;
   Velocity<G, double> from_;
   actio::detail::StageVelocities<G, double> velocities_;
-  actio::detail::LevelFlow<side, double, V> flow_;
-  std::vector<double> slopes_;   // minus the differential in the vectors
-  bool constant_slopes_ = true;  // by the formula
+  actio::detail::LevelFlow<side, double, V, U> flow_;
+  bool constant_slopes_ = true;  // in the vectors, by the formula
 };
 
 template <int side>
 std::unique_ptr<LevelStep> level_step(std::shared_ptr<ReducedSystem const> const& system,
                                       ReducedPoint const& start, std::vector<double> const& velocity) {
-  auto const size = start.momentum.size() + start.vectors.size();
-  if (size <= 3) return std::make_unique<SizedLevelStep<side, 3>>(system, start, velocity);
-  if (size <= 6) return std::make_unique<SizedLevelStep<side, 6>>(system, start, velocity);
-  if (size <= 8) return std::make_unique<SizedLevelStep<side, 8>>(system, start, velocity);
-  return std::make_unique<SizedLevelStep<side, Dynamic>>(system, start, velocity);
+  auto const of = [&]<int N, int M>(std::integer_sequence<int, N, M>) -> std::unique_ptr<LevelStep> {
+    return std::make_unique<SizedLevelStep<side, N, M>>(system, start, velocity);
+  };
+  auto const n = start.momentum.size(), m = start.vectors.size();
+  if (n <= 3 && 0 < m && m <= 3) return of(std::integer_sequence<int, 3, 3>());
+  if (n <= 3) return of(std::integer_sequence<int, 3, Dynamic>());
+  if (n <= 6) return of(std::integer_sequence<int, 6, Dynamic>());
+  if (n <= 8) return of(std::integer_sequence<int, 8, Dynamic>());
+  return of(std::integer_sequence<int, Dynamic, Dynamic>());
 }
 
 }  // namespace

@@ -2,8 +2,9 @@
 //
 // Momentum and vector are a covector of the semidirect product of the group with the covectors of the space
 // of vectors, and move on its coadjoint orbit: (Pi, a)' = ad*_(xi, w) (Pi, a), where l'(xi) = Pi and
-// w = -dl/da. Each step moves them by the coadjoint action of one element, so every Casimir is conserved to
-// rounding, whatever the error of the step.
+// w = -dl/da. Each step moves them by the coadjoint action of one element, first by a covector, the integral
+// of w in coordinates at the start of the step, then by the group. So every Casimir is conserved to rounding,
+// whatever the error of the step.
 #pragma once
 
 #include <any>
@@ -62,52 +63,50 @@ class AdvectedMomentumLevelStep {
   template <ExponentialGroup G, Real S, int m>
   AdvectedMomentumStep<G, S, m> operator()(AdvectedMomentumState<G, S, m> const& from,
                                            std::type_identity_t<B> const& h) const {
-    auto state = from;
-    int evaluations = 0;
-    require_steppable(MomentumState<G, S>{state.momentum, state.velocity}, h);
-    require_finite(state.vector, "momentum step: vector");
-    using V = Whole<G, S, m>;
-    Index const n = state.momentum.components.size(), length = state.vector.size();
-    V eta = V::Zero(n + length), whole = eta;
-    for (Index i = 0; i < n; ++i) whole[i] = state.momentum.components[i];
-    for (Index i = 0; i < length; ++i) whole[n + i] = state.vector[i];
-
-    auto& kept = LevelMemory<G, S, side, B, V, Matrix<S, m, 1>>::of(
-        memory_, state.velocity, eta, [&] { return Commutators<B>(state.momentum.group, length, act_); });
-
-    Matrix<S, m, 1> a = state.vector;
-    Coordinates<G, S> mu = state.momentum.components;
-    auto const velocity_of = [&](int stage, V const& now, V& out) {
-      for (Index i = 0; i < n; ++i) mu[i] = now[i];
-      for (Index i = 0; i < length; ++i) a[i] = now[n + i];
-      if (!kept.velocities.find(holding(l_, a), mu, LevelFlow<side, B, V>::checks(stage))) return false;
-      auto const& xi = kept.velocities.velocity();
-      for (Index i = 0; i < n; ++i) out[i] = xi.coordinates[i];
-      if (length == 0) return true;
-      bool const found = kept.slopes.find(stage == 0, LevelFlow<side, B, V>::checks(stage), [&] {
+    require_steppable(MomentumState<G, S>{from.momentum, from.velocity}, h);
+    require_finite(from.vector, "momentum step: vector");
+    using V = Coordinates<G, S>;
+    using U = Matrix<S, m, 1>;
+    using Memory = LevelMemory<G, S, side, B, V, U>;
+    auto& kept = Memory::of(memory_, from.velocity, U::Zero(from.vector.size()),
+                            [&] { return VectorAction<B>(from.momentum.group, from.vector.size(), act_); });
+    auto const velocity_of = [&](int stage, V const& mu, U const& a, V& xi, U& w) {
+      bool const check = Memory::Flow::checks(stage);
+      if (!kept.velocities.find(holding(l_, a), mu, check)) return false;
+      auto const& found = kept.velocities.velocity();
+      xi = found.coordinates;
+      if (a.size() == 0) return true;
+      bool const goes_on = kept.slopes.find(stage == 0, check, [&] {
         // [advected_momentum_level]
-        return slope_in_vector(l_, xi, a);
+        return slope_in_vector(l_, found, a);
         // [advected_momentum_level]
       });
-      for (Index i = 0; i < length; ++i) out[n + i] = -kept.slopes.slope()[i];
-      return found;
+      w = -kept.slopes.slope();
+      return goes_on;
     };
+    V eta = V::Zero(from.momentum.components.size());
     for (int tried = 0; tried < 3; ++tried) {
-      kept.velocities.begin(holding(l_, state.vector), state.velocity);
-      if (kept.flow(whole, h, velocity_of, eta)) break;
+      kept.velocities.begin(holding(l_, from.vector), from.velocity);
+      if (kept.flow(from.momentum.components, from.vector, h, velocity_of, eta)) break;
     }
-    kept.flow.transport(eta, whole);
-    Velocity<G, S> moved = state.velocity;
-    for (Index i = 0; i < n; ++i) moved.coordinates[i] = eta[i], state.momentum.components[i] = whole[i];
-    for (Index i = 0; i < length; ++i) state.vector[i] = whole[n + i];
-    state.velocity = kept.velocities.velocity();
-    evaluations += kept.velocities.take_gradients() + kept.slopes.take_evaluations();
-    return {exp(-moved), state, evaluations};
+    auto pushed = from.momentum;
+    kept.flow.push(from.vector, pushed.components);
+    auto const f = exp(Velocity<G, S>{from.momentum.group, -eta});
+    return {f,
+            {Invariance::lie_poisson_update(f, pushed), advect(f, from.vector), kept.velocities.velocity()},
+            kept.velocities.take_gradients() + kept.slopes.take_evaluations()};
   }
 
  private:
-  template <class G, class S, int m>
-  using Whole = Matrix<S, (G::dim == Dynamic || m == Dynamic ? Dynamic : G::dim + m), 1>;
+  using Invariance = std::conditional_t<(side > 0), RightInvariant, LeftInvariant>;
+  template <Group G, Real S, int m>
+  Matrix<S, m, 1> advect(Element<G, S> const& f, Matrix<S, m, 1> const& a) const {
+    if (a.size() == 0) return a;
+    if constexpr (side > 0)
+      return advect_right(f, a, act_);
+    else
+      return advect_left(f, a, act_);
+  }
   F l_;
   [[no_unique_address]] Act act_;
   mutable std::any memory_;  // of the last call
@@ -119,12 +118,13 @@ class AdvectedMomentumLevelStep {
 /// (state, h) -> \ref AdvectedMomentumStep.
 ///
 /// Solves \f$\dot\Pi = \mathrm{ad}^*_\xi\,\Pi - \langle\partial l/\partial a, \cdot\,a\rangle\f$,
-/// \f$\dot a = -\xi a\f$ with \f$\partial l/\partial\xi = \Pi\f$ as an equation on the semidirect product, as
-/// \ref momentum_level_step_left does on the group.
+/// \f$\dot a = -\xi a\f$ with \f$\partial l/\partial\xi = \Pi\f$ in the chart of the group, as
+/// \ref momentum_level_step_left does. The torque is integrated by the same method in coordinates at the
+/// start of the step, where the vector is fixed.
 /// @param l    reduced Lagrangian, function of \f$g^{-1}\dot g\f$ and of \f$a = g^{-1}c\f$, energy; its
 ///             Legendre map is regular
 /// @param act  the action of the group on vectors
-/// @throws OutsideDomain  when called, for a step that is zero, not finite, or too long for its series
+/// @throws OutsideDomain  when called, for a step that is zero or not finite
 /// @throws NotConverged, Singular  when called, where the velocity of a momentum is not found
 template <Real S, class F, class Act = MatrixAction>
 auto advected_momentum_level_step_left(F l, Act act = {}) {

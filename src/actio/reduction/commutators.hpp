@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actio/groups/differential.hpp"
+#include "actio/reduction/linear_entries.hpp"
 
 namespace actio::detail {
 
@@ -26,32 +27,23 @@ class Commutators {
  public:
   /// A structure constant: the part of \f$[e_a, e_b]\f$ along \f$e_k\f$, where \f$a < b\f$.
   struct Constant {
-    int a, b, k;
+    Index a, b, k;
     B value;
   };
 
   /// Of an algebra of that dimension with these constants.
   Commutators(Index dimension, std::vector<Constant> constants) : constants_(std::move(constants)) {
-    find_parts(dimension);
+    for (auto const& c : constants_)
+      ad_.add(c.k + dimension * c.b, c.a, c.value), ad_.add(c.k + dimension * c.a, c.b, B(-c.value));
   }
   /// Of the algebra of a group.
   template <Group G>
   explicit Commutators(G const& group) : Commutators(group.dimension(), constants_of(group)) {}
-  /// Of the algebra of the semidirect product of a group with the covectors of m numbers,
-  /// \f$[(\xi, w), (\eta, u)] = ([\xi, \eta],\ \eta^Tw - \xi^Tu)\f$: coordinates of the group first.
-  /// @param act  the action of the group on columns of m numbers
-  template <Group G, class Act>
-  Commutators(G const& group, Index m, Act const& act)
-      : Commutators(group.dimension() + m, constants_of(group, m, act)) {}
 
   /// The matrix of \f$\mathrm{ad}_v\f$, column by column, in `out`, where every entry that is zero for all v
   /// is zero already.
   template <class V, class M>
-  void ad(V const& v, M& out) const {
-    auto* const entries = out.data();
-    for (auto const& e : first_parts_) entries[e.at] = v[e.a] * e.value;
-    for (auto const& e : other_parts_) entries[e.at] += v[e.a] * e.value;
-  }
+  void ad(V const& v, M& out) const { ad_.write(v, out); }
   /// \f$\mathrm{ad}^*_v\,\mu\f$ in `out`.
   template <class V>
   void ad_star(V const& v, V const& mu, V& out) const {
@@ -80,41 +72,9 @@ class Commutators {
       }
     return out;
   }
-  template <Group G, class Act>
-  static std::vector<Constant> constants_of(G const& group, Index m, Act const& act) {
-    auto out = constants_of(group);
-    int const n = group.dimension();
-    for (int first = 0; first < n; first += batch) {
-      auto const near = moved_left(identity<B>(group), first);
-      for (Index j = 0; j < m; ++j) {
-        Matrix<Moved<B>, Dynamic, 1> unit = Matrix<Moved<B>, Dynamic, 1>::Zero(m);
-        unit[j] = Moved<B>(B(1));
-        Matrix<Moved<B>, Dynamic, 1> const moved = act(near, unit);
-        for (int a = 0; a < batch && first + a < n; ++a)
-          for (Index i = 0; i < m; ++i)
-            if (moved[i].part[a] != B(0))
-              out.push_back({first + a, n + static_cast<int>(i), n + static_cast<int>(j), -moved[i].part[a]});
-      }
-    }
-    return out;
-  }
-  /// What a coordinate adds to an entry of the matrix of ad, and where.
-  struct Part {
-    int at, a;
-    B value;
-  };
-  void find_parts(Index size) {
-    std::vector<bool> there(static_cast<std::size_t>(size * size));
-    auto const add = [&](int row, int column, int a, B const& value) {
-      int const at = row + static_cast<int>(size) * column;
-      (there[static_cast<std::size_t>(at)] ? other_parts_ : first_parts_).push_back({at, a, value});
-      there[static_cast<std::size_t>(at)] = true;
-    };
-    for (auto const& c : constants_) add(c.k, c.b, c.a, c.value), add(c.k, c.a, c.b, -c.value);
-  }
 
   std::vector<Constant> constants_;
-  std::vector<Part> first_parts_, other_parts_;  // of each entry; of those that have several
+  LinearEntries<B> ad_;
 };
 
 }  // namespace actio::detail

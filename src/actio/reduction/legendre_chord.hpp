@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "actio/reduction/column_sum.hpp"
 #include "actio/variational/euler_poincare.hpp"
 
 namespace actio::detail {
@@ -25,14 +26,14 @@ class LegendreChord {
   /// Whether the velocity has been found to be a linear function of the momentum.
   bool linear() const { return linear_; }
   /// That function, at a momentum.
-  void by_line(Momentum<G, S> const& mu, Velocity<G, S>& xi) const {
+  void by_line(Coordinates<G, S> const& mu, Velocity<G, S>& xi) const {
     correct(mu, momentum_, velocity_, xi.coordinates);
   }
   /// Solves, beginning at `xi`. Where velocities were taken for linear, that is checked: it is so if nothing
   /// is to be corrected.
   /// @throws NotConverged, Singular  where the solution is not near
   template <class F>
-  void solve(F const& l, Momentum<G, S> const& mu, Velocity<G, S>& xi) {
+  void solve(F const& l, Coordinates<G, S> const& mu, Velocity<G, S>& xi) {
     Base<S> const tiny = epsilon<S>() * Base<S>(2);
     bool const checked = std::exchange(linear_, false);
     Base<S> corrections[fresh_derivatives * tries];
@@ -106,13 +107,10 @@ class LegendreChord {
     for (Index i = 0; i < moved.size(); ++i)
       for (Index j = 0; j < moved.size(); ++j) inverse_(i, j) += (moved[i] - mapped[i]) * row[j] / along;
   }
-  void correct(Momentum<G, S> const& mu, Coordinates<G, S> const& there, Coordinates<G, S> const& from,
+  void correct(Coordinates<G, S> const& mu, Coordinates<G, S> const& there, Coordinates<G, S> const& from,
                Coordinates<G, S>& out) const {
-    for (Index i = 0; i < from.size(); ++i) {
-      S sum = from[i];
-      for (Index j = 0; j < from.size(); ++j) sum += inverse_(i, j) * (mu.components[j] - there[j]);
-      out[i] = sum;
-    }
+    Coordinates<G, S> const changed = mu - there;
+    add_product(from, inverse_, changed, out);
   }
   template <class F>
   void differentiate(F const& l, Velocity<G, S> const& xi) {

@@ -28,21 +28,21 @@ struct MomentumLevelStep {
   MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<B> const& h) const {
     require_steppable(from, h);
     using V = Coordinates<G, S>;
-    auto const& group = from.momentum.group;
-    V eta = V::Zero(group.dimension());
-    auto& kept =
-        LevelMemory<G, S, side, B, V>::of(memory, from.velocity, eta, [&] { return Commutators<B>(group); });
+    using None = Matrix<S, 0, 1>;
+    using Memory = LevelMemory<G, S, side, B, V, None>;
+    auto& kept = Memory::of(memory, from.velocity, None(), [] { return VectorAction<B>(); });
     auto& velocities = kept.velocities;
-    auto const velocity_of = [&](int stage, V const& mu, V& xi) {
-      if (!velocities.find(l, mu, LevelFlow<side, B, V>::checks(stage))) return false;
+    auto const velocity_of = [&](int stage, V const& mu, None const&, V& xi, None&) {
+      if (!velocities.find(l, mu, Memory::Flow::checks(stage))) return false;
       xi = velocities.velocity().coordinates;
       return true;
     };
+    V eta = V::Zero(from.momentum.group.dimension());
     for (int tried = 0; tried < 2; ++tried) {
       velocities.begin(l, from.velocity);
-      if (kept.flow(from.momentum.components, h, velocity_of, eta)) break;
+      if (kept.flow(from.momentum.components, None(), h, velocity_of, eta)) break;
     }
-    auto const f = exp(Velocity<G, S>{group, -eta});
+    auto const f = exp(Velocity<G, S>{from.momentum.group, -eta});
     using Invariance = std::conditional_t<(side > 0), RightInvariant, LeftInvariant>;
     return {f,
             {Invariance::lie_poisson_update(f, from.momentum), velocities.velocity()},
@@ -55,8 +55,8 @@ struct MomentumLevelStep {
 /// A step of order 8 of a left-invariant system on a level of the momentum of its symmetry: a callable
 /// (state, h) -> \ref MomentumStep on body momenta.
 ///
-/// Solves \f$\dot g = g\,\xi\f$ with \f$\partial l/\partial\xi = \Pi\f$ by Cooper and Verner's explicit
-/// method in the natural chart at g0, and transports \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\,\Pi_0\f$.
+/// Solves \f$\dot g = g\,\xi\f$ with \f$\partial l/\partial\xi = \Pi\f$ by Fehlberg's explicit method of
+/// order 8 in the natural chart at g0, and transports \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\,\Pi_0\f$.
 /// @param l  reduced Lagrangian, function of \f$g^{-1}\dot g\f$, energy; its Legendre map is regular
 /// @throws OutsideDomain  when called, for a step that is zero or not finite
 /// @throws NotConverged, Singular  when called, where the velocity of a momentum is not found

@@ -14,7 +14,7 @@ namespace actio::detail {
 template <Group G, Real S>
 class StageVelocities {
  public:
-  explicit StageVelocities(Velocity<G, S> const& near) : xi_(near), mu_{near.group, near.coordinates} {}
+  explicit StageVelocities(Velocity<G, S> const& near) : xi_(near) {}
   /// Before a step from a velocity.
   template <class F>
   void begin(F const& l, Velocity<G, S> const& from) {
@@ -26,11 +26,10 @@ class StageVelocities {
   /// @return       false where velocities were taken for a linear function of momenta, and are none
   template <class F>
   bool find(F const& l, Coordinates<G, S> const& mu, bool check) {
-    mu_.components = mu;
     bool const linear = lines_ && legendre_.linear();
-    if (linear) legendre_.by_line(mu_, xi_);
+    if (linear) legendre_.by_line(mu, xi_);
     if (linear && !check) return true;
-    legendre_.solve(l, mu_, xi_);
+    legendre_.solve(l, mu, xi_);
     lines_ = lines_ && (!linear || legendre_.linear());
     return !linear || lines_;
   }
@@ -47,7 +46,6 @@ class StageVelocities {
  private:
   LegendreChord<G, S> legendre_;
   Velocity<G, S> xi_;
-  Momentum<G, S> mu_;
   bool lines_ = true;  // no check has failed
 };
 
@@ -82,23 +80,29 @@ class StageSlopes {
 };
 
 /// What a step on a level of the momentum leaves to the next one of the same group.
-/// @tparam V      a column of the coordinates that move
-/// @tparam Slope  a column like the advected vector
-template <Group G, Real S, int side, class B, class V, class Slope = Matrix<S, Dynamic, 1>>
+/// @tparam V  a column of coordinates of the algebra
+/// @tparam U  a column like the advected vector
+template <Group G, Real S, int side, class B, class V, class U = Matrix<S, 0, 1>>
 struct LevelMemory {
-  G group;                           ///< whose commutators these are
-  StageVelocities<G, S> velocities;  ///< found at the stages
-  StageSlopes<Slope> slopes;         ///< likewise
-  LevelFlow<side, B, V> flow;        ///< of the group, or of a semidirect product with it
+  using Flow = LevelFlow<side, B, V, U>;  ///< of momenta and vectors
+  G group;                                ///< whose commutators these are
+  StageVelocities<G, S> velocities;       ///< found at the stages
+  StageSlopes<U> slopes;                  ///< likewise
+  Flow flow;                              ///< of the group
 
-  /// The memory of the last call, where it was of this group and as many coordinates; a new one otherwise.
-  /// @param commutators  () -> those of all coordinates
+  /// The memory of the last call, where it was of this group and of vectors of this length; a new one
+  /// otherwise.
+  /// @param action  () -> that of the group on vectors
   template <class Make>
-  static LevelMemory& of(std::any& last, Velocity<G, S> const& near, V const& zero, Make const& commutators) {
+  static LevelMemory& of(std::any& last, Velocity<G, S> const& near, U const& nothing, Make const& action) {
     auto* const kept = std::any_cast<LevelMemory>(&last);
-    if (kept && known_to_be_same(kept->group, near.group) && kept->flow.size() == zero.size()) return *kept;
-    return last.emplace<LevelMemory>(
-        LevelMemory{near.group, StageVelocities<G, S>(near), {}, LevelFlow<side, B, V>(commutators(), zero)});
+    if (kept && known_to_be_same(kept->group, near.group) && kept->flow.length() == nothing.size())
+      return *kept;
+    V const zero = V::Zero(near.group.dimension());
+    return last.emplace<LevelMemory>(LevelMemory{near.group,
+                                                 StageVelocities<G, S>(near),
+                                                 {},
+                                                 Flow(Commutators<B>(near.group), action(), zero, nothing)});
   }
 };
 

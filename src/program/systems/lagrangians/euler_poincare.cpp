@@ -49,7 +49,7 @@ std::vector<Method> methods() {
        "eq_3_20"},
       {"momentum_level",
        {"8"},
-       "An explicit method of order 8 (Cooper and Verner) for the configuration, on a level of the momentum "
+       "An explicit method of order 8 (Fehlberg) for the configuration, on a level of the momentum "
        "of the symmetry: that momentum and every Casimir are conserved to rounding, as the natural chart "
        "does. It does not preserve the bracket, and nothing bounds the error of the energy over long times; "
        "of all methods it takes the least time for an error below 1e-6.",
