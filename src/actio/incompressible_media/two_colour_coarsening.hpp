@@ -23,7 +23,7 @@ struct SiteEntries {
 
 /// The matrix of a coarse lattice while the hierarchy is made.
 struct CoarseMatrix {
-  TwoColourLattice lattice;
+  TwoColourLattice lattice;        ///< whose cells it couples
   std::vector<SiteEntries> sites;  ///< row by row
 
   explicit CoarseMatrix(TwoColourLattice const& l)
@@ -48,9 +48,10 @@ struct CoarseMatrix {
 
 /// The matrix of the cells, by sites.
 struct CellMatrix {
-  NinePointMatrix const& matrix;
+  NinePointMatrix const& matrix;       ///< as it is given
   std::size_t pinned = matrix.size();  ///< number of a cell whose pressure is pinned, if there is one
   double pin = 0;                      ///< what that adds to its diagonal, and does not count here
+  /// Of the sites.
   TwoColourLattice lattice = TwoColourLattice::of_cells(matrix.cells, matrix.periodic);
 
   explicit CellMatrix(NinePointMatrix const& m) : matrix(m) {}
@@ -86,14 +87,14 @@ struct CellMatrix {
 
 /// The sites from which a coordinate is interpolated, with their weights.
 struct Parents {
-  int first, count;
-  double weight;
+  int first, count;  ///< along the coarse coordinate: the first one, and one or two
+  double weight;     ///< of each
   explicit Parents(int u) : first(u >> 1), count(1 + (u & 1)), weight(u & 1 ? 0.5 : 1.0) {}
 };
 
 /// What a cell takes of the bilinear values of its own colour and of the other one: 1 and 0 but at the rim.
 struct Shares {
-  double own = 1, other = 0;
+  double own = 1, other = 0;  ///< times the bilinear value of this colour, of the other one
   /// Whether all that the cell is interpolated from is behind walls, as in some corners. For the coarse
   /// matrix such a cell has the value of whatever acts on it.
   bool orphan() const { return own == 0 && other == 0; }
@@ -101,8 +102,8 @@ struct Shares {
 
 /// Interpolation from a coarse lattice to a fine one.
 struct Interpolation {
-  TwoColourLattice fine, coarse;
-  Walls walls;
+  TwoColourLattice fine, coarse;  ///< between which it goes
+  Walls walls;                    ///< that reflect; the other sides are free
 
   Interpolation(TwoColourLattice const& lattice, Walls const& w)
       : fine(lattice), coarse(lattice.coarse()), walls(w) {}

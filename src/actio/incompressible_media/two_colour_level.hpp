@@ -34,37 +34,37 @@ using FloatsThere [[gnu::vector_size(4 * lanes), gnu::aligned(4), gnu::may_alias
 
 /// An entry that is stored at cells of one colour: with the cell of another colour that many sites further.
 struct StoredEntry {
-  int from, to, du, dv;
+  int from, to, du, dv;  ///< the colours, and how many sites further along u and v
 };
 /// What is stored of a matrix, besides the inverse diagonal of both colours: each pair of cells once.
 std::vector<StoredEntry> const& stored_entries(bool of_cells);
 
 /// A term of a row of the matrix: where its coefficient is, and the number that it multiplies.
 struct Term {
-  std::ptrdiff_t coefficient, number;
+  std::ptrdiff_t coefficient, number;  ///< from where those of the first cell of the part are
 };
 /// The terms of the cells of one colour in one part of a row, the diagonal apart: first those with cells that
 /// the first sweep comes to before them.
 struct Terms {
-  std::array<Term, 17> term;
-  int before = 0, count = 0;
+  std::array<Term, 17> term;  ///< in this order
+  int before = 0, count = 0;  ///< how many are with cells that come before, and in all
 };
 
 /// An entry of P beside the bilinear weights.
 struct RimWeight {
-  std::ptrdiff_t fine, coarse;
-  float weight;
+  std::ptrdiff_t fine, coarse;  ///< places in a field of the fine lattice and in the rows of the coarse one
+  float weight;                 ///< that is added to the bilinear one
 };
 
 /// Sites of the coarse lattice from which the sites of one part of a row are interpolated.
 struct PartParents {
-  std::array<std::ptrdiff_t, 4> place{};
-  int count = 0;
+  std::array<std::ptrdiff_t, 4> place{};  ///< of that of the first site, from the beginning of the coarse row
+  int count = 0;                          ///< one, two or four of the same weight
 };
 
 /// A lattice with its matrix and the fields of a cycle.
 struct Level {
-  TwoColourLattice lattice;
+  TwoColourLattice lattice;                                  ///< the lattice
   int numbers = 0;                                           ///< stored of the matrix at each site
   std::vector<float> matrix;                                 ///< these numbers
   std::array<std::array<std::array<Terms, 2>, 2>, 4> terms;  ///< by row modulo 4, part and colour

@@ -10,6 +10,7 @@ namespace actio::media::detail {
 
 /// Eight doubles.
 using Doubles [[gnu::vector_size(64)]] = double;
+/// Their number.
 constexpr std::size_t eight = 8;
 
 /// The same anywhere in memory.
@@ -21,8 +22,8 @@ using DoublesThere [[gnu::vector_size(64), gnu::aligned(8), gnu::may_alias]] = d
 
 /// The largest modulus of some numbers and their sum.
 struct Size {
-  double const* x;
-  std::size_t count;
+  double const* x;              ///< the numbers
+  std::size_t count;            ///< how many
   double largest = 0, sum = 0;  ///< on return; the sum is not finite where a number is not
 
   [[gnu::always_inline]] void operator()() {
@@ -43,12 +44,12 @@ struct Size {
 template <bool in>
 struct Transfer {
   using Cells = std::conditional_t<in, double const, double>;
-  TwoColourLattice const& lattice;
-  float* field;
-  Cells* cells;
-  int columns, rows;
-  double factor;    ///< by which they are multiplied
-  double more = 0;  ///< what is added to the numbers of the cells
+  TwoColourLattice const& lattice;  ///< the finest one
+  float* field;                     ///< of it, two numbers a site
+  Cells* cells;                     ///< the numbers of the cells
+  int columns, rows;                ///< of cells
+  double factor;                    ///< by which they are multiplied
+  double more = 0;                  ///< what is added to the numbers of the cells
 
   [[gnu::always_inline]] void operator()() {
     constexpr int width = 4 * lanes;
