@@ -295,8 +295,8 @@ STATEMENT(bridge_multiplier_form, "the discrete form formula on variations that 
 STATEMENT(bridge_multiplier_noether, "the discrete Noether theorem with multipliers") {
   claim.holds(
       "Shown for rigid motions of the plane and of space, with the volume of a sheet and the length of a "
-      "string; for the volume of a block in one cell. The multipliers are drawn and the values stepped with them, so that the constraint takes any "
-      "value: the theorem is on its slopes.");
+      "string, and for the volume of a block in one cell. The multipliers are drawn and the values stepped "
+      "with them, so that the constraint takes any value: the theorem is on its slopes.");
   auto const one_cell = [&](auto const& phi, auto const& cell, auto const& xi, std::string const& model) {
     // Forces of the constraint of a cell, at any values: their sum, and their work on a rigid motion.
     constexpr int N = std::remove_cvref_t<decltype(cell.y)>::RowsAtCompileTime;

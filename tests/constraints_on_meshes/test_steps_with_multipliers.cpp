@@ -21,6 +21,8 @@ auto water() {
   return incompressible(
       Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{1.5}, NoStoredEnergy{}});
 }
+/// m |y|/h of a node inside of the square.
+constexpr double rounded_water = 1.5 / 9 / 0.02;
 SpaceTimeMesh<double, 2> square(Sides<2> const& sides, int steps, GridIndex<2> const& cells = {3, 3}) {
   return {equal_steps(0.0, 0.02, steps), cells, sides,
           StraightBox<double, 2>{Point(-0.5, -0.5), Point(0.5, 0.5)}};
@@ -39,16 +41,17 @@ Level<double, n> velocities(Mesh const& mesh, Field const& field) {
   for (Index i = 0; i < mesh.node_count(); ++i) v.push_back(field(mesh.place(i)));
   return v;
 }
-/// The largest residual over its terms, of the field equations at inner levels and of the areas.
+/// The largest residual of the field equations at inner levels, momentum. What rounds it is m |y|/h, of which
+/// momenta are differences.
 template <class L, class Mesh, class Section>
 double worst_of(L const& density, Mesh const& mesh, Section const& y) {
   double worst = 0;
   for (int level = 1; level < y.last(); ++level)
     for (Index i = 0; i < mesh.node_count(); ++i) {
-      auto E = discrete_euler_lagrange(density, mesh, y, level, i);
+      auto const E = discrete_euler_lagrange(density, mesh, y, level, i).sum;
       unsigned const held = mesh.fixed(i) ? ~0u : mesh.held_across(i);
-      for (int a = 0; a < E.sum.size(); ++a)
-        if (!(held >> a & 1)) worst = std::max(worst, std::abs(E.sum[a]) / E.terms);
+      for (int a = 0; a < E.size(); ++a)
+        if (!(held >> a & 1)) worst = std::max(worst, std::abs(E[a]));
     }
   return worst;
 }
@@ -108,7 +111,7 @@ BOOST_AUTO_TEST_CASE(water_with_free_sides_keeps_areas_and_both_momenta) {
                return Point(X[0] - 2 * X[1] + 0.3, 3 * X[0] - X[1]);
              }));
   while (y.last() + 1 < mesh.levels()) BOOST_TEST(step(water(), mesh, y).sweeps <= 6);
-  BOOST_TEST(worst_of(water(), mesh, y) < 64 * epsilon<double>());
+  BOOST_TEST(worst_of(water(), mesh, y) < 16 * epsilon<double>() * rounded_water);
   BOOST_TEST(worst_area(mesh, y) < 8 * epsilon<double>());
   RigidMotion<double, 2> motion{Matrix<double, 2, 2>::Zero(), Point(0.3, 0.7)};
   motion.turn(0, 1) = -1, motion.turn(1, 0) = 1;
@@ -118,16 +121,20 @@ BOOST_AUTO_TEST_CASE(water_with_free_sides_keeps_areas_and_both_momenta) {
   BOOST_TEST(sum.terms > 1);
 }
 
-BOOST_AUTO_TEST_CASE(a_velocity_that_changes_areas_loses_that_part_in_the_first_step) {
-  auto const mesh = square(all_sides<2>(Side::free), 2);
-  auto swells = at_rest<2>(mesh), turns = at_rest<2>(mesh);
-  first_step(water(), mesh, swells, velocities<2>(mesh, [](Point const& X) { return Point(X[0], X[1]); }));
-  first_step(water(), mesh, turns, velocities<2>(mesh, [](Point const& X) { return Point(-X[1], X[0]); }));
-  BOOST_TEST(worst_area(mesh, swells) < 8 * epsilon<double>());
-  // A swelling square is stopped: nodes move by what is of second order in the step.
-  for (Index i = 0; i < mesh.node_count(); ++i)
-    BOOST_TEST(magnitude(Point(swells.phi(1, i) - swells.phi(0, i))) < 0.02 * 0.02);
-  BOOST_TEST(std::abs(swells.lambda[0][0][0]) > 10 * std::abs(turns.lambda[0][0][0]));
+BOOST_AUTO_TEST_CASE(what_changes_areas_in_a_velocity_is_taken_away_by_the_first_multipliers) {
+  // An impulse: in half of the step the multiplier is twice as large. In a turn it is a pressure.
+  auto const first_multiplier = [](double h, auto const& field) {
+    SpaceTimeMesh<double, 2> const mesh(equal_steps(0.0, h, 1), {3, 3}, all_sides<2>(Side::free),
+                                        StraightBox<double, 2>{Point(-0.5, -0.5), Point(0.5, 0.5)});
+    auto y = at_rest<2>(mesh);
+    first_step(water(), mesh, y, velocities<2>(mesh, field));
+    BOOST_TEST(worst_area(mesh, y) < 8 * epsilon<double>());
+    return y.lambda[0][4][0];
+  };
+  auto const swell = [](Point const& X) { return X; };
+  auto const turn = [](Point const& X) { return Point(-X[1], X[0]); };
+  BOOST_TEST(std::abs(first_multiplier(1e-3, swell) / first_multiplier(2e-3, swell) - 2) < 0.02);
+  BOOST_TEST(std::abs(first_multiplier(1e-3, turn) / first_multiplier(2e-3, turn) - 1) < 0.02);
 }
 
 BOOST_AUTO_TEST_CASE(directors_stay_unit_vectors) {
@@ -153,7 +160,7 @@ BOOST_AUTO_TEST_CASE(directors_stay_unit_vectors) {
   v[0][2] = 1;
   first_step(rod, mesh, y, v);
   while (y.last() + 1 < mesh.levels()) step(rod, mesh, y);
-  BOOST_TEST(worst_of(rod, mesh, y) < 64 * epsilon<double>());
+  BOOST_TEST(worst_of(rod, mesh, y) < 16 * epsilon<double>() * 0.25 / 0.01);
   // One multiplier a cell: the squares of its two directors have the mean one.
   for (int cell = 0; cell < 4; ++cell) {
     auto const d = [&](int node) { return Matrix<double, 3, 1>(y.phi(20, node).tail<3>()); };
@@ -180,7 +187,7 @@ BOOST_AUTO_TEST_CASE(closed_walls_leave_the_multiplier_of_one_cell_free) {
     step(water(), mesh, z, AtRest{}, Pinned{0});
   }
   BOOST_TEST(worst_area(mesh, y) < 8 * epsilon<double>());
-  BOOST_TEST(worst_of(water(), mesh, y) < 64 * epsilon<double>());
+  BOOST_TEST(worst_of(water(), mesh, y) < 16 * epsilon<double>() * rounded_water);
   // Another pinned cell: the same motion, and pressures that differ by one constant.
   double apart = 0, level = y.lambda[10][0][0] - z.lambda[10][0][0];
   for (Index i = 0; i < mesh.node_count(); ++i)
@@ -191,16 +198,22 @@ BOOST_AUTO_TEST_CASE(closed_walls_leave_the_multiplier_of_one_cell_free) {
 }
 
 BOOST_AUTO_TEST_CASE(corners_in_space_contradict_closed_walls) {
+  // What 27 cells gain in volume their walls do not give, and yet the corners say so.
   SpaceTimeMesh<double, 3> const mesh(
-      equal_steps(0.0, 0.1, 20), {3, 3, 3}, all_sides<3>(Side::fixed),
+      equal_steps(0.0, 0.1, 2), {3, 3, 3}, all_sides<3>(Side::sliding),
       StraightBox<double, 3>{Matrix<double, 3, 1>::Zero(), Matrix<double, 3, 1>::Constant(3.0)});
   auto const body =
       incompressible(Continuum{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{1.0}, NoStoredEnergy{}});
+  auto const v = velocities<3>(mesh, [](Matrix<double, 3, 1> const& X) {
+    double const p = 3.14159265358979323846 / 3;
+    auto const cell = [&](int i, int j, int k) {
+      return std::sin(p * X[i]) * std::cos(p * X[j]) * std::cos(2 * p * X[k]);
+    };
+    return Matrix<double, 3, 1>(cell(0, 1, 2), cell(1, 2, 0), cell(2, 0, 1));
+  });
   auto y = at_rest<3>(mesh);
-  // Eight inner nodes have 24 components, fewer than there are cells: the constraints are not independent.
-  auto const v = velocities<3>(
-      mesh, [](Matrix<double, 3, 1> const& X) { return Matrix<double, 3, 1>(X[1] - 1.5, 1.5 - X[0], 0.0); });
-  CHECK_REFUSED(first_step(body, mesh, y, v, AtRest{}, Pinned{13}), Singular);
+  CHECK_REFUSED(first_step(body, mesh, y, v, AtRest{}, Pinned{13}), InconsistentConstraints);
+  BOOST_TEST(y.last() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_stepped_with_multipliers_is_refused_and_leaves_the_section_as_it_was) {

@@ -128,7 +128,8 @@ class EquationsOfStep {
     Base<S> const bound = Base<S>(64) * epsilon<S>() * terms;
     if (!(found <= bound))
       throw InconsistentConstraints("step, the cell with the pinned multiplier",
-                                    "its constraint follows from those of the others; what is missing",
+                                    "the constraints of the others imply its own, which those of bent "
+                                    "hexahedra by their corners do not; what is missing",
                                     to_double(found), to_double(bound));
   }
 
@@ -214,9 +215,10 @@ StepReport append_level(AugmentedDensity<L, Phi> const& density, SpaceTimeMesh<B
         throw NotConverged("step with multipliers", std::move(history), 8 * to_double(epsilon<S>()));
       auto const r = equations.residual(worst);
       history.push_back(to_double(worst));
-      auto const change = solve_linear(equations.slope(), r,
-                                       "step with multipliers: the constraints of the cells are not "
-                                       "independent, or the discrete Lagrangian is not regular");
+      auto const change =
+          solve_linear(equations.slope(), r,
+                       "step with multipliers: constraints of cells depend on each other (pin a "
+                       "cell where the sides are closed), or the Lagrangian is not regular");
       equations.correct(change);
       Base<S> largest(0);
       for (auto const& y : section.phi.levels.back()) largest = std::max(largest, magnitude(y));
