@@ -15,8 +15,7 @@ using namespace actio::checks;
 
 namespace {
 
-template <class S>
-auto volume_in_the_plane() { return VolumeConstraint{Euclidean<2>{}, Euclidean<2>{}}; }
+VolumeConstraint const plane{Euclidean<2>{}, Euclidean<2>{}};
 
 /// A constraint of the most general kind without a velocity: two cubics in the point of the body, the value
 /// and the slopes.
@@ -176,7 +175,7 @@ STATEMENT(bridge_multiplier_equations,
       "field equation with the forces of the multipliers, and by a multiplier the constraint of its cell at "
       "its level. In the plane that is the area of a quadrilateral. In space the corners do not sum up to "
       "the volume: with closed walls their constraints contradict each other.");
-  auto const varies = [&](auto const& field, auto const& by_hand, std::string const& model) {
+  auto const varies = [&]<class Field>(Field const& field, auto const& by_hand, std::string const& model) {
     constexpr int N = std::remove_cvref_t<decltype(field.section.phi(0, 0))>::RowsAtCompileTime;
     auto const& y = field.section;
     Index const node = static_cast<Index>(draw.below(static_cast<std::uint64_t>(field.mesh.node_count())));
@@ -203,6 +202,8 @@ STATEMENT(bridge_multiplier_equations,
                  later = by_hand.value(cell_of(field.mesh, y.phi, 1, cell), 1);
       auto const by_multiplier = slope_of_action<S>(field, 1, field.mesh.number(cell), false);
       S const size = S(1) + magnitude(C);
+      claim.zero("the constraint by the corners of the cell", model,
+                 Matrix<S, Field::k, 1>(field.constraint(y, 1, cell) - C), size, 10);
       claim.zero("by a multiplier: the constraint of its cell", model,
                  Matrix<S, Dynamic, 1>(by_multiplier - C * field.half(1)), size, 10);
       claim.refutes("the constraint at the next level", model,
@@ -210,9 +211,8 @@ STATEMENT(bridge_multiplier_equations,
     });
   };
   Sides<1> const free = all_sides<1>(Side::free);
-  auto const plane = volume_in_the_plane<S>();
   varies(
-      pulled_held_field<2, 2, S>(draw, draw_density<S, 2, 2>(draw), plane, {2, 1}, all_sides<2>(Side::free)),
+      pulled_held_field<2, 2, S>(draw, draw_density<S, 2, 2>(draw), plane, {2, 2}, all_sides<2>(Side::free)),
       AreaByDiagonals<S>{}, "n = 2, N = 2, volume");
   varies(
       pulled_held_field<1, 3, S>(draw, draw_density<S, 1, 3>(draw), Inextensible{Euclidean<3>{}}, {2}, free),
@@ -275,7 +275,6 @@ STATEMENT(bridge_multiplier_form, "the discrete form formula on variations that 
   GridIndex<2> const cells{2, numbers_grow() ? 1 : 2};
   Sides<1> const free = all_sides<1>(Side::free);
   Sides<2> const sheet = all_sides<2>(Side::free);
-  auto const plane = volume_in_the_plane<S>();
   balances(pulled_held_field<2, 2, S>(draw, draw_density<S, 2, 2>(draw), plane, cells, sheet),
            "n = 2, N = 2, volume");
   slopes_ahead(
@@ -347,7 +346,6 @@ STATEMENT(bridge_multiplier_noether, "the discrete Noether theorem with multipli
   one_cell(VolumeConstraint{Euclidean<3>{}, Euclidean<3>{}}, cell_of(block, places, 0, {}),
            draw_motion<S, 3>(draw), "n = 3, N = 3, volume");
   Continuum const solid{Euclidean<2>{}, Euclidean<2>{}, draw_mass<S, 2>(draw), draw_solid<S>(draw)};
-  auto const plane = volume_in_the_plane<S>();
   GridIndex<2> const cells{2, numbers_grow() ? 1 : 2};
   sums(stepped_held_field<2, 2, S>(draw, solid, plane, cells),
        stepped_held_field<2, 2, S>(draw, solid, plane, {2, 1}, {.slope = 1}), "n = 2, N = 2, volume");
