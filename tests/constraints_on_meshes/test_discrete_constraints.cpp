@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/constraints/inextensible.hpp"
+#include "actio/constraints_on_meshes/cell_volumes.hpp"
 #include "actio/constraints_on_meshes/extended_balances.hpp"
 #include "actio/continuum/materials.hpp"
 #include "actio/incompressible/incompressible_density.hpp"
@@ -92,6 +93,38 @@ BOOST_AUTO_TEST_CASE(the_cartan_form_of_a_multiplier_is_its_part_of_the_constrai
     auto const C = constraint_of_cell(water().constraint, configuration<2>(cell), level);
     BOOST_TEST((sum == C[0] * cell.duration() / 2));
   }
+  // Those of the values are the same by either road.
+  for (int l = 0; l < cell.nodes; ++l)
+    BOOST_TEST((cartan_form_of_values(water(), cell, l) ==
+                Point(discrete_cartan_form(water(), cell, l).template head<2>())));
+}
+
+BOOST_AUTO_TEST_CASE(volumes_of_cells_in_space_add_up_and_are_the_corners_of_parallelepipeds) {
+  WithArithmetic const exactly(Arithmetic::rationals());
+  FineDraw draw(11);
+  // The body is a cube, cut into eight cells at a point inside, whose faces and edges it bends.
+  using Corners = Matrix<Q, 3, 8>;
+  std::array<Matrix<Q, 3, 1>, 27> nodes;
+  for (int i = 0; i < 27; ++i)
+    nodes[i] = Matrix<Q, 3, 1>(Q(i % 3), Q(i / 3 % 3), Q(i / 9)) +
+               (i == 13 ? Matrix<Q, 3, 1>(draw.vector<Q, Matrix<Q, 3, 1>>(3) / Q(2))
+                        : Matrix<Q, 3, 1>(Matrix<Q, 3, 1>::Zero()));
+  Q sum(0);
+  for (int cell = 0; cell < 8; ++cell) {
+    Corners y;
+    for (int b = 0; b < 8; ++b) {
+      int node = 0, stride = 1;
+      for (int i = 0; i < 3; ++i, stride *= 3) node += ((cell >> i & 1) + (b >> i & 1)) * stride;
+      y.col(b) = nodes[node];
+    }
+    sum += volume_of_cell(y);
+  }
+  BOOST_TEST((sum == 8));
+  Corners skew;
+  Matrix<Q, 3, 3> edges;
+  for (int i = 0; i < 3; ++i) edges.col(i) = draw.vector<Q, Matrix<Q, 3, 1>>(3);
+  for (int b = 0; b < 8; ++b) skew.col(b) = edges * Matrix<Q, 3, 1>(Q(b & 1), Q(b >> 1 & 1), Q(b >> 2 & 1));
+  BOOST_TEST((volume_of_cell(skew) == determinant(edges)));
 }
 
 BOOST_AUTO_TEST_CASE(extended_sections_that_are_none_of_a_mesh_are_refused) {

@@ -214,6 +214,19 @@ BOOST_AUTO_TEST_CASE(corners_in_space_contradict_closed_walls) {
   auto y = at_rest<3>(mesh);
   CHECK_REFUSED(first_step(body, mesh, y, v, AtRest{}, Pinned{13}), InconsistentConstraints);
   BOOST_TEST(y.last() == 0);
+  // The volumes of the cells do not.
+  AugmentedDensity const held(body.density, CellVolumes{});
+  first_step(held, mesh, y, v, AtRest{}, Pinned{13});
+  step(held, mesh, y, AtRest{}, Pinned{13});
+  double worst = 0, moved = 0;
+  mesh.for_cells([&](GridIndex<3> const& cell) {
+    worst = std::max(worst, std::abs(constraint_of_cell(CellVolumes{}, cell_of(mesh, y.phi, 1, cell), 1)[0]));
+  });
+  for (Index i = 0; i < mesh.node_count(); ++i)
+    moved = std::max(moved, magnitude(Matrix<double, 3, 1>(y.phi(2, i) - y.phi(0, i))));
+  // Volumes of one, from products of three numbers up to three.
+  BOOST_TEST(worst < 64 * epsilon<double>());
+  BOOST_TEST(moved > 0.05);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_stepped_with_multipliers_is_refused_and_leaves_the_section_as_it_was) {

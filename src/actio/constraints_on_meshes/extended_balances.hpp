@@ -22,11 +22,9 @@ S multisymplectic_form_of_values(AugmentedDensity<L, Phi> const& density, SpaceT
                                  std::type_identity_t<Matrix<S, M, SpaceTimeCell<S, n, M>::nodes>> const& V,
                                  std::type_identity_t<Matrix<S, M, SpaceTimeCell<S, n, M>::nodes>> const& W) {
   constexpr int N = M - Phi::components;
-  for (int m = 0; m < cell.nodes; ++m)
-    if (jet_contains(cell, m, l)) examine(density, discrete_jet(cell, m));
+  for (int m = 0; m < cell.nodes; ++m) examine(density, discrete_jet(cell, m));
   auto const delta_Theta = [&](auto const& by) {
-    auto const moved = detail::cartan_form_at_node(density, cell.with(moved_along(cell.y, by)), l);
-    return Matrix<S, N, 1>(rate_of(moved).template head<N>());
+    return rate_of(detail::cartan_form_with_reaction(density, cell.with(moved_along(cell.y, by)), l));
   };
   // [extended_multisymplectic_form]
   S const Omega =
@@ -64,25 +62,16 @@ SumOfTerms<S, S> multisymplectic_balance(AugmentedDensity<L, Phi> const& density
   // [bridge_multiplier_form]
 }
 
-/// A generator on the configuration bundle, on the extended bundle: multipliers stay as they are.
-/// @tparam k  how many multipliers there are
-template <int k, class Xi>
-struct MultipliersStay {
-  Xi xi;  ///< a vector field on Y: a callable from points (x, y), one column, to their velocities
-
-  /// The velocity of a point \f$(x, y, \lambda)\f$.
-  template <class V>
-  auto operator()(V const& point) const {
-    using T = typename V::Scalar;
-    constexpr int below = V::RowsAtCompileTime - k;
-    Matrix<T, below + k, 1> rate = Matrix<T, below + k, 1>::Zero();
-    rate.template head<below>() = xi(Matrix<T, below, 1>(point.template head<below>()));
-    return rate;
-  }
-};
-/// A generator that leaves k multipliers as they are.
-template <int k, class Xi>
-MultipliersStay<k, Xi> multipliers_stay(Xi const& xi) { return {xi}; }
+/// The discrete momentum \f$J^l(\xi) = \Theta^l\cdot\xi(y_l)\f$ of a generator at a node of a space-time cell
+/// of the extended bundle: multipliers stay as they are.
+/// @param xi  a vector field on Y that moves points of space alone
+/// @throws NotVertical, NoDerivative; and what density and constraint refuse
+template <class L, class Phi, class Xi, class S, int n, int M>
+S momentum_of_values(AugmentedDensity<L, Phi> const& density, Xi const& xi,
+                     SpaceTimeCell<S, n, M> const& cell, int l) {
+  auto const xi_l = generator_at_node(xi, configuration<M - Phi::components>(cell), l);
+  return cartan_form_of_values(density, cell, l).dot(xi_l);
+}
 
 /// The sum \f$\sum_{\partial U}J^l(\xi)\f$ of the discrete momentum over the boundary of a box of space-time,
 /// with the multipliers in the momenta. It is zero for every box where the section solves the discrete field
@@ -100,10 +89,9 @@ SumOfTerms<S, S> noether_balance(AugmentedDensity<L, Phi> const& density, Xi con
                                  CellBox<n> const& box) {
   require_section(mesh, section);
   require_box(mesh, section.phi, box);
-  auto const on_extended = multipliers_stay<Phi::components>(xi);
   // [bridge_multiplier_noether]
   return boundary_sum(mesh, box, [&](int slab, GridIndex<n> const& cell, int l) {
-    return discrete_momentum(density, on_extended, cell_of(mesh, section, slab, cell), l);
+    return momentum_of_values(density, xi, cell_of(mesh, section, slab, cell), l);
   });
   // [bridge_multiplier_noether]
 }

@@ -17,6 +17,7 @@ struct NotSpatial : OutsideDomain {
 /// level does not belong to them.
 /// @throws NotSpatial  with the largest derivative
 template <class Phi, class S, int n, int N>
+  requires ConstraintOver<Phi, S, n, N>
 void require_spatial(Phi const& constraint, Jet<S, n, N> const& jet) {
   auto const with_velocity = [&]<class T>(Matrix<T, N, 1> const& velocity) {
     Jet<T, n, N> moved{jet.x.template cast<T>(), jet.y.template cast<T>(), jet.v.template cast<T>()};
@@ -29,22 +30,31 @@ void require_spatial(Phi const& constraint, Jet<S, n, N> const& jet) {
                      "it contains no velocity; derivative by the velocity", to_double(rate), 0);
 }
 
-/// The constraint \f$C_K(y) = \sum_b|K_b|\,\Phi(j_b)\f$ of a cell at a level, volume times that of
-/// \f$\Phi\f$: the trapezoidal rule of the discrete Lagrangian, over the corners of the cell.
+/// The constraint \f$C_K(y)\f$ of a cell at a level, a function of the values there.
 ///
-/// For \ref VolumeConstraint between Euclidean planes it is the area of the cell in space less that of the
-/// body, exactly. For other hexahedra than parallelepipeds it is not the volume that the faces enclose.
-/// @param level  the earlier (0) or the later one (1)
+/// Of a constraint on jets it is \f$\sum_b|K_b|\,\Phi(j_b)\f$, the trapezoidal rule of the discrete
+/// Lagrangian over the corners of the cell: volume times \f$\Phi\f$. For \ref VolumeConstraint between
+/// Euclidean planes it is the area of the cell in space less that of the body, exactly; bent hexahedra have
+/// \ref CellVolumes.
+/// @param constraint  a constraint of chapter 7; or one that is given for whole cells by a member
+///                    `of_cell(geometry, y)`, over any scalar, from the values at the corners, a column each
+/// @param level       the earlier (0) or the later one (1)
 template <class Phi, class S, int n, int N>
 Matrix<S, Phi::components, 1> constraint_of_cell(Phi const& constraint, SpaceTimeCell<S, n, N> const& cell,
                                                  int level) {
-  Matrix<S, Phi::components, 1> C = Matrix<S, Phi::components, 1>::Zero();
-  for (int b = 0; b < cell.corners; ++b) {
-    // [discrete_constraint]
-    C += constraint(discrete_jet(cell, node_of_corner<n>(b, level))) * cell.geometry->volume[b];
-    // [discrete_constraint]
+  using Corners = Matrix<S, N, corners_of_cell<n>>;
+  if constexpr (requires(Corners const& y) { constraint.of_cell(*cell.geometry, y); }) {
+    return constraint.of_cell(*cell.geometry,
+                              Corners(cell.y.template middleCols<corners_of_cell<n>>(level * cell.corners)));
+  } else {
+    Matrix<S, Phi::components, 1> C = Matrix<S, Phi::components, 1>::Zero();
+    for (int b = 0; b < cell.corners; ++b) {
+      // [discrete_constraint]
+      C += constraint(discrete_jet(cell, node_of_corner<n>(b, level))) * cell.geometry->volume[b];
+      // [discrete_constraint]
+    }
+    return C;
   }
-  return C;
 }
 
 /// The derivative \f$\partial C_K/\partial y_b\f$ of the constraint of a cell by the value at a corner: a row
@@ -64,16 +74,56 @@ Matrix<S, Phi::components, N> constraint_slope(Phi const& constraint, SpaceTimeC
 /// The discrete action of an extended section over the slabs that it has, of an augmented density
 /// \f$L + \langle\lambda,\Phi\rangle\f$: that of L, and \f$\sum\tfrac12(h_{k-1} + h_k)\,\lambda_{K,k}\cdot
 /// C_K(y_k)\f$ over cells and levels, with half of it at the first and at the last level.
+///
+/// Of a constraint on jets this is the sum of \ref discrete_lagrangian of the augmented density over the
+/// space-time cells of the extended bundle.
 template <class L, class Phi, class S, int n, int N>
 S discrete_action(AugmentedDensity<L, Phi> const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
                   DiscreteExtendedSection<S, n, N, Phi::components> const& section) {
   require_section(mesh, section);
-  S sum(0);
+  S sum = discrete_action(density.density, mesh, section.phi);
   for (int slab = 0; slab < section.last(); ++slab)
     mesh.for_cells([&](GridIndex<n> const& cell) {
-      sum += discrete_lagrangian(density, cell_of(mesh, section, slab, cell));
+      auto const here = cell_of(mesh, section.phi, slab, cell);
+      for (int level = 0; level < 2; ++level)
+        sum += section.lambda[slab + level][mesh.number(cell)].dot(
+                   constraint_of_cell(density.constraint, here, level)) *
+               (here.duration() / Base<S>(2));
     });
   return sum;
+}
+
+namespace detail {
+
+/// \ref cartan_form_of_values where density and constraint have been asked whether they are defined.
+template <class L, class Phi, class S, int n, int M>
+auto cartan_form_with_reaction(AugmentedDensity<L, Phi> const& density, SpaceTimeCell<S, n, M> const& cell,
+                               int l) {
+  constexpr int k = Phi::components, N = M - k;
+  auto const below = configuration<N>(cell);
+  Matrix<S, k, 1> const lambda = cell.y.col(l).template tail<k>();
+  // [cartan_form_of_values]
+  auto const slope = constraint_slope(density.constraint, below, l / cell.corners, l % cell.corners);
+  return Matrix<S, N, 1>(cartan_form_at_node(density.density, below, l) +
+                         slope.transpose() * lambda * (cell.duration() / Base<S>(2)));
+  // [cartan_form_of_values]
+}
+
+}  // namespace detail
+
+/// The discrete Cartan form of a node of a space-time cell of the extended bundle, its part in the values:
+/// \f$\Theta^l = \bigl(\frac{\partial L_d}{\partial y_l} + \tfrac h2\,\lambda\cdot\frac{\partial
+/// C_K}{\partial y_l}\bigr)dy_l\f$, with the multiplier of its level. The augmented density has no momentum
+/// of the multiplier.
+/// @return  a covector at \f$y_l\f$, a component for each a
+/// @throws NoDerivative  where density or constraint have none; and what they refuse
+template <class L, class Phi, class S, int n, int M>
+Matrix<S, M - Phi::components, 1> cartan_form_of_values(AugmentedDensity<L, Phi> const& density,
+                                                        SpaceTimeCell<S, n, M> const& cell, int l) {
+  for (int m = 0; m < cell.nodes; ++m) examine(density, discrete_jet(cell, m));
+  auto const Theta = detail::cartan_form_with_reaction(density, cell, l);
+  require_derivative(Theta, discrete_jet(cell, l), "cartan_form_of_values");
+  return Theta;
 }
 
 /// The derivative of the discrete action by the value at a node: the sum of the Cartan forms of all
@@ -94,14 +144,11 @@ SumOfTerms<Matrix<S, N, 1>, Base<S>> discrete_euler_lagrange(
   require_slab(mesh, section.phi, level - 1);
   require_slab(mesh, section.phi, level);
   SumOfTerms<Matrix<S, N, 1>, Base<S>> E{Matrix<S, N, 1>::Zero()};
-  // [extended_euler_lagrange]
   for (int slab : {level - 1, level})
     mesh.for_cells_at(node, [&](GridIndex<n> const& cell, int b) {
-      auto const Theta = discrete_cartan_form(density, cell_of(mesh, section, slab, cell),
-                                              node_of_corner<n>(b, level - slab));
-      E.add(Matrix<S, N, 1>(Theta.template head<N>()));
+      E.add(cartan_form_of_values(density, cell_of(mesh, section, slab, cell),
+                                  node_of_corner<n>(b, level - slab)));
     });
-  // [extended_euler_lagrange]
   return E;
 }
 
