@@ -150,8 +150,9 @@ int main(int argc, char** argv) {
   program.claim(measured(std::abs(off)) < 2e-4, "the frequency is that of gravity waves");
   program.claim(measured(std::abs(order - 2)) < 0.25, "its error is of second order");
   program.claim(measured(rest) < 1e-12, "water at rest has hydrostatic pressure");
-  program.claim(measured(cells) < 1e-2 && fast > slow && measured(slow) > 1,
-                "weight at nodes makes shears grow, on finer cells faster, and weight of cells does not");
+  program.claim(measured(cells) < 1e-2, "with weight of cells corners are deformed as by the wave");
+  program.claim(measured(slow) > 1, "with weight at nodes shears grow");
+  program.claim(measured(fast / slow) > 1, "and faster on finer cells");
   program.headline("frequency off by " + number(100 * std::abs(off), 2) + " %", off);
   return program.finish();
 }

@@ -1,11 +1,13 @@
-// Lines to try of chapter 10: a sheet of rubber, a density of one's own, a step for each cell; a step of the
-// fluid on the sphere, and how good its bracket is. Lines between two marks // [NAME] are the reference's
-// examples as well.
+// Lines to try of chapter 10: a sheet of rubber, a density of one's own, a square of water, a step for each
+// cell; a step of the fluid on the sphere, and how good its bracket is. Lines between two marks // [NAME] are
+// the reference's examples as well.
 //
 // Compiled at -O2: it takes many steps.
 #include <Eigen/Core>
 
+#include "actio/constraints_on_meshes/step_with_multipliers.hpp"
 #include "actio/fast_media/fast_medium_2d.hpp"
+#include "actio/incompressible/incompressible_density.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "actio/multisymplectic/asynchronous_steps.hpp"
 #include "actio/multisymplectic/discrete_noether.hpp"
@@ -55,6 +57,33 @@ TRY_IT(own_density) {
   auto const sum = noether_balance(density, shift, mesh, y, CellBox<1>{50, 60, {{120}}, {{100}}});
   print("momentum over its boundary, relative", sum.sum / sum.terms);
   // [noether_balance]
+}
+
+TRY_IT(turning_water) {
+  // [step_with_multipliers]
+  // A square of water without weight, in a flow of shear and turn, with a multiplier for each cell and level.
+  using Point = Matrix<double, 2, 1>;
+  auto const water =
+      incompressible(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{1.0}, NoStoredEnergy{}});
+  SpaceTimeMesh<double, 2> const mesh(equal_steps(0.0, 0.02, 50), {6, 6}, all_sides<2>(Side::free),
+                                      StraightBox<double, 2>{Point(-0.5, -0.5), Point(0.5, 0.5)});
+  Level<double, 2> places, velocities;
+  for (Index i = 0; i < mesh.node_count(); ++i) {
+    Point const X = mesh.place(i);
+    places.push_back(X), velocities.push_back(Point(-1.5 * X[1], 0.5 * X[0]));
+  }
+  auto y = without_reactions<1>(mesh, DiscreteSection<double, 2, 2>{{places}});
+  first_step(water, mesh, y, velocities);
+  while (y.last() + 1 < mesh.levels()) step(water, mesh, y);
+  double change = 0;
+  mesh.for_cells([&](auto const& cell) {
+    auto const here = cell_of(mesh, y.phi, 49, cell);
+    change = std::max(change, std::abs(constraint_of_cell(water.constraint, here, 1)[0]) * 36);
+  });
+  print("largest change of an area, relative", change);
+  print("pressure in the middle at the start", y.lambda[0][21][0]);
+  print("and later", y.lambda[49][21][0]);
+  // [step_with_multipliers]
 }
 
 TRY_IT(asynchronous) {

@@ -169,6 +169,34 @@ media::SpaceTimeMesh<S, n> mesh_with(std::vector<S> const& times, media::GridInd
           }};
 }
 
+/// The pulls with which a section solves the equations of a density.
+/// @param equation  what is left of them without: a callable on levels and nodes
+template <int n, int N, class S, class Equation>
+auto pulls_that_solve(media::SpaceTimeMesh<S, n> const& mesh, Equation const& equation) {
+  // With the mass m of a node c adds m (c_{k-1} - c_{k+1})/2 to its equation at level k.
+  std::vector<media::Level<S, N>> c(mesh.levels(),
+                                    media::Level<S, N>(mesh.node_count(), Matrix<S, N, 1>::Zero()));
+  for (int level = 1; level < mesh.levels() - 1; ++level)
+    for (Index i = 0; i < mesh.node_count(); ++i) {
+      if (mesh.fixed(i)) continue;
+      S mass(0);
+      mesh.for_cells_at(
+          i, [&](media::GridIndex<n> const& cell, int b) { mass += mesh.geometry(cell).volume[b]; });
+      Matrix<S, N, 1> const E = equation(level, i);
+      for (int a = 0; a < N; ++a) c[level + 1][i][a] = c[level - 1][i][a] + E[a] * S(2) / mass;
+    }
+  std::vector<std::pair<Event<S, n>, Matrix<S, N, 1>>> pulls;
+  for (int level = 0; level < mesh.levels(); ++level)
+    mesh.for_cells([&](media::GridIndex<n> const& cell) {
+      for (int b = 0; b < mesh.corners; ++b) {
+        Event<S, n> x;
+        x << mesh.time(level), mesh.geometry(cell).places.col(b);
+        pulls.push_back({x, c[level][mesh.node(cell, b)]});
+      }
+    });
+  return pulls;
+}
+
 /// A field with values drawn near those of the identity, where space has as many dimensions, and a density
 /// pulled so that they solve its equations, with friction where there is some.
 template <int n, int N, class S, class L>
@@ -187,26 +215,8 @@ DiscreteField<S, n, N, Pulled<L, S, n, N>> pulled_field(Draw& draw, L const& den
       for (int a = 0; a < N && a <= n; ++a) y[a] += x[a];
       field.section.levels[level].push_back(y);
     }
-  // With the mass m of a node c adds m (c_{k-1} - c_{k+1})/2 to its equation at level k.
-  std::vector<media::Level<S, N>> c(mesh.levels(),
-                                    media::Level<S, N>(mesh.node_count(), Matrix<S, N, 1>::Zero()));
-  for (int level = 1; level < field.slabs(); ++level)
-    for (Index i = 0; i < mesh.node_count(); ++i) {
-      if (mesh.fixed(i)) continue;
-      S mass(0);
-      mesh.for_cells_at(
-          i, [&](media::GridIndex<n> const& cell, int b) { mass += mesh.geometry(cell).volume[b]; });
-      auto const E = field.equation(field.section, level, i);
-      for (int a = 0; a < N; ++a) c[level + 1][i][a] = c[level - 1][i][a] + E[a] * S(2) / mass;
-    }
-  for (int level = 0; level < mesh.levels(); ++level)
-    mesh.for_cells([&](media::GridIndex<n> const& cell) {
-      for (int b = 0; b < mesh.corners; ++b) {
-        Event<S, n> x;
-        x << mesh.time(level), mesh.geometry(cell).places.col(b);
-        field.density.pulls.push_back({x, c[level][mesh.node(cell, b)]});
-      }
-    });
+  field.density.pulls = pulls_that_solve<n, N>(
+      mesh, [&](int level, Index i) { return field.equation(field.section, level, i); });
   return field;
 }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "actio/incompressible_media/cell_volumes.hpp"
+#include "actio/incompressible_media/mesh_volumes.hpp"
 #include "actio/incompressible_media/cell_weight.hpp"
 
 using namespace actio::media;
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(corner_means_of_hexahedra_do_not_add_up_between_walls) {
     if (inside)
       for (double& one : X) one += uniform(-0.2, 0.2);
   }
-  CellVolumes<SpaceCell> const volumes(mesh);
+  MeshVolumes<SpaceCell> const volumes(mesh);
   std::vector<double> y, exact;
   for (auto const& X : mesh.nodes) y.insert(y.end(), X.begin(), X.end());
   volumes.volumes({y, {}}, exact);
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_medium_is_heavy_at_its_rim_alone) {
   auto mesh = box_mesh({0, 0, 0}, {3, 3, 3}, {3, 3, 3});
   for (auto& X : mesh.nodes)
     for (double& one : X) one += uniform(-0.1, 0.1);
-  CellVolumes<SpaceCell> const volumes(mesh);
+  MeshVolumes<SpaceCell> const volumes(mesh);
   CellWeight<3> const weight(mesh, {0, 0, -1}, std::vector<double>(27, 1.0));
   std::vector<double> y, f(3 * mesh.nodes.size(), 0);
   for (auto const& X : mesh.nodes) y.insert(y.end(), X.begin(), X.end());
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_medium_is_heavy_at_its_rim_alone) {
 BOOST_AUTO_TEST_CASE(the_kernel_of_the_slopes_is_that_of_the_table) {
   auto const kernel = [](BodyMesh const& mesh, auto const& held) {
     auto const count = [&]<class Cell>(Cell) {
-      CellVolumes<Cell> const volumes(mesh);
+      MeshVolumes<Cell> const volumes(mesh);
       std::vector<double> y, slopes;
       for (auto const& X : mesh.nodes) y.insert(y.end(), X.begin(), X.begin() + Cell::space);
       volumes.slopes({y, {}}, slopes);

@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(velocities_change_no_volume) {
   std::vector<double> flat, places, rates, slopes;
   for (auto const& one : v) flat.insert(flat.end(), one.begin(), one.end());
   for (auto const& one : cells.places()) places.insert(places.end(), one.begin(), one.end());
-  CellVolumes<PlaneCell> const volumes(cells.mesh());
+  MeshVolumes<PlaneCell> const volumes(cells.mesh());
   volumes.slopes({places, {}}, slopes), volumes.rates(slopes, flat, rates);
   double most = 0;
   for (double const one : rates) most = std::max(most, std::abs(one));

@@ -271,7 +271,7 @@ class IncompressibleMotion {
   virtual void take_weight(std::vector<double>& pressure) const = 0;
 
   /// The volumes and the kind of the cells.
-  CellVolumes<Cell> const& cells() const { return volumes_.volumes; }
+  MeshVolumes<Cell> const& cells() const { return volumes_.volumes; }
   /// Places now.
   std::vector<double> const& y() const { return state_.at.y; }
   /// The time of the state: that of the last step, or of what was looked ahead to.

@@ -17,7 +17,7 @@ class MultigridPressure final : public PressureSolver {
   /// @param mesh     which it suits
   /// @param volumes  of the mesh
   /// @param masses   of the nodes
-  MultigridPressure(BodyMesh const& mesh, CellVolumes<PlaneCell> const& volumes,
+  MultigridPressure(BodyMesh const& mesh, MeshVolumes<PlaneCell> const& volumes,
                     std::vector<double> const& masses)
       : matrix_({mesh.grid[0], mesh.grid[1]}, closes(mesh)) {
     for (std::size_t cell = 0; cell < volumes.cells(); ++cell)

@@ -9,7 +9,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 
-#include "actio/incompressible_media/cell_volumes.hpp"
+#include "actio/incompressible_media/mesh_volumes.hpp"
 #include "actio/numbers/errors.hpp"
 
 namespace actio::media {
@@ -44,7 +44,7 @@ class PressureMatrix {
   /// @param masses   of the nodes
   /// @param pinned   whether the volumes of all cells together cannot change: then the pressure of cell 0 is
   ///   zero, by a second time its entry of the diagonal
-  PressureMatrix(CellVolumes<Cell> const& volumes, std::vector<double> const& masses, bool pinned)
+  PressureMatrix(MeshVolumes<Cell> const& volumes, std::vector<double> const& masses, bool pinned)
       : pinned_(pinned) {
     constexpr int corners = Cell::corners;
     std::vector<std::vector<int>> at(masses.size());  // corners of cells that are this node
@@ -101,7 +101,7 @@ template <class Cell>
 class CholeskyPressure final : public PressureSolver {
  public:
   /// @param volumes, masses, pinned  as for \ref PressureMatrix
-  CholeskyPressure(CellVolumes<Cell> const& volumes, std::vector<double> const& masses, bool pinned)
+  CholeskyPressure(MeshVolumes<Cell> const& volumes, std::vector<double> const& masses, bool pinned)
       : matrix_(volumes, masses, pinned) {
     factors_.analyzePattern(matrix_.values);
   }
@@ -140,7 +140,7 @@ template <class Cell>
 class ConjugatePressure final : public PressureSolver {
  public:
   /// @param volumes, masses, pinned  as for \ref PressureMatrix
-  ConjugatePressure(CellVolumes<Cell> const& volumes, std::vector<double> const& masses, bool pinned)
+  ConjugatePressure(MeshVolumes<Cell> const& volumes, std::vector<double> const& masses, bool pinned)
       : matrix_(volumes, masses, pinned) {
     iteration_.setTolerance(0.01);
     iteration_.setMaxIterations(500);

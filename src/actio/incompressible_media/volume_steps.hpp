@@ -96,7 +96,7 @@ class VolumeSteps {
   VolumeSteps(VolumeSteps const&) = delete;             ///< The solver refers to the volumes.
   VolumeSteps& operator=(VolumeSteps const&) = delete;  ///< \copydoc VolumeSteps(VolumeSteps const&)
 
-  CellVolumes<Cell> volumes;   ///< of the mesh
+  MeshVolumes<Cell> volumes;   ///< of the mesh
   std::vector<double> masses;  ///< of the nodes
   std::vector<double> kept;    ///< the volume of each cell
   bool pinned = false;         ///< whether the sum of all volumes cannot change: pressures up to a constant

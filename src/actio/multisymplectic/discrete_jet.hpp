@@ -26,9 +26,9 @@ struct SpaceTimeCell {
   Base<S> duration() const { return time[1] - time[0]; }
   /// The part of the volume \f$d^{n+1}x\f$ that a node stands for.
   Base<S> volume(int l) const { return duration() / Base<S>(2) * geometry->volume[l % corners]; }
-  /// The same cell with other values.
-  template <class T>
-  SpaceTimeCell<T, n, N> with(Matrix<T, N, nodes> const& values) const { return {geometry, time, values}; }
+  /// The same cell with other values, of as many components as these have.
+  template <class T, int M>
+  SpaceTimeCell<T, n, M> with(Matrix<T, M, nodes> const& values) const { return {geometry, time, values}; }
   /// The same cell over a scalar that extends S.
   template <class T>
   SpaceTimeCell<T, n, N> cast() const { return with(Matrix<T, N, nodes>(y.template cast<T>())); }

@@ -90,10 +90,10 @@ class SpaceTimeMesh {
   /// Whether the two sides in a direction are one.
   bool periodic(int i) const { return sides_[i][0] == Side::periodic; }
 
+  /// The number of a cell of the body, in the order of \ref for_cells.
+  Index number(GridIndex<n> const& cell) const { return position(cell, cells_); }
   /// The reference shape of a cell.
-  CellGeometry<S, n> const& geometry(GridIndex<n> const& cell) const {
-    return geometry_[position(cell, cells_)];
-  }
+  CellGeometry<S, n> const& geometry(GridIndex<n> const& cell) const { return geometry_[number(cell)]; }
   /// The node at a corner of a cell.
   Index node(GridIndex<n> const& cell, int corner) const {
     GridIndex<n> index;

@@ -104,6 +104,32 @@ StepReport solve_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
   return report;
 }
 
+/// Which components of the value at a node are given: bit a for component a.
+/// @throws NotAMesh  where a side holds a component that sections do not have
+template <int N, class S, int n>
+unsigned components_held(SpaceTimeMesh<S, n> const& mesh, Index node) {
+  if (mesh.fixed(node)) return ~0u;
+  unsigned const held = mesh.held_across(node);
+  if (held >> N != 0)
+    throw NotAMesh("step", "sections slide along sides across their own components; components", N, n);
+  return held;
+}
+
+/// Where nodes come to at the next level with the velocities of the last slab: a callable on nodes.
+/// @throws NotAMesh  where there is no such slab, or no next level
+template <class S, int n, int N>
+auto guess_of_step(SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSection<S, n, N> const& section) {
+  int const now = section.last();
+  if (now < 1) throw NotAMesh("step", "two levels determine the next one; levels", now + 1, 2);
+  if (now + 1 >= mesh.levels())
+    throw NotAMesh("step", "the mesh has a level to step to; level", now + 1, mesh.levels() - 1);
+  Base<S> const ratio_of_steps =
+      (mesh.time(now + 1) - mesh.time(now)) / (mesh.time(now) - mesh.time(now - 1));
+  return [&section, now, ratio_of_steps](Index node) -> Matrix<S, N, 1> {
+    return section(now, node) + (section(now, node) - section(now - 1, node)) * ratio_of_steps;
+  };
+}
+
 /// Appends a guess for the next level, which the mesh has, solves for it, and takes it back where that fails.
 template <class S, int n, int N, class L, class Wall, class Guess, class Momenta>
 StepReport append_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
@@ -112,9 +138,7 @@ StepReport append_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
   Level<S, N> level;
   std::vector<SumOfTerms<Matrix<S, N, 1>, Base<S>>> momenta;
   for (Index node = 0; node < mesh.node_count(); ++node) {
-    unsigned const held = mesh.fixed(node) ? ~0u : mesh.held_across(node);
-    if (held >> N != 0 && !mesh.fixed(node))
-      throw NotAMesh("step", "sections slide along sides across their own components; components", N, n);
+    unsigned const held = components_held<N>(mesh, node);
     Matrix<S, N, 1> y = guess(node);
     if (held != 0) {
       auto const given = given_value(mesh, section, wall, node);
@@ -131,6 +155,39 @@ StepReport append_level(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
     section.levels.pop_back();
     throw;
   }
+}
+
+/// A section that moves with these velocities through the first slab: its first two levels.
+/// @throws NotAMesh  where a section is not one level, or velocities are not those of its nodes
+template <class S, int n, int N>
+DiscreteSection<S, n, N> moving_through_first_slab(SpaceTimeMesh<Base<S>, n> const& mesh,
+                                                   DiscreteSection<S, n, N> section,
+                                                   Level<S, N> const& velocities) {
+  require_section(mesh, section);
+  if (section.last() != 0) throw NotAMesh("first_step", "one level is given; levels", section.last() + 1, 1);
+  if (velocities.size() != section.levels[0].size())
+    throw NotAMesh("first_step", "each node has a velocity; velocities", double(velocities.size()),
+                   double(section.levels[0].size()));
+  if (mesh.levels() < 2) throw NotAMesh("first_step", "the mesh has a level to step to; level", 1, 0);
+  Base<S> const h = mesh.time(1) - mesh.time(0);
+  section.levels.push_back(section.levels[0]);
+  for (std::size_t i = 0; i < velocities.size(); ++i) section.levels[1][i] += velocities[i] * h;
+  return section;
+}
+
+/// The momentum \f$\partial L/\partial v_0\f$ at a node of such a section, lumped at the nodes.
+template <class S, int n, int N, class L>
+SumOfTerms<Matrix<S, N, 1>, Base<S>> momentum_of_velocity(L const& density,
+                                                          SpaceTimeMesh<Base<S>, n> const& mesh,
+                                                          DiscreteSection<S, n, N> const& moving,
+                                                          Index node) {
+  SumOfTerms<Matrix<S, N, 1>, Base<S>> p{Matrix<S, N, 1>::Zero()};
+  mesh.for_cells_at(node, [&](GridIndex<n> const& cell, int b) {
+    auto const j = discrete_jet(cell_of(mesh, moving, 0, cell), node_of_corner<n>(b, 0));
+    examine(density, j);
+    p.add(partial_v(density, j, 0) * mesh.geometry(cell).volume[b]);
+  });
+  return p;
 }
 
 }  // namespace detail
@@ -154,17 +211,10 @@ template <class S, int n, int N, class L, class Wall = AtRest>
 StepReport step(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh, DiscreteSection<S, n, N>& section,
                 Wall const& wall = {}) {
   require_section(mesh, section);
-  int const now = section.last();
-  if (now < 1) throw NotAMesh("step", "two levels determine the next one; levels", now + 1, 2);
-  if (now + 1 >= mesh.levels())
-    throw NotAMesh("step", "the mesh has a level to step to; level", now + 1, mesh.levels() - 1);
-  Base<S> const ratio_of_steps =
-      (mesh.time(now + 1) - mesh.time(now)) / (mesh.time(now) - mesh.time(now - 1));
-  auto const guess = [&](Index node) -> Matrix<S, N, 1> {
-    return section(now, node) + (section(now, node) - section(now - 1, node)) * ratio_of_steps;
-  };
+  auto const guess = detail::guess_of_step(mesh, section);
+  int const slab = section.last() - 1;
   auto const momentum = [&](Index node) {
-    return detail::cartan_forms_of_slab(density, mesh, section, now - 1, node, 1);
+    return detail::cartan_forms_of_slab(density, mesh, section, slab, node, 1);
   };
   return detail::append_level(density, mesh, section, wall, guess, momentum);
 }
@@ -181,27 +231,9 @@ template <class S, int n, int N, class L, class Wall = AtRest>
 StepReport first_step(L const& density, SpaceTimeMesh<Base<S>, n> const& mesh,
                       DiscreteSection<S, n, N>& section, Level<S, N> const& velocities,
                       Wall const& wall = {}) {
-  require_section(mesh, section);
-  if (section.last() != 0) throw NotAMesh("first_step", "one level is given; levels", section.last() + 1, 1);
-  if (velocities.size() != section.levels[0].size())
-    throw NotAMesh("first_step", "each node has a velocity; velocities", double(velocities.size()),
-                   double(section.levels[0].size()));
-  if (mesh.levels() < 2) throw NotAMesh("first_step", "the mesh has a level to step to; level", 1, 0);
-  Base<S> const h = mesh.time(1) - mesh.time(0);
-  // The discrete jets of a section that moves with these velocities through the first slab.
-  DiscreteSection<S, n, N> moving = section;
-  moving.levels.push_back(section.levels[0]);
-  for (std::size_t i = 0; i < velocities.size(); ++i) moving.levels[1][i] += velocities[i] * h;
+  auto const moving = detail::moving_through_first_slab(mesh, section, velocities);
   auto const guess = [&](Index node) { return moving(1, node); };
-  auto const momentum = [&](Index node) {
-    SumOfTerms<Matrix<S, N, 1>, Base<S>> p{Matrix<S, N, 1>::Zero()};
-    mesh.for_cells_at(node, [&](GridIndex<n> const& cell, int b) {
-      auto const j = discrete_jet(cell_of(mesh, moving, 0, cell), node_of_corner<n>(b, 0));
-      examine(density, j);
-      p.add(partial_v(density, j, 0) * mesh.geometry(cell).volume[b]);
-    });
-    return p;
-  };
+  auto const momentum = [&](Index node) { return detail::momentum_of_velocity(density, mesh, moving, node); };
   return detail::append_level(density, mesh, section, wall, guess, momentum);
 }
 

@@ -19,13 +19,13 @@ struct SharpPlaces {
 /// volumes, have as many for each corner of each cell.
 /// @tparam Cell  what the cells are: \ref PlaneCell, \ref SpaceCell or \ref SphereCell
 template <class Cell>
-class CellVolumes {
+class MeshVolumes {
  public:
   static constexpr int N = Cell::space;          ///< components of a place
   static constexpr int corners = Cell::corners;  ///< of a cell
 
   /// @throws NotABodyMesh  where the cells of the mesh are of another kind
-  explicit CellVolumes(BodyMesh const& mesh) {
+  explicit MeshVolumes(BodyMesh const& mesh) {
     if (mesh.dimension != Cell::body || is_simplex(mesh.shape))
       throw NotABodyMesh(
           "incompressible medium",
