@@ -213,6 +213,53 @@ BOOST_AUTO_TEST_CASE(a_name_that_nothing_uses_is_refused_with_the_nearest) {
   check_said(refusal(body, "own.toml"), "own.toml:4:32: potential: 'j' is defined, and nothing");
 }
 
+BOOST_AUTO_TEST_CASE(formulas_share_definitions_to_the_last_digit) {
+  auto const sleigh_of = [](std::string const& lagrangian, std::string const& force,
+                            std::string const& constraint, std::string const& more) {
+    return last_row(own("group = \"SE(2)\"\nlagrangian = \"" + lagrangian + "\"\nforce = { v1 = \"" + force +
+                            "\" }\nconstraints = [\"" + constraint +
+                            "\"]\nparameters = { c = 0.75, a = 0.5 }\n" + more,
+                        "velocity = [1, 0.3, 0]",
+                        "[method]\nstep = 0.05\n[run]\nuntil = 1\n[output]\n"
+                        "quantities = [\"velocity\", \"reaction\", \"energy\"]\n"));
+  };
+  // Some are in an order in which none is known before it is used.
+  auto const shared =
+      sleigh_of("(v1^2 + side^2 + c*w^2)/2", "-fast*v1", "blade",
+                "[system.definitions]\nfast = \"abs(v1) + abs(side)\"\nside = \"v2 + lever\"\n"
+                "lever = \"a*w\"\nblade = \"v2 - tilt\"\ntilt = \"v1*t/10\"\n");
+  auto const written =
+      sleigh_of("(v1^2 + (v2 + a*w)^2 + c*w^2)/2", "-(abs(v1) + abs(v2 + a*w))*v1", "v2 - v1*t/10", "");
+  BOOST_TEST((shared == written));
+}
+
+BOOST_AUTO_TEST_CASE(definitions_that_are_none_are_refused_at_their_places) {
+  auto const with = [](std::string const& definitions, std::string const& says) {
+    std::string text = sleigh("(w^2 + v1^2", "(a + v1^2");
+    auto const at = text.find("parameters");
+    check_said(refusal(text.insert(at, "definitions = { " + definitions + " }\n"), "own.toml"), says);
+  };
+  with("a = \"w^2\"", "");
+  with("a = \"b\", b = \"c + a\"",
+       "own.toml:5:35: b: a definition cannot use itself; here each uses the next: a, b, a");
+  with("a = \"w^2 + v3\"", "own.toml:5:28: a: unknown name 'v3'; did you mean 'v1'?");
+  with("b = \"w^2\"", "own.toml:4:16: unknown name 'a'");
+  with("A = \"w^2\"", "unknown name 'a'; did you mean 'A'?");
+  with("a = \"w^2\", b = \"v1\"", "own.toml:5:32: definitions: 'b' does not occur in the lagrangian");
+  with("a = \"abs(w)\"", "own.toml:5:22: a: 'abs' has kinks");
+  with("a = \"q = 2; q*w\"", "a: found 'q', expected one formula");
+  with("a = \"w^2;\"", "a: found ';', expected an operator, or the end");
+  with("w = \"1\"", "the name 'w' is taken already: it is a component");
+  with("c = \"1\"", "the name 'c' is taken already: it is a parameter");
+  with("t = \"1\"", "the name 't' is taken already: it is a number of the force");
+  with("p_w = \"1\"", "the name 'p_w' is taken already: it is a number of the force");
+  with("sin = \"1\"", "the name 'sin' is taken already: formulas know it");
+  with("a = [1]", "own.toml:5:21");
+  std::string const lines =
+      "definitions = { u = \"w\" }\nforce = { w = \"u\" }\ninputs = { u = \"t\" }\nparameters";
+  check_refused("parameters", lines, "own.toml:7:16: the name 'u' is taken already: it is a definition");
+}
+
 BOOST_AUTO_TEST_CASE(what_is_near_the_group_is_told_and_what_is_too_small_is_refused) {
   auto const scene = Scene::read(SceneFile::parse(
       sleigh("[method]", "configuration = [[1, 0, 0], [0, 1.0000000002, 0], [0, 0, 1]]\n[method]"),

@@ -34,6 +34,7 @@ class _Call:
         momenta = [f"p_{name}" for name in surroundings.components]
         items = [item for each in self._carried.values() for item in each]
         self._taken = [*surroundings.components, *momenta, *surroundings.parameters, *items, *inputs, "t"]
+        self._taken += surroundings.definitions
         self._names = {"velocity": surroundings.components, "momentum": momenta}
         self._names.update(parameters=surroundings.parameters, inputs=inputs)
         given = {name: self._given(name, surroundings) for name in _wanted(function, allowed)}

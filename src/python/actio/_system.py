@@ -79,6 +79,7 @@ def _checked_names(
     parameters: Mapping[str, Any],
     advected: Mapping[str, Any],
     inputs: Mapping[str, Any],
+    definitions: Mapping[str, Any],
 ) -> None:
     """No name may mean two things."""
     meanings = {**dict.fromkeys(FUNCTIONS, "a function"), "pi": "the number pi"}
@@ -94,12 +95,14 @@ def _checked_names(
                     f"advected: {name} has the component {own}, which is {meanings[own]} already"
                 )
             meanings[own] = "a component of a carried vector"
-    if inputs:
+    if inputs or definitions:
         meanings.update(dict.fromkeys(KINKED, "a function"), t="the time")
         meanings.update(dict.fromkeys((f"p_{name}" for name in components), "a component of the momentum"))
-    for name in inputs:
-        if name in meanings:
-            raise SceneError(f"inputs: {name} is {meanings[name]} already")
+    for key, names in ("inputs", inputs), ("definitions", definitions):
+        for name in names:
+            if name in meanings:
+                raise SceneError(f"{key}: {name} is {meanings[name]} already")
+            meanings[name] = "an input"
 
 
 class System:
@@ -133,6 +136,7 @@ class System:
         or the scene has `initial.project = True`.
     inputs: numbers by name that the force is given as functions of time, each held over a step: a formula of
         t, "20*(t < 5)", or rows of a time and the value from then on, [[0, 20], [5, 0]].
+    definitions: formulas by name, {"r": "1 - 4*up3"}, which formulas that are texts use, and each other.
 
     A function is called once, with symbols, and what it does becomes the formula `formula`: Python has no
     part in the run. So it cannot branch on its arguments, and the functions of the module math, which need
@@ -143,7 +147,8 @@ class System:
     """
 
     __slots__ = (
-        "_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs", "_constraints"
+        "_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs", "_constraints",
+        "_definitions",
     )
 
     def __init__(
@@ -157,6 +162,7 @@ class System:
         force: Optional[Force] = None,
         inputs: Optional[Mapping[str, Any]] = None,
         constraints: Union[Sequence[str], Callable[..., Any], None] = None,
+        definitions: Optional[Mapping[str, Union[str, float]]] = None,
     ) -> None:
         self._side: str = checked_choice(side, ("left", "right"), "side")
         self._algebra = algebra_of(group)
@@ -169,7 +175,10 @@ class System:
             for name, value in _named(advected, "advected", '{"gravity": [0, 0, -1]}').items()
         }
         self._inputs = checked_inputs(_named(inputs, "inputs", '{"thrust": "20*(t < 5)"}'))
-        _checked_names(self.components, self._parameters, self._advected, self._inputs)
+        self._definitions = _named(definitions, "definitions", '{"r": "1 - 4*up3"}')
+        _checked_names(
+            self.components, self._parameters, self._advected, self._inputs, self._definitions
+        )
         self._formula = self._formula_of(lagrangian)
         self._force = self._force_of(force)
         self._constraints = self._constraints_of(constraints)
@@ -186,7 +195,9 @@ class System:
 
     def _surroundings(self) -> Surroundings:
         sizes = {name: len(items) for name, items in self._advected.items()}
-        return Surroundings(self.components, self._algebra.basis, list(self._parameters), sizes)
+        return Surroundings(
+            self.components, self._algebra.basis, list(self._parameters), sizes, list(self._definitions)
+        )
 
     def _force_of(self, force: Any) -> Any:
         """As a scene has it: by components, or a list; None where there is none."""
@@ -310,6 +321,8 @@ class System:
             system["inputs"] = dict(self._inputs)
         if self._constraints is not None:
             system["constraints"] = self.constraints
+        if self._definitions:
+            system["definitions"] = dict(self._definitions)
         tables: dict[str, dict[str, Any]] = {
             "scene": {"title": title},
             "system": system,

@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include "actio/formula/tape_derivatives.hpp"
-#include "program/systems/formula.hpp"
 
 namespace actio::scene {
 namespace {
@@ -46,9 +45,7 @@ Rows rows_of_file(SceneTable const& inputs, std::string const& name, std::string
   return out;
 }
 
-systems::HeldInput read_input(SceneTable inputs, std::string const& name,
-                              std::map<std::string, double> const& parameters,
-                              std::set<std::string, std::less<>>& used) {
+systems::HeldInput read_input(SceneTable inputs, std::string const& name, SharedNames& shared) {
   Rows rows;
   if (inputs.is_matrix(name)) {
     Eigen::MatrixXd const all = inputs.rows(name, 2);
@@ -57,10 +54,8 @@ systems::HeldInput read_input(SceneTable inputs, std::string const& name,
     auto const [path, text] = inputs.read_file(name, "rows of a time and a value");
     rows = rows_of_file(inputs, name, path, text);
   } else {
-    auto formula =
-        scene_formula(inputs.formula(name), {"t"}, parameters, inputs.text_place(name), name, for_values);
-    used.merge(formula.used);
-    return systems::HeldInput(std::move(formula.value));
+    return systems::HeldInput(
+        shared.read(inputs.formula(name), {"t"}, inputs.text_place(name), name, for_values).value);
   }
   try {
     return systems::HeldInput(std::move(rows));
@@ -94,11 +89,17 @@ std::vector<Component> components_of(SceneTable const& system, systems::MatrixAl
 
 }  // namespace
 
+std::vector<std::string> names_of_force(systems::MatrixAlgebra const& algebra) {
+  std::vector<std::string> names;
+  for (auto const& component : algebra.components) names.push_back("p_" + component);
+  names.push_back("t");
+  return names;
+}
+
 std::optional<systems::GeneralizedForce> read_force(SceneFile const& file,
                                                     systems::MatrixAlgebra const& algebra,
                                                     std::vector<std::string> const& carried,
-                                                    std::map<std::string, double> const& parameters,
-                                                    std::set<std::string, std::less<>>& used) {
+                                                    SharedNames& shared) {
   SceneTable const system = file.section("system");
   if (!force_keys.force.given(system)) {
     if (force_keys.inputs.given(system))
@@ -107,8 +108,7 @@ std::optional<systems::GeneralizedForce> read_force(SceneFile const& file,
   }
   std::vector<std::string> names = algebra.components;
   names.insert(names.end(), carried.begin(), carried.end());
-  for (auto const& component : algebra.components) names.push_back("p_" + component);
-  names.push_back("t");
+  for (auto& name : names_of_force(algebra)) names.push_back(std::move(name));
   systems::GeneralizedForce force;
   std::vector<std::string> given;
   if (force_keys.inputs.given(system)) {
@@ -116,17 +116,15 @@ std::optional<systems::GeneralizedForce> read_force(SceneFile const& file,
     given = inputs.keys();
     for (auto const& name : given) {
       require_formula_name(inputs, name, names, "a number of the force");
-      if (parameters.contains(name))
-        inputs.fail(name, fmt::format("the name '{}' is taken already: it is a parameter", name));
-      force.held.push_back(read_input(inputs, name, parameters, used));
+      shared.require_free(inputs, name);
+      force.held.push_back(read_input(inputs, name, shared));
     }
   }
   names.insert(names.end(), given.begin(), given.end());
   std::vector<Tape> tapes;
   std::set<std::string, std::less<>> used_here;
   for (auto const& [text, place] : components_of(system, algebra)) {
-    auto formula = scene_formula(text, names, parameters, place.value_or(system.text_place("force")), "force",
-                                 for_values);
+    auto formula = shared.read(text, names, place.value_or(system.text_place("force")), "force", for_values);
     used_here.merge(formula.used);
     tapes.push_back(std::move(formula.value));
   }
@@ -134,7 +132,6 @@ std::optional<systems::GeneralizedForce> read_force(SceneFile const& file,
     if (!used_here.contains(name))
       system.inside("inputs").fail(name, fmt::format("inputs: '{}' does not occur in the force{}", name,
                                                      meant_used_name(name, used_here)));
-  used.merge(used_here);
   force.components = joined(tapes);
   return force;
 }

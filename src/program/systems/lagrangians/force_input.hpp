@@ -1,14 +1,13 @@
 // What a scene says of a force on a Lagrangian of one's own: `force` and `inputs` of [system].
 #pragma once
 
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "actio/any_group/reduced_system.hpp"
 #include "program/document/key.hpp"
+#include "program/systems/shared_names.hpp"
 
 namespace actio::scene {
 
@@ -31,16 +30,17 @@ struct ForceKeys : KeyTable {
 };
 inline ForceKeys const force_keys{{"system"}};  ///< its keys
 
+/// Names that a force has and no other formula: those of the momentum, and the time.
+std::vector<std::string> names_of_force(systems::MatrixAlgebra const& algebra);
+
 /// The force; none where the scene has none.
-/// @param carried     the names of the components of the carried vectors
-/// @param parameters  numbers with names
-/// @param used        the names that the formulas use are added
+/// @param carried  the names of the components of the carried vectors
+/// @param shared   the names that formulas share; those that the force uses are marked
 /// @throws SceneError  where a formula is none, a component or an input has a name that it cannot have, or
 ///                     nothing uses an input
 std::optional<systems::GeneralizedForce> read_force(SceneFile const& file,
                                                     systems::MatrixAlgebra const& algebra,
                                                     std::vector<std::string> const& carried,
-                                                    std::map<std::string, double> const& parameters,
-                                                    std::set<std::string, std::less<>>& used);
+                                                    SharedNames& shared);
 
 }  // namespace actio::scene
