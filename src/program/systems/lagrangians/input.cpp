@@ -47,7 +47,7 @@ struct ReducedKeys : KeyTable {
       "definitions", "a table of formulas by names of one's own", LeftOut{"none"},
       "Formulas by whose names the Lagrangian, the force, the constraints and each other use them, in the "
       "names that these have; each is used.",
-      "{ S = \"sqrt(up1^2 + up2^2)\" }");
+      "{ side = \"c*v2^2\" }");
   AnyKey advected =
       key("advected", "a table of vectors by names of one's own", LeftOut{"none"},
           "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in "
