@@ -758,6 +758,20 @@ class Forces(unittest.TestCase):
         self.assertLess(max(drifts), 1e-14)
         self.assertGreater(abs(run["spatial_momentum"][-1] - run["spatial_momentum"][0]).max(), 0.1)
 
+    def test_a_force_in_space_adds_itself_to_the_momentum(self):
+        system = actio.System(
+            "SE(2)", self.SIMPLE, force_in_space=lambda time: {"v1": 0.3 + 0 * time, "w": 0.1}
+        )
+        self.assertEqual(set(system.force_in_space), {"v1", "w"})
+        run = system.run(**self.KEYS, quantities=["spatial_momentum", "momentum_balance"])
+        grown = run["spatial_momentum"] - run["spatial_momentum"][0]
+        numpy.testing.assert_allclose(grown, numpy.outer(run.t, [0.1, 0.3, 0]), atol=1e-13)
+        by_text = actio.System("SE(2)", self.SIMPLE, force_in_space=["0.1", 0.3, 0])
+        table = by_text.run(**self.KEYS, quantities=["spatial_momentum", "momentum_balance"]).table
+        numpy.testing.assert_allclose(table, run.table, atol=1e-13)
+        with self.assertRaisesRegex(actio.SceneError, "force_in_space: 3 numbers are expected of it"):
+            actio.System("SE(2)", self.SIMPLE, force_in_space=lambda velocity: [1])
+
     def test_mappings_of_some_components_and_rows_of_inputs(self):
         system = actio.System(
             "SO(3)",

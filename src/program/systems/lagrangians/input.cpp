@@ -9,6 +9,7 @@
 
 #include "actio/any_group/least_regular.hpp"
 #include "actio/any_group/membership.hpp"
+#include "actio/any_group/momentum_across.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
 #include "program/systems/lagrangians/constrained_input.hpp"
@@ -155,7 +156,7 @@ void require_used(SceneFile const& file, SharedNames const& shared, std::vector<
                   systems::MatrixAlgebra const& algebra) {
   SceneTable const system = file.section("system");
   std::string formulas = "lagrangian";
-  if (force_keys.force.given(system)) formulas += " or the force";
+  if (force_keys.force.given(system) || force_keys.force_in_space.given(system)) formulas += " or the force";
   if (system.has("constraints")) formulas += " or the constraints";
   shared.require_used(formulas);
   auto const& used = shared.used();
@@ -254,17 +255,6 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
                           least.largest));
 }
 
-/// Refuses a force that is no number at the start.
-void require_force(SceneTable const& system, ReducedScene const& scene) {
-  if (!scene.system->force) return;
-  auto const force = systems::force_at(*scene.system, scene.velocity, scene.start);
-  for (std::size_t i = 0; i < force.size(); ++i)
-    if (!std::isfinite(force[i]))
-      force_keys.force.fail(system,
-                            fmt::format("along {} it is {} at the start, and a finite number is needed",
-                                        scene.system->algebra.components[i], force[i]));
-}
-
 systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const& algebra) {
   if (!method.is_text("name") || method.text("name") != "cayley_chart") return systems::Chart::exponential;
   if (!systems::SpanOfMatrices(algebra).cayley_stays())
@@ -301,12 +291,16 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   auto [l, force, constraints] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
+  require_force_in_space(system, side);
   Eigen::MatrixXd mover = scene.configuration;
   if (side == systems::Side::left) mover = inverse_matrix(scene.configuration, "configuration");
   for (auto const& vector : scene.carried) {
     Eigen::VectorXd const a = mover * vector.constant;
     scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());
   }
+  if (force && force->across)
+    scene.start.frame = systems::frame_at(algebra, side, scene.configuration,
+                                          inverse_matrix(scene.configuration, "configuration"));
   systems::Chart const chart = read_chart(file.section("method"), algebra);
   auto const built = std::make_shared<systems::ReducedSystem>(
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
