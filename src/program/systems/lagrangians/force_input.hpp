@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "program/systems/held_inputs.hpp"
 #include "program/systems/lagrangians/input.hpp"
-#include "program/systems/shared_names.hpp"
 
 namespace actio::scene {
 
