@@ -240,21 +240,21 @@ BodyShape shape(SceneFile const& file) {
 
 /// The rigid body in space.
 System rigid_body_system() {
-  return {
-      "rigid_body",
-      "Rigid body",
-      "A rigid body that turns about its centre of mass, freely or under a torque: Euler's equations for the momentum, and the attitude that goes with it.",
-      "chapter 5",
-      records_of(
-          {body_keys(), torque_parameters(), initial_parameters(momentum_keys), method_keys, accuracy_keys}),
-      methods(),
-      quantities(),
-      prepare,
-      "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\n"
-      "angular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\n"
-      "quantities = [\"angular_velocity\", \"energy\"]\n",
-      shape,
-      {{"polhode", "body_momentum", polhode_picture}}};
+  return {"rigid_body",
+          "Rigid body",
+          "A rigid body that turns about its centre of mass, freely or under a torque: Euler's equations for "
+          "the momentum, and the attitude that goes with it.",
+          "chapter 5",
+          records_of({body_keys(), torque_parameters(), initial_parameters(momentum_keys), method_keys,
+                      accuracy_keys}),
+          methods(),
+          quantities(),
+          prepare,
+          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\n"
+          "angular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\n"
+          "quantities = [\"angular_velocity\", \"energy\"]\n",
+          shape,
+          {{"polhode", "body_momentum", polhode_picture}}};
 }
 
 }  // namespace actio::scene
