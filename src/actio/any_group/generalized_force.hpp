@@ -33,6 +33,8 @@ class HeldInput {
 
 /// A force as a covector in the components of the velocity, \f$F(v, a, p, t, u)\f$, energy: its power is
 /// \f$\langle F, v\rangle\f$.
+///
+/// \snippet reduction.cpp force_across
 struct GeneralizedForce {
   /// The components. The inputs are the velocity, the carried vectors one after the other, the momentum,
   /// the time, and the held inputs.

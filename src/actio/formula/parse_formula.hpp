@@ -129,6 +129,8 @@ inline Tape parse_formula(std::string_view text, std::vector<std::string> const&
   return detail::FormulaParser(text, names, constants, use, {}).run().value;
 }
 /// The same, with the names that it uses.
+///
+/// \snippet numbers.cpp read_formula
 /// @param definitions  formulas with names; only those are read whose names occur
 /// @throws FormulaError  where one of these is none as well, or is defined by itself
 inline ReadFormula read_formula(std::string_view text, std::vector<std::string> const& names,

@@ -18,9 +18,13 @@
 
 namespace actio::bodies {
 
-/// A torque that depends on the velocity: (attitude, time, angular velocity, middle of the step) -> torque,
-/// the vectors in the frame of the body, energy and 1/time. What is held over a step has its value in the
-/// middle.
+/// A torque that depends on the velocity: a function of attitude, time, angular velocity and middle of the
+/// step.
+///
+/// \snippet bodies.cpp velocity_torque
+///
+/// Torque and angular velocity are in the frame of the body, energy and 1/time. What is held over a step has
+/// its value in the middle of the step.
 template <class T>
 concept TorqueOfVelocity =
     requires(T const& torque, Four<double> const& q, double t, Three<double> const& w) {
