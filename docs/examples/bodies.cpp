@@ -7,6 +7,7 @@
 #include "actio/fast_body/space/potential_torque.hpp"
 #include "actio/fast_body/space/torqued_body.hpp"
 #include "actio/fast_body/space/uniform_gravity.hpp"
+#include "actio/reduction/composition.hpp"
 #include "actio/rigid_body/casimirs.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
@@ -159,6 +160,20 @@ BOOST_AUTO_TEST_CASE(body_under_a_torque) {
   assert(std::abs(energy - gravity.potential(tilted)) < 1e-9);
   assert(now.body_momentum.components.norm() < 1e-3);  // back, and at rest again
   // [torqued_body]
+}
+
+BOOST_AUTO_TEST_CASE(torque_of_the_velocity) {
+  // [velocity_torque]
+  // Drag slows a body that turns about its third axis: w = w(0) e^(-ct/I_3).
+  auto const drag = [](Four<double> const&, double, Three<double> const& w, double) {
+    return Three<double>{-0.1 * w[0], -0.1 * w[1], -0.1 * w[2]};
+  };
+  auto const still = exp(velocity(SU2{}, Eigen::Vector3d(0, 0, 0)));
+  TorquedBody body(inertia_from_moments(1, 1.5, 2), momentum(SO<3>{}, Eigen::Vector3d(0, 0, 2)), still, drag,
+                   0.1, composed_splitting("Suzuki", 4, suzuki<double>()));
+  body.step(100);
+  assert(std::abs(body.state().body_momentum.components[2] - 2 * std::exp(-0.1 / 2 * 10)) < 1e-9);
+  // [velocity_torque]
 }
 
 BOOST_AUTO_TEST_CASE(torque_of_a_potential) {

@@ -224,6 +224,10 @@ BOOST_AUTO_TEST_CASE(formulas_as_texts) {
   assert(derivative(value, Vector<double, 2>(1, 2)).gradient()[1] == 12);  // over dual numbers as well
   BOOST_CHECK_THROW(parse_formula("2*u", {"w", "v"}), FormulaError);
   // [parse_formula]
+  // [read_formula]
+  ReadFormula const m = read_formula("(w^2 + side)/2", {"w", "v"}, {{"c", 6}}, {}, {{"side", "c*v^2"}});
+  assert(m.used.contains("side") && m.used.contains("c"));
+  // [read_formula]
 }
 
 BOOST_AUTO_TEST_SUITE_END()

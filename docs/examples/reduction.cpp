@@ -2,8 +2,10 @@
 #include "actio/any_group/chart_integrator.hpp"
 #include "actio/any_group/invariants.hpp"
 #include "actio/any_group/legendre_velocity.hpp"
+#include "actio/any_group/momentum_across.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/formula/parse_formula.hpp"
+#include "actio/formula/tape_derivatives.hpp"
 #include "actio/groupoid/generating_function.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
@@ -199,6 +201,29 @@ BOOST_AUTO_TEST_CASE(system_given_at_run_time) {
   auto const& P = motion.point().momentum;
   assert(std::abs(P[1] * P[1] + P[2] * P[2] - (1 + 1.2 * 1.2)) < 1e-12);  // the Casimir
   // [chart_integrator]
+  // [force_across]
+  // The same hull is pushed along the first axis of space, whose momentum then grows in proportion to the
+  // time.
+  auto names = algebra.components;
+  for (char const* const more : {"p_w", "p_v1", "p_v2", "t"}) names.push_back(more);
+  auto const constant = [&](std::vector<std::string> const& texts) {
+    std::vector<Tape> tapes;
+    for (auto const& text : texts) tapes.push_back(parse_formula(text, names));
+    return joined(tapes);
+  };
+  auto const pushed = std::make_shared<ReducedSystem>(*hull);
+  pushed->force = GeneralizedForce{constant({"0", "0", "0"}), {}, constant({"0", "0.5", "0"})};
+  ReducedPoint from = start;
+  Eigen::MatrixXd const one = Eigen::MatrixXd::Identity(3, 3);
+  from.frame = frame_at(algebra, actio::systems::Side::left, one, one);
+  ChartIntegrator push(pushed, 0.05, suzuki<double>(), from, velocity);
+  push.follow_configuration(one);
+  for (int k = 0; k < 40; ++k) push.step();
+  Eigen::MatrixXd const g = push.configuration();
+  auto const in_space =
+      momentum_across(algebra, actio::systems::Side::left, g, g.inverse(), push.point().momentum);
+  assert(std::abs(in_space[1] - (1 + 0.5 * 2)) < 1e-13);
+  // [force_across]
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "actio/any_group/chart_map.hpp"
+#include "actio/any_group/momentum_across.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
@@ -24,19 +25,25 @@ inline std::shared_ptr<systems::ReducedSystem const> own_system(
 
 /// The same system with a force: a formula for each component, in the velocity, the vector `a`, the momenta
 /// `p_w1` and so on, the time t, and held inputs by their names.
+/// @param across  one in components of the other side, of the same; none where it is empty
 inline std::shared_ptr<systems::ReducedSystem const> with_force(
     std::shared_ptr<systems::ReducedSystem const> const& of, std::vector<std::string> const& components,
-    std::vector<std::pair<std::string, systems::HeldInput>> const& inputs = {}) {
+    std::vector<std::pair<std::string, systems::HeldInput>> const& inputs = {},
+    std::vector<std::string> const& across = {}) {
   auto names = of->algebra.components;
   for (int i = 1; i <= of->carried(); ++i) names.push_back("a" + std::to_string(i));
   for (auto const& name : of->algebra.components) names.push_back("p_" + name);
   names.push_back("t");
   systems::GeneralizedForce force;
   for (auto const& [name, input] : inputs) names.push_back(name), force.held.push_back(input);
-  std::vector<Tape> tapes;
-  for (auto const& text : components)
-    tapes.push_back(read_formula(text, names, {}, {.derivatives = false}).value);
-  force.components = joined(tapes);
+  auto const read = [&names](std::vector<std::string> const& texts) {
+    std::vector<Tape> tapes;
+    for (auto const& text : texts)
+      tapes.push_back(read_formula(text, names, {}, {.derivatives = false}).value);
+    return joined(tapes);
+  };
+  force.components = read(components);
+  if (!across.empty()) force.across = read(across);
   auto out = std::make_shared<systems::ReducedSystem>(*of);
   out->force = std::move(force);
   return out;
@@ -46,6 +53,13 @@ inline std::shared_ptr<systems::ReducedSystem const> with_force(
 inline systems::ReducedPoint point_at(systems::ReducedSystem const& system, std::vector<double> const& v,
                                       std::vector<double> const& a = {}) {
   return {systems::LegendreVelocity(system).momentum(v, a), a};
+}
+/// The same at a configuration, for a force in components of the other side.
+inline systems::ReducedPoint point_at(systems::ReducedSystem const& system, std::vector<double> const& v,
+                                      std::vector<double> const& a, Eigen::MatrixXd const& g) {
+  auto point = point_at(system, v, a);
+  point.frame = systems::frame_at(system.algebra, system.side, g, g.inverse());
+  return point;
 }
 
 }  // namespace actio

@@ -111,6 +111,7 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
       if (key["key"] == "system.shape")
         values["system.lagrangian"] = "\"(w^2 + v1^2 + c*v2^2 + angle_rate^2 - angle^2)/2\"",
         values["initial.velocity"] = "[0.1, 0.7, 1.0, 0.2]";
+      if (key["key"] == "system.definitions") values["system.lagrangian"] = "\"(w^2 + v1^2 + side)/2\"";
       if (key["key"] == "system.inputs") values["system.force"] = "{ v1 = \"thrust\" }";
       if (key["key"] == "system.advected") values["output.quantities"] = "[\"gravity\"]";
       if (key["key"] == "system.loops") values["output.quantities"] = "[\"circulation\"]";

@@ -21,6 +21,9 @@ std::string const
     orbit = "gravity_gradient = { rate = 0.8, direction = [1, 0, 0], normal = [0, 0, 1] }",
     weight = "uniform_gravity = { mass = 1.5, lever = [0.1, -0.15, 0.2], acceleration = [1, 2, -9] }",
     formula = "potential = 'k = 1.2; -k*r33 + 0.4*r11^2'", upright = "potential = '2*r33 + 0.3*r31*r32'",
+    jets =
+        "uniform_gravity = { mass = 1.5, lever = [0.1, -0.15, 0.2], acceleration = [1, 2, -9] }\n"
+        "body = ['-0.2*w1', '0.1*w1*w3', '0.3*cos(2*t)']",
     wave = "potential = '-r33*(1 + 0.5*cos(3*t))'";
 
 /// The names of what a run tells drifts of.
@@ -39,7 +42,7 @@ std::string refusal(BodyScene const& scene, int status = 2) {
 BOOST_AUTO_TEST_SUITE(torque_scene)
 
 BOOST_AUTO_TEST_CASE(orders_two_and_four_are_measured_under_every_torque) {
-  for (auto const& torque : {still, orbit, weight, formula, wave})
+  for (auto const& torque : {still, orbit, weight, formula, wave, jets})
     command::check_orders(under(torque), "0.001953125", torque);
 }
 
@@ -165,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_torque_that_is_none_is_pointed_at) {
     BOOST_TEST(contains(err, part), err);
     BOOST_TEST(contains(err, "scene.toml:"), err);
   };
-  said("", "[system.torque] needs one of 'gravity_gradient', 'uniform_gravity' and 'potential'");
+  said("", "[system.torque] needs one of 'gravity_gradient', 'uniform_gravity', 'potential' and 'body'");
   said(still + "\n" + formula, "gravity_gradient and potential exclude each other");
   said("potential = 3", "potential: a text is expected, found 3");
   said("gravity_gradient = 3", "gravity_gradient: a table is expected, for example gravity_gradient = {");

@@ -114,6 +114,34 @@ BOOST_AUTO_TEST_CASE(the_place_and_the_reason_are_told) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(definitions_are_refused_within_their_own_texts) {
+  auto const read = [](std::string const& text, FormulaDefinitions const& definitions) {
+    return read_formula(text, {"x", "y"}, {{"c", 2}}, {}, definitions);
+  };
+  auto const within = [&read](std::string const& text, FormulaDefinitions const& definitions) {
+    try {
+      read(text, definitions);
+    } catch (FormulaError const& error) {
+      return error.within + "@" + std::to_string(error.position);
+    }
+    return "read"s;
+  };
+  BOOST_TEST(within("a + q", {{"a", "1 + q"}}) == "a@4");
+  BOOST_TEST(within("a + q", {{"a", "1 + x"}}) == "@4");
+  // What is not used is not read.
+  BOOST_TEST(within("x", {{"a", "1 +"}}) == "read");
+  CHECK_REFUSED(read("a", {{"a", "b"}, {"b", "x + a"}}), FormulaError);
+  CHECK_REFUSED(read("a", {{"a", "q = 2; q"}}), FormulaError);
+  CHECK_REFUSED(read("a", {{"a", "2; x"}}), FormulaError);
+  CHECK_REFUSED(read("a = 2; a*x", {{"a", "x"}}), FormulaError);
+  CHECK_REFUSED(read("c", {{"c", "x"}}), FormulaError);
+  FormulaDefinitions chain;
+  for (int k = 0; k < 1000; ++k)
+    chain["d" + std::to_string(k)] = k == 999 ? "x" : "d" + std::to_string(k + 1);
+  CHECK_REFUSED(read("d0", chain), FormulaError);
+  BOOST_TEST(within("d900", chain) == "read");
+}
+
 BOOST_AUTO_TEST_CASE(names_that_are_none_are_refused) {
   for (auto const* name : {"", "1x", "a b", "x-y", "\xCF\x89", "pi", "sin", "hypot", "x\n"})
     CHECK_REFUSED(parse_formula("1", {name}), FormulaError);

@@ -100,7 +100,14 @@ BOOST_AUTO_TEST_CASE(energy_is_conserved_for_constant_kinetic_energies_in_cayley
   CHECK_REFUSED(conserving(turning({"w1"}, "(w1^2 + 2*w2^2 + w3^2)/2 + w3*a1", Chart::cayley)),
                 OutsideDomain);
   CHECK_REFUSED(conserving(turning({"w1"}, "(w1^2 + 2*w2^2 + w3^2)/2 + w3", Chart::cayley)), OutsideDomain);
-  conserving(turning({"w1"}, "(w1^2 + 2*w2^2 + w3^2)/2 + w1*w3/4 - exp(a1)", Chart::cayley));
+  Constrained good = turning({"w1"}, "(w1^2 + 2*w2^2 + w3^2)/2 + w1*w3/4 - exp(a1)", Chart::cayley);
+  conserving(good);
+  auto const acted_on = std::make_shared<ReducedSystem>(*good.system);
+  good.system = acted_on;
+  acted_on->force.emplace();
+  CHECK_REFUSED(conserving(good), OutsideDomain);
+  acted_on->dissipation = Dissipation{Dissipation::Kind::conformal, 0.1};
+  CHECK_REFUSED(conserving(good), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -432,22 +432,6 @@ class Systems(unittest.TestCase):
         self.assertEqual(scene["system"]["algebra"], basis)
         self.assertNotIn("group", scene["system"])
 
-    def test_constraints_are_functions_or_texts(self):
-        made = actio.System(
-            "SE(2)",
-            lambda v: (v.v1**2 + (v.v2 + v.w / 2) ** 2 + 0.75 * v.w**2) / 2,
-            constraints=lambda velocity: [velocity.v2],
-        )
-        self.assertEqual(made.constraints, ["v2"])
-        self.assertEqual(actio.System("SE(2)", "w^2", constraints=["v2 - t"]).constraints, ["v2 - t"])
-        free = actio.System("SE(2)", "w^2").scene(velocity=[1, 2, 3], until=1)
-        self.assertNotIn("constraints", free["system"])
-        # Chaplygin's sleigh: w = sech(t/2), and m (a w' + v1 w) across the blade.
-        run = made.run(velocity=[1, 0, 0], until=4, order=4, step=0.05, quantities=["velocity", "reaction"])
-        w, v = 1 / math.cosh(2), math.tanh(2)
-        for found, true in zip(run.table[-1][1:], [w, v, 0, 0.75 * v * w]):
-            self.assertAlmostEqual(found, true, delta=1e-6)
-
     def test_wrong_arguments_are_refused(self):
         for wrong, kind, pattern in [
             ({"side": "up"}, ValueError, "side: 'left' or 'right' is expected, found 'up'"),
@@ -774,6 +758,20 @@ class Forces(unittest.TestCase):
         self.assertLess(max(drifts), 1e-14)
         self.assertGreater(abs(run["spatial_momentum"][-1] - run["spatial_momentum"][0]).max(), 0.1)
 
+    def test_a_force_in_space_adds_itself_to_the_momentum(self):
+        system = actio.System(
+            "SE(2)", self.SIMPLE, force_in_space=lambda time: {"v1": 0.3 + 0 * time, "w": 0.1}
+        )
+        self.assertEqual(set(system.force_in_space), {"v1", "w"})
+        run = system.run(**self.KEYS, quantities=["spatial_momentum", "momentum_balance"])
+        grown = run["spatial_momentum"] - run["spatial_momentum"][0]
+        numpy.testing.assert_allclose(grown, numpy.outer(run.t, [0.1, 0.3, 0]), atol=1e-13)
+        by_text = actio.System("SE(2)", self.SIMPLE, force_in_space=["0.1", 0.3, 0])
+        table = by_text.run(**self.KEYS, quantities=["spatial_momentum", "momentum_balance"]).table
+        numpy.testing.assert_allclose(table, run.table, atol=1e-13)
+        with self.assertRaisesRegex(actio.SceneError, "force_in_space: 3 numbers are expected of it"):
+            actio.System("SE(2)", self.SIMPLE, force_in_space=lambda velocity: [1])
+
     def test_mappings_of_some_components_and_rows_of_inputs(self):
         system = actio.System(
             "SO(3)",
@@ -812,6 +810,49 @@ class Forces(unittest.TestCase):
             actio.System("SE(2)", lambda xi: abs(xi.w) + xi @ xi)
 
 
+class Definitions(unittest.TestCase):
+    KEYS = {"velocity": [0.7, 1, 0.2], "until": 1, "step": 0.1, "quantities": ["body_momentum", "force"]}
+
+    def test_formulas_share_them(self):
+        short = actio.System(
+            "SE(2)",
+            "(w^2 + v1^2 + side)/2",
+            parameters={"c": 6},
+            definitions={"side": "c*v2^2", "drag": "-c*v2*slow", "slow": "abs(v2)"},
+            force={"v2": "drag", "w": "-0.1*slow"},
+        )
+        long = actio.System(
+            "SE(2)",
+            "(w^2 + v1^2 + c*v2^2)/2",
+            parameters={"c": 6},
+            force={"v2": "-c*v2*abs(v2)", "w": "-0.1*abs(v2)"},
+        )
+        runs = [each.run(**self.KEYS) for each in (short, long)]
+        numpy.testing.assert_array_equal(runs[0].table, runs[1].table)
+
+    def test_names_of_definitions_and_of_a_function_keep_apart(self):
+        made = actio.System(
+            "SE(2)",
+            lambda xi: (xi.w**2 + xi.v1**2) ** 2 + xi.v1**2 + xi.v2**2 + (xi.w**2 + xi.v1**2),
+            definitions={"t1": "-w"},
+            force={"w": "t1"},
+        )
+        self.assertIn("t_1 = ", made.formula)
+        made.run(**self.KEYS)
+
+    def test_refusals(self):
+        for definitions, words in [
+            ({"w": "1"}, "definitions: w is a component of the velocity already"),
+            ({"c": "1"}, "definitions: c is a parameter already"),
+            ({"t": "1"}, "definitions: t is the time already"),
+            ({"1a": "1"}, "definitions: a name of letters and digits"),
+        ]:
+            with self.assertRaisesRegex(actio.SceneError, words):
+                actio.System("SE(2)", "c*w^2", parameters={"c": 6}, definitions=definitions)
+        with self.assertRaisesRegex(actio.SceneError, "definitions: 'r' does not occur in the lagrangian"):
+            actio.System("SE(2)", "w^2 + v1^2 + v2^2", definitions={"r": "w"}).run(**self.KEYS)
+
+
 class Constraints(unittest.TestCase):
     SLEIGH = "(2*w^2 + v1^2 + v2^2)/2 + w*v2"
 
@@ -821,15 +862,25 @@ class Constraints(unittest.TestCase):
         by_function = actio.System("SE(2)", self.SLEIGH, constraints=lambda velocity: [velocity.v2])
         self.assertEqual(by_function.constraints, ["v2"])
         run = by_function.run(
-            velocity=[1, 0, 0], until=3, every=0.5, step=0.005, order=4, quantities=["velocity", "constraint"]
+            velocity=[1, 0, 0],
+            until=3,
+            every=0.5,
+            step=0.005,
+            order=4,
+            quantities=["velocity", "constraint", "reaction"],
         )
         k = numpy.sqrt(2) / 2
-        numpy.testing.assert_allclose(run["velocity_w"], 1 / numpy.cosh(k * run.t), atol=1e-8)
-        numpy.testing.assert_allclose(run["velocity_v1"], numpy.sqrt(2) * numpy.tanh(k * run.t), atol=1e-8)
+        w, v = 1 / numpy.cosh(k * run.t), numpy.sqrt(2) * numpy.tanh(k * run.t)
+        numpy.testing.assert_allclose(run["velocity_w"], w, atol=1e-8)
+        numpy.testing.assert_allclose(run["velocity_v1"], v, atol=1e-8)
+        # The blade holds the mass centre: w' + v w, with w' = -w v/2.
+        numpy.testing.assert_allclose(run["reaction"][:, 0], v * w / 2, atol=1e-8)
         self.assertLess(abs(run["constraint"]).max(), 1e-13)
         by_text = actio.System("SE(2)", self.SLEIGH, constraints=["v2"])
         scenes = [str(each.scene(velocity=[1, 0, 0], until=1)) for each in (by_text, by_function)]
         self.assertEqual(*scenes)
+        free = actio.System("SE(2)", self.SLEIGH).scene(velocity=[1, 0, 0], until=1)
+        self.assertNotIn("constraints", free["system"])
 
     def test_drag_and_a_blade_together(self):
         system = actio.System(

@@ -146,6 +146,9 @@ std::vector<Featured> bodies() {
        {torque_depends_on_time, torque, torque_without_axis},
        body + "torque = { gravity_gradient = { rate = 0.5, direction = [1, 0, 0], normal = [0, 0, 1] } }\n" +
            start + all},
+      {"rigid_body",
+       {torque_without_potential, torque, torque_without_axis},
+       body + "torque = { body = [\"-0.1*w1\", \"0.05*w2*w3\", \"0.1\"] }\n" + start + all},
       {"heavy_top", {}, top + "gravity = [0, 0, 0]\n" + start + of_top},
       {"heavy_top", {gravity}, top + "gravity = [0, 0, -9.81]\n" + start + of_top},
       {"rigid_body_n",

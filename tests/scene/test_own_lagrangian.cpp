@@ -213,6 +213,53 @@ BOOST_AUTO_TEST_CASE(a_name_that_nothing_uses_is_refused_with_the_nearest) {
   check_said(refusal(body, "own.toml"), "own.toml:4:32: potential: 'j' is defined, and nothing");
 }
 
+BOOST_AUTO_TEST_CASE(formulas_share_definitions_to_the_last_digit) {
+  auto const sleigh_of = [](std::string const& lagrangian, std::string const& force,
+                            std::string const& constraint, std::string const& more) {
+    return last_row(own("group = \"SE(2)\"\nlagrangian = \"" + lagrangian + "\"\nforce = { v1 = \"" + force +
+                            "\" }\nconstraints = [\"" + constraint +
+                            "\"]\nparameters = { c = 0.75, a = 0.5 }\n" + more,
+                        "velocity = [1, 0.3, 0]",
+                        "[method]\nstep = 0.05\n[run]\nuntil = 1\n[output]\n"
+                        "quantities = [\"velocity\", \"reaction\", \"energy\"]\n"));
+  };
+  // Some are in an order in which none is known before it is used.
+  auto const shared =
+      sleigh_of("(v1^2 + side^2 + c*w^2)/2", "-fast*v1", "blade",
+                "[system.definitions]\nfast = \"abs(v1) + abs(side)\"\nside = \"v2 + lever\"\n"
+                "lever = \"a*w\"\nblade = \"v2 - tilt\"\ntilt = \"v1*t/10\"\n");
+  auto const written =
+      sleigh_of("(v1^2 + (v2 + a*w)^2 + c*w^2)/2", "-(abs(v1) + abs(v2 + a*w))*v1", "v2 - v1*t/10", "");
+  BOOST_TEST((shared == written));
+}
+
+BOOST_AUTO_TEST_CASE(definitions_that_are_none_are_refused_at_their_places) {
+  auto const with = [](std::string const& definitions, std::string const& says) {
+    std::string text = sleigh("(w^2 + v1^2", "(a + v1^2");
+    auto const at = text.find("parameters");
+    check_said(refusal(text.insert(at, "definitions = { " + definitions + " }\n"), "own.toml"), says);
+  };
+  with("a = \"w^2\"", "");
+  with("a = \"b\", b = \"c + a\"",
+       "own.toml:5:35: b: a definition cannot use itself; here each uses the next: a, b, a");
+  with("a = \"w^2 + v3\"", "own.toml:5:28: a: unknown name 'v3'; did you mean 'v1'?");
+  with("b = \"w^2\"", "own.toml:4:16: unknown name 'a'");
+  with("A = \"w^2\"", "unknown name 'a'; did you mean 'A'?");
+  with("a = \"w^2\", b = \"v1\"", "own.toml:5:32: definitions: 'b' does not occur in the lagrangian");
+  with("a = \"abs(w)\"", "own.toml:5:22: a: 'abs' has kinks");
+  with("a = \"q = 2; q*w\"", "a: found 'q', expected one formula");
+  with("a = \"w^2;\"", "a: found ';', expected an operator, or the end");
+  with("w = \"1\"", "the name 'w' is taken already: it is a component");
+  with("c = \"1\"", "the name 'c' is taken already: it is a parameter");
+  with("t = \"1\"", "the name 't' is taken already: it is a number of the force");
+  with("p_w = \"1\"", "the name 'p_w' is taken already: it is a number of the force");
+  with("sin = \"1\"", "the name 'sin' is taken already: formulas know it");
+  with("a = [1]", "own.toml:5:21");
+  std::string const lines =
+      "definitions = { u = \"w\" }\nforce = { w = \"u\" }\ninputs = { u = \"t\" }\nparameters";
+  check_refused("parameters", lines, "own.toml:7:16: the name 'u' is taken already: it is a definition");
+}
+
 BOOST_AUTO_TEST_CASE(what_is_near_the_group_is_told_and_what_is_too_small_is_refused) {
   auto const scene = Scene::read(SceneFile::parse(
       sleigh("[method]", "configuration = [[1, 0, 0], [0, 1.0000000002, 0], [0, 0, 1]]\n[method]"),
@@ -259,6 +306,22 @@ BOOST_AUTO_TEST_CASE(what_a_force_a_friction_or_a_shape_cannot_be_is_refused) {
   with("force = { w = \"v1\" }\ninputs = { v1 = \"t\" }", "the name 'v1' is taken already");
   with("force = { w = \"u\" }\ninputs = { u = [[1, 0], [0, 1]] }", "times must ascend");
   with("force = { w = \"u\" }\ninputs = { u = \"no.csv\" }", "no.csv");
+  with("force_in_space = [0]", "force_in_space: 3 formulas are expected, one for each of w, v1, v2; found 1");
+  with("force_in_space = { v2 = \"u\" }", "force_in_space: unknown name 'u'");
+  with("force_in_space = { v1 = \"1/(w - 0.7)\" }", "force_in_space: along v1 it is inf at the start");
+  with("side = \"right\"\nforce_in_space = { w = \"1\" }", "the components of force are those of space");
+  with("constraints = [\"v2\"]\nforce_in_space = { w = \"1\" }", "force_in_space: it takes no system.constr");
+  check_said(
+      refusal(sleigh("[initial]\nvelocity = [0.7, 1.0, 0.2]\n[method]\n",
+                     "force_in_space = { w = \"1\" }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[method]\n"
+                     "name = \"galerkin\"\n"),
+              "own.toml"),
+      "galerkin: it takes no force_in_space");
+  std::string const defect = sleigh("\"energy\"", "\"poisson_defect\"");
+  check_said(refusal(defect.substr(0, defect.find("[initial]")) + "force_in_space = { w = \"1\" }\n" +
+                         defect.substr(defect.find("[initial]")),
+                     "own.toml"),
+             "poisson_defect: with force_in_space a step is no map of momenta");
   with("dissipation = { kind = \"conformal\", rate = -1 }", "rate: a number >= 0 is expected, found -1");
   with("dissipation = { kind = \"orbital\", rate = 1 }", "did you mean 'orbit'?");
   with("dissipation = { kind = \"conformal\", rate = 1, metric = [[1]] }", "friction on the orbit");
@@ -272,6 +335,38 @@ BOOST_AUTO_TEST_CASE(what_a_force_a_friction_or_a_shape_cannot_be_is_refused) {
   std::string const galerkin = "name = \"momentum_level\"\nstep = 0.1";
   check_said(refusal(sleigh("step = 0.1", galerkin + "\n[system.force]\nw = \"1\""), "own.toml"),
              "momentum_level: it takes no force");
+}
+
+BOOST_AUTO_TEST_CASE(a_force_in_space_is_added_to_that_of_the_body) {
+  // A puck that glides and turns, with a pull in space and a thrust of its own: its place and what the two
+  // add.
+  auto const run = [](std::string const& forces, std::string const& quantities) {
+    return last_row(own("group = \"SE(2)\"\nlagrangian = \"(3*w^2 + 2*(v1^2 + v2^2))/2\"\n" + forces,
+                        "velocity = [1, 0.5, 0]\nconfiguration = [[0, -1, 2], [1, 0, 1], [0, 0, 1]]",
+                        "[method]\norder = 4\nstep = 0.0125\n[run]\nuntil = 1\n[output]\nquantities = [" +
+                            quantities + "]\n"));
+  };
+  auto const pulled = run("force_in_space = { v1 = \"pull\" }\ninputs = { pull = \"0.6\" }",
+                          "\"configuration\", \"spatial_momentum\", \"momentum_balance\", \"work\", "
+                          "\"energy\", \"force\"");
+  // 2 x'' = 0.6 from x = 2 at rest along x; y grows by 0.5.
+  BOOST_TEST(std::abs(pulled[2] - 2.15) < 1e-8);
+  BOOST_TEST(std::abs(pulled[5] - 1.5) < 1e-8);
+  // w, v1, v2 of the momentum in space: 3 W + 2 (x y' - y x'), 2 x', 2 y' at the start, and 0.6 t.
+  double const before[] = {3 + 2 * 2 * 0.5, 0, 1};
+  BOOST_TEST(std::abs(pulled[9] - before[0]) < 1e-13);
+  BOOST_TEST(std::abs(pulled[10] - 0.6) < 1e-13);
+  BOOST_TEST(std::abs(pulled[11] - before[2]) < 1e-13);
+  for (int i = 0; i < 3; ++i)
+    BOOST_TEST(std::abs(pulled[static_cast<std::size_t>(12 + i)] - before[i]) < 1e-13);
+  BOOST_TEST(std::abs(pulled[16] - (3 + 0.5) / 2 - pulled[15]) < 1e-8);
+  // Along a line through the origin, as it is from the body: of the same size.
+  BOOST_TEST(std::abs(std::hypot(pulled[18], pulled[19]) - 0.6) < 1e-13);
+  auto const both = run("force_in_space = [0, 0.6, 0]\nforce = [\"0.3\", 0, 0]",
+                        "\"spatial_momentum\", \"momentum_balance\"");
+  // The body's torque about its own centre is one about the origin, as it has no force.
+  BOOST_TEST(std::abs(both[0] - before[0] - 0.3) < 1e-13);
+  BOOST_TEST(std::abs(both[1] - 0.6) < 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(a_shape_variable_is_the_coordinate_that_it_stands_for) {

@@ -4,10 +4,12 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "last_row.hpp"
 #include "program/systems/bodies/formula_potential.hpp"
+#include "refusal.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio::scene;
@@ -222,6 +224,100 @@ BOOST_AUTO_TEST_CASE(the_default_step_of_a_formula_is_about_that_of_the_same_tor
       double const ratio = step(own, velocity) / step(named, velocity);
       BOOST_TEST((ratio > 0.5 && ratio < 2), own << " from " << velocity << ": " << ratio);
     }
+}
+
+// w_3 grows in proportion to the time, and w_1 + i w_2 turns at the rate lambda w_3.
+BOOST_AUTO_TEST_CASE(a_motor_about_the_axis_of_symmetry_turns_the_others_as_the_closed_form_has_it) {
+  double const I = 1.3, I3 = 0.8, M3 = 0.4, until = 3;
+  std::complex<double> const i(0, 1), before(0.7, -0.3);
+  double const lambda = (I3 - I) / I, phase = lambda * (1.1 * until + M3 * until * until / (2 * I3));
+  auto const truth = before * std::exp(i * phase);
+  for (char const* const order : {"2", "4"}) {
+    auto const row = last_row(
+        "inertia = [1.3, 1.3, 0.8]\n[system.torque]\nbody = [0, 0, \"motor\"]\n"
+        "parameters = { motor = 0.4 }",
+        "angular_velocity = [0.7, -0.3, 1.1]",
+        std::string("[method]\norder = ") + order + "\nstep = 0.05\n[run]\nuntil = 3");
+    // Over a drift w_3 is the mean of that at both ends, so that the phase has no error but rounding.
+    BOOST_TEST(std::abs(row[4] - truth.real()) < 1e-13);
+    BOOST_TEST(std::abs(row[5] - truth.imag()) < 1e-13);
+    BOOST_TEST(std::abs(row[6] - (1.1 + M3 * until / I3)) < 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_torque_of_formulas_beside_a_potential_has_its_order_in_any_frame) {
+  Matrix3d const inverse = tensor.inverse();
+  // Drag, a torque that depends on the attitude, one in time, and the weight of the body.
+  auto const equations = [&](double t, Seven const& y) {
+    Vector3d const w = y.tail<3>(), q = y.segment<3>(1), M = tensor * w;
+    Matrix3d const R = Eigen::Quaterniond(y[0], y[1], y[2], y[3]).normalized().toRotationMatrix();
+    Vector3d const own(-0.2 * w[0] - 0.1 * w[0] * w[1], -0.3 * w[1] * w[1] + 0.2 * R(2, 0),
+                       0.3 * std::cos(2 * t)),
+        weight = Vector3d(0.1, -0.15, 0.2).cross(R.transpose() * Vector3d(0, 0, -1.5));
+    Seven change;
+    change << -0.5 * q.dot(w), 0.5 * (y[0] * w + q.cross(w)), inverse * (M.cross(w) + own + weight);
+    return change;
+  };
+  Seven const truth = actio::reference_solution(equations, start(), 0, 2);
+  std::string const torque =
+      "[system.torque]\n"
+      "uniform_gravity = { mass = 1.5, lever = [0.1, -0.15, 0.2], acceleration = [0, 0, -1] }\n"
+      "body = [\"-c*w1 - 0.1*w1*w2\", \"-0.3*w2^2 + tilt\", \"jet\"]\nparameters = { c = 0.2 }\n"
+      "definitions = { tilt = \"c*r31\", jet = \"0.3*cos(2*t)\" }";
+  for (int const order : {2, 4}) {
+    std::vector<double> errors;
+    for (char const* const step : {"0.05", "0.025", "0.0125"})
+      errors.push_back(apart(
+          last_row(in_tensor + torque, started,
+                   "[method]\norder = " + std::to_string(order) + "\nstep = " + step + "\n[run]\nuntil = 2"),
+          truth));
+    BOOST_TEST_MESSAGE("formulas beside a weight, order " << order << ": " << errors[0] << " " << errors[2]);
+    BOOST_TEST(std::abs(std::log2(errors[1] / errors[2]) - order) < 0.1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_jet_that_stops_between_two_steps_is_held_over_each) {
+  // About a principal axis: I w' = 0.4 until t = 1, with drag c w: w = 0.4/c (1 - e^(-ct/I)), then it decays.
+  double const I = 2, c = 0.5, end = 0.4 / c * (1 - std::exp(-c / I)) * std::exp(-c / I);
+  for (char const* const jet : {"\"0.4*(t < 1)\"", "[[0, 0.4], [1, 0]]"}) {
+    std::vector<double> errors;
+    for (char const* const step : {"0.1", "0.05"})
+      errors.push_back(
+          std::abs(last_row(std::string("inertia = [1, 2, 2.5]\n[system.torque]\n"
+                                        "body = [0, \"jet - 0.5*w2\", 0]\ninputs = { jet = ") +
+                                jet + " }",
+                            "angular_velocity = [0, 0, 0]",
+                            std::string("[method]\norder = 4\nstep = ") + step + "\n[run]\nuntil = 2")[5] -
+                   end));
+    // The kicks are of order 4 in the drag alone; a jump within a step would leave an error of the order of
+    // the step.
+    BOOST_TEST(errors[0] < 1e-7);
+    BOOST_TEST(std::abs(std::log2(errors[0] / errors[1]) - 4) < 0.1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_a_torque_of_formulas_cannot_be_is_refused) {
+  auto const check = [](std::string const& torque, std::string const& says, std::string const& method = "") {
+    check_said(refusal("[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\ntorque = { " + torque +
+                           " }\n[initial]\nangular_velocity = [1, 0.2, 0.3]\n[method]\n" + method +
+                           "[run]\nuntil = 1\n[output]\nquantities = [\"energy\"]\n",
+                       "body.toml"),
+               says);
+  };
+  check("body = [0, 0]", "body.toml:4:19: body: three formulas are expected, one for each axis; found 2");
+  check("body = [\"w4\", 0, 0]", "body.toml:4:21: body: unknown name 'w4'; did you mean 'w1'?");
+  check("body = [\"1/(w1 - 1)\", 0, 0]",
+        "body: at the start it is [inf, 0, 0], where finite numbers are needed");
+  check("body = [\"w1\", 0, 0], parameters = { c = 1 }", "parameters: 'c' does not occur in the torque");
+  check("body = [\"w1\", 0, 0], definitions = { c = \"w2\" }",
+        "definitions: 'c' does not occur in the torque");
+  check("body = [\"w1\", 0, 0], inputs = { u = \"t\" }", "inputs: 'u' does not occur in the torque");
+  check("body = [\"w1\", 0, 0], inputs = { w1 = \"t\" }", "the name 'w1' is taken already");
+  check("parameters = { c = 1 }", "parameters: they are given to system.torque.body, which is missing");
+  check("", "needs one of 'gravity_gradient', 'uniform_gravity', 'potential' and 'body'");
+  check("body = [\"w1\", 0, 0]", "moser_veselov steps free bodies", "name = \"moser_veselov\"\n");
+  check("body = [\"-30*w1\", 0, 0]", "may turn by", "step = 0.1\n");
+  check("body = [\"-w1\", \"-w2*abs(w2)\", 0]", "");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

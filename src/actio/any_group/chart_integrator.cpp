@@ -66,14 +66,14 @@ void ChartIntegrator::step() {
           move_configuration(*system_, substep.length(), substep.velocity(), configuration_);
         continue;
       }
-      auto const& last = substep.last();
+      auto const& last = substep.last().force;
       double const half = substep.length() / 2;
-      for (std::size_t i = 0; i < last.force_before.size(); ++i)
-        ledger_.work += half * (last.force_before[i] + last.force_after[i]) * substep.velocity()[i];
+      for (std::size_t i = 0; i < last.before.size(); ++i)
+        ledger_.work += half * (last.before[i] + last.after[i]) * substep.velocity()[i];
       if (!configuration_.size()) continue;
-      add_impulse(half, last.force_before);
+      add_impulse(half, last.before);
       move_configuration(*system_, substep.length(), substep.velocity(), configuration_);
-      add_impulse(half, last.force_after);
+      add_impulse(half, last.after);
     }
     if (along_free_motion_)
       for (double& p : point_.momentum) p *= std::exp(-system_->dissipation->rate * length_);

@@ -74,6 +74,7 @@ class ChartIntegrator {
   template <class Stream>
   void remember(Stream& stream) {
     stream(point_.momentum, point_.vectors);
+    if (!point_.frame.empty()) stream(point_.frame);
     if (system_->force) stream(begin_, steps_, ledger_.work, ledger_.impulse), set_time();
     std::span<double> g(configuration_.data(), static_cast<std::size_t>(configuration_.size()));
     stream(g);

@@ -10,6 +10,17 @@ std::vector<double> force_at(ReducedSystem const& system, std::vector<double> co
   inputs.push_back(at.time);
   for (auto const& held : system.force->held) inputs.push_back(held(at.time));
   system.force->components(inputs.data(), out.data(), work);
+  auto const& across = system.force->across;
+  if (!across) return out;
+  auto const d = out.size();
+  if (at.frame.size() != d * d)
+    throw OutsideDomain("force_at",
+                        "a force in components of the other side needs the frame of the point; its numbers",
+                        int(at.frame.size()), int(d * d));
+  std::vector<double> other(d);
+  (*across)(inputs.data(), other.data(), work);
+  for (std::size_t c = 0; c < d; ++c)
+    for (std::size_t i = 0; i < d; ++i) out[i] += other[c] * at.frame[c * d + i];
   return out;
 }
 
@@ -32,7 +43,7 @@ ChartSolver::ChartSolver(ReducedSystem const& system, double h)
       iteration_(static_cast<std::size_t>(system.dimension())) {}
 
 void ChartSolver::operator()(ReducedPoint& point) {
-  step_.begin_at(point.time), moved_.begin_at(Moved<double>(point.time));
+  step_.begin_at(point.time, point.frame), moved_.begin_at(Moved<double>(point.time), point.frame);
   auto const look = [&] { return evaluate(point); };
   auto const differentiate_there = [&] { return differentiate(point); };
   if (!history_.empty()) history_.predict(iteration_.unknowns);
@@ -45,6 +56,8 @@ void ChartSolver::operator()(ReducedPoint& point) {
   for (std::size_t i = 0; i < residual.size(); ++i) point.momentum[i] = step_.after[i] - residual[i];
   point.vectors = step_.vectors;
   point.time += h_;
+  for (std::size_t c = 0; c < point.frame.size(); c += residual.size())
+    step_.carry_covector(h_, velocity(), &point.frame[c]);
 }
 
 double ChartSolver::evaluate(ReducedPoint const& start) {

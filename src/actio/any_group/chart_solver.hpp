@@ -21,9 +21,12 @@ struct ReducedPoint {
   std::vector<double> momentum,  ///< of the body (left-invariant) or in space (right-invariant)
       vectors;                   ///< one after the other
   double time = 0;               ///< when, for a force that depends on it
+  /// how covectors of the other side are moved to this one, for a force that has their components: `frame_at`
+  std::vector<double> frame = {};
 };
 
 /// The force on a system at a point with a velocity, with the inputs of that time.
+/// @throws OutsideDomain  where it has components of the other side, and the point no frame
 std::vector<double> force_at(ReducedSystem const& system, std::vector<double> const& v,
                              ReducedPoint const& at);
 

@@ -7,7 +7,8 @@
 // where p is the mean of dl/dv at both ends, a_1 = exp(-h v) a_0, and the action of the step is
 // h (l(v, a_0) + l(v, a_1))/2. Without carried vectors this is (3.26), and chi(-A) = chi(A) + A makes
 // P_1 = P_0 + h ad*_v p. A force F subtracts (h/2) F(t_0, v, a_0) from P_0 and adds (h/2) F(t_1, v, a_1) to
-// P_1: the discrete Lagrange-d'Alembert form of (3.10) and (3.11). No exponential of a matrix and no
+// P_1: the discrete Lagrange-d'Alembert form of (3.10) and (3.11). A force in components of the other side is
+// moved to this one by Ad*_g, which e^{A^T} carries along the step. No exponential of a matrix and no
 // logarithm is taken, and brackets are sums over the structure constants that are not zero. tests/any_group
 // hold it to the generic implementation.
 //
@@ -24,7 +25,7 @@
 #include <tuple>
 #include <vector>
 
-#include "actio/any_group/reduced_system.hpp"
+#include "actio/any_group/step_force.hpp"
 #include "actio/groups/matrix_group.hpp"
 
 namespace actio::systems {
@@ -78,6 +79,7 @@ class ChartStep {
       : before(n(system.dimension())),
         after(before),
         vectors(n(system.carried())),
+        force(system),
         system_(system),
         inputs_(n(system.lagrangian.inputs)),
         slopes_(inputs_.size() + 1),
@@ -85,11 +87,6 @@ class ChartStep {
         odd_(before),
         even_(before),
         moved_(n(system.length())) {
-    if (system.force) {
-      force_inputs_.resize(n(system.force->components.inputs));
-      force_before.resize(before.size()), force_after.resize(before.size());
-      same_force_ = system.force->is_same_at_both_ends(system.dimension());
-    }
     find_pattern();
     if (system.chart == Chart::cayley) find_products();
   }
@@ -97,13 +94,13 @@ class ChartStep {
   std::vector<S> before,  ///< the momentum at the start; energy x time
       after,              ///< at the end
       vectors,            ///< at the end
-      halfway,       ///< in the middle, where it is as long: \f$e^{-hv/2}a\f$; in Cayley's chart the mean
-      sizes,         ///< of what A p is the sum of, over double: its roundings are these times epsilon
-      force_before,  ///< the force at the start, energy; empty where there is none
-      force_after;   ///< at the end
+      halfway,         ///< in the middle, where it is as long: \f$e^{-hv/2}a\f$; in Cayley's chart the mean
+      sizes;           ///< of what A p is the sum of, over double: its roundings are these times epsilon
+  StepForce<S> force;  ///< at both ends
 
-  /// When the next step starts, for a force.
-  void begin_at(S const& time) { time_ = time; }
+  /// When the next step starts, for a force, and the frame of the point there for one of the other side.
+  /// @throws OutsideDomain  where there is such a force and no frame
+  void begin_at(S const& time, std::vector<double> const& frame = {}) { force.begin_at(time, frame); }
 
   /// The momenta at both ends, and the vectors at the end, of a step with this velocity.
   /// @param h  step, time
@@ -132,6 +129,31 @@ class ChartStep {
     apply_ad_star(x, odd_);
     apply_ad_star(odd_, even_);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += odd_[i] + even_[i] / S(2);
+  }
+  /// Carries a covector that is constant on the other side along the step of the last call:
+  /// \f$e^{A^T}x\f$, in Cayley's chart \f$\mathrm{Ad}^*\f$ of its transform.
+  void carry_covector(S const& h, std::vector<S> const& v, S* x) {
+    auto const d = before.size();
+    if (system_.chart == Chart::cayley) {
+      S const signed_h = h * S(system_.sign());
+      auto const moved =
+          system_.algebra.template coadjoint<S>(cayley(hat_of_step(system_.algebra, signed_h, v)),
+                                                cayley(hat_of_step(system_.algebra, S(-signed_h), v)));
+      std::copy(x, x + d, odd_.begin());
+      for (std::size_t i = 0; i < d; ++i) {
+        x[i] = S(0);
+        for (std::size_t c = 0; c < d; ++c)
+          x[i] += moved(static_cast<Index>(i), static_cast<Index>(c)) * odd_[c];
+      }
+      return;
+    }
+    std::copy(x, x + d, odd_.begin());
+    double const size = detail::largest_part(odd_);
+    for (int k = 1; k < 200; ++k) {
+      apply_ad_star(odd_, even_);
+      for (std::size_t i = 0; i < d; ++i) x[i] += odd_[i] = even_[i] / S(k);
+      if (!(detail::largest_part(odd_) > negligible_ * size)) return;
+    }
   }
   /// The squares of the entries of \f$h\,\mathrm{ad}_v\f$ in the last call, added up: no eigenvalue is larger
   /// than its root.
@@ -205,24 +227,11 @@ class ChartStep {
 
   /// Adds the force at both ends, each over half of the step, at the momentum that is the mean over the step.
   void add_force(S const& h, std::vector<S> const& v, std::vector<S> const& a) {
-    auto held = force_inputs_.end() - static_cast<std::ptrdiff_t>(system_.force->held.size());
-    double const middle = to_double(base_value(time_)) + to_double(base_value(h)) / 2;
-    for (auto const& input : system_.force->held) *held++ = S(input(middle));
-    force_at(time_, v, a, force_before);
-    if (same_force_)
-      force_after = force_before;
-    else
-      force_at(time_ + h, v, vectors, force_after);
+    force.evaluate(h, v, a, vectors, p_, [&](S* x) { carry_covector(h, v, x); });
     for (std::size_t i = 0; i < v.size(); ++i) {
-      before[i] -= h * force_before[i] / S(2);
-      after[i] += h * force_after[i] / S(2);
+      before[i] -= h * force.before[i] / S(2);
+      after[i] += h * force.after[i] / S(2);
     }
-  }
-  void force_at(S const& t, std::vector<S> const& v, std::vector<S> const& a, std::vector<S>& out) {
-    auto next = std::copy(v.begin(), v.end(), force_inputs_.begin());
-    next = std::copy(a.begin(), a.end(), next);
-    *std::copy(p_.begin(), p_.end(), next) = t;
-    system_.force->components(force_inputs_.data(), out.data(), work_);
   }
 
   /// The matrix of \f$A^T = h\,\mathrm{ad}^*_v\f$, with the sign of the side; only what is not always zero.
@@ -332,9 +341,7 @@ class ChartStep {
 
   static constexpr double negligible_ = 0x1p-55;
   ReducedSystem const& system_;
-  std::vector<S> inputs_, slopes_, work_, p_, odd_, even_, moved_, next_, force_inputs_;
-  S time_{0};
-  bool same_force_ = false;
+  std::vector<S> inputs_, slopes_, work_, p_, odd_, even_, moved_, next_;
   std::vector<AdStarEntry> ad_star_;
   std::shared_ptr<std::vector<Product>> products_;
   std::shared_ptr<std::vector<Part>> parts_;  // to which the entries point, in copies too

@@ -2,6 +2,7 @@
 // and inputs that hold over a step.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,11 +33,16 @@ class HeldInput {
 
 /// A force as a covector in the components of the velocity, \f$F(v, a, p, t, u)\f$, energy: its power is
 /// \f$\langle F, v\rangle\f$.
+///
+/// \snippet reduction.cpp force_across
 struct GeneralizedForce {
   /// The components. The inputs are the velocity, the carried vectors one after the other, the momentum,
   /// the time, and the held inputs.
   Tape components;
   std::vector<HeldInput> held = {};  ///< u, in the order of the inputs
+  /// A force that is added, of the same inputs, in components of the other side: in space on the left, of the
+  /// body on the right. A step then needs the `frame` of its start.
+  std::optional<Tape> across = {};
 
   /// Whether both ends of a step have the same force at one velocity and momentum.
   /// @param dimension  of the group

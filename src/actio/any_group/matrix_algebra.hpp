@@ -63,6 +63,23 @@ struct MatrixAlgebra {
       for (int c = 0; c < dimension; ++c) v[c] /= S(denominator);
     return v;
   }
+  /// The matrix of \f$\mathrm{Ad}^*_g\f$ on covectors: \f$\langle x, \mathrm{vee}(g\,e_a\,g^{-1})\rangle\f$
+  /// is the component a of what x becomes.
+  /// @param g, back  an element of the group, and its inverse
+  template <class S>
+  Matrix<S> coadjoint(Matrix<S> const& g, Matrix<S> const& back) const {
+    Matrix<S> out(dimension, dimension);
+    for (int a = 0; a < dimension; ++a) {
+      Matrix<S> moved = Matrix<S>::Zero(size, size);
+      for (auto const& e : entries)
+        if (e.direction == a)
+          for (int i = 0; i < size; ++i)
+            for (int j = 0; j < size; ++j) moved(i, j) += g(i, e.row) * back(e.column, j) * S(e.value);
+      auto const along = vee(moved);
+      for (int c = 0; c < dimension; ++c) out(a, c) = along[c];
+    }
+    return out;
+  }
   /// \f$[v, w]\f$.
   template <MatrixLike V>
   auto bracket(V const& v, V const& w) const {

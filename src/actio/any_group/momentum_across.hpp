@@ -17,4 +17,12 @@ namespace actio::systems {
 std::vector<double> momentum_across(MatrixAlgebra const& algebra, Side side, Eigen::MatrixXd const& g,
                                     Eigen::MatrixXd const& back, std::vector<double> const& p);
 
+/// The way back, as `ReducedPoint::frame` has it: \f$\mathrm{Ad}^*_g\f$ on the left, which makes covectors in
+/// space those of the body, and \f$\mathrm{Ad}^*_{g^{-1}}\f$ on the right, one column after the other.
+/// @param side  on which the covectors are then
+/// @param g     configuration
+/// @param back  its inverse
+std::vector<double> frame_at(MatrixAlgebra const& algebra, Side side, Eigen::MatrixXd const& g,
+                             Eigen::MatrixXd const& back);
+
 }  // namespace actio::systems

@@ -34,8 +34,12 @@ struct TapeLagrangian {
 class TapeForce {
  public:
   /// @param start, h  of the step, time
+  /// @throws OutsideDomain  where the force has components of the other side
   TapeForce(std::shared_ptr<ReducedSystem const> system, double start, double h)
       : system_(std::move(system)), start_(start) {
+    if (system_->force->across)
+      throw OutsideDomain("TapeForce", "there must be no force in components of the other side; how many", 1,
+                          0);
     for (auto const& input : system_->force->held) held_.push_back(input(start + h / 2));
   }
   template <Group G, Scalar S>

@@ -12,6 +12,7 @@ namespace actio {
 struct FormulaError : Error {
   /// the byte of the text where it goes wrong, from 0; its length where it ends too soon
   std::size_t position;
+  std::string within = {};  ///< the named formula whose text that is; empty: the text that was given
   /// @param at             the byte of the text
   /// @param what_is_wrong  one line
   FormulaError(std::size_t at, std::string const& what_is_wrong) : Error(what_is_wrong), position(at) {}

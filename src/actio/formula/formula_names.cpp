@@ -63,8 +63,7 @@ std::vector<std::string> FormulaNames::functions() const {
 }
 
 std::vector<std::string> FormulaNames::numbers() const {
-  std::vector<std::string> all;
-  for (auto const& [name, entry] : entries_) all.push_back(name);
+  std::vector<std::string> all(known_.begin(), known_.end());
   all.emplace_back("pi");
   return all;
 }

@@ -46,7 +46,11 @@ class FormulaNames {
   /// @param position  where to point
   void require_free(std::string_view name, std::size_t position) const;
   /// Gives an entry a name that is free.
-  void add(std::string_view name, Entry entry) { entries_.emplace(name, entry); }
+  void add(std::string_view name, Entry entry) { entries_.emplace(name, entry), known_.emplace(name); }
+  /// Takes a name among those that are known, without a number yet.
+  void offer(std::string_view name) { known_.emplace(name); }
+  /// Whether a number has it.
+  bool has(std::string_view name) const { return entries_.contains(name); }
   /// The entry with this name, which is used now.
   std::optional<Entry> use(std::string_view name);
   /// The names that were used.
@@ -63,7 +67,7 @@ class FormulaNames {
 
   bool smooth_;
   std::map<std::string, Entry, std::less<>> entries_;
-  std::set<std::string, std::less<>> used_;
+  std::set<std::string, std::less<>> used_, known_;
 };
 
 }  // namespace actio::detail

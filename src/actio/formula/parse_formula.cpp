@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace actio {
 
 namespace detail {
 
 FormulaParser::FormulaParser(std::string_view text, std::vector<std::string> const& names,
-                             std::map<std::string, double> const& constants, FormulaUse use)
+                             std::map<std::string, double> const& constants, FormulaUse use,
+                             FormulaDefinitions const& definitions)
     : use_(use),
       builder_(static_cast<int>(names.size())),
       text_(checked(text, use), use.derivatives),
-      names_(use.derivatives) {
+      names_(use.derivatives),
+      definitions_(definitions) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     names_.require_free(names[i], 0);
     names_.add(names[i], static_cast<Entry>(i));
@@ -22,6 +25,11 @@ FormulaParser::FormulaParser(std::string_view text, std::vector<std::string> con
     if (!std::isfinite(value)) throw FormulaError(0, "the constant '" + name + "' is no finite number");
     names_.add(name, decimal_constant(builder_, value));
   }
+  for (auto const& [name, its_text] : definitions) {
+    names_.require_free(name, 0);
+    names_.offer(name);
+  }
+  define_names_in(text);
 }
 
 ReadFormula FormulaParser::run() {
@@ -33,7 +41,9 @@ ReadFormula FormulaParser::run() {
   } catch (FormulaError const&) {
     throw;
   } catch (Error const& too_many_instructions) {
-    fail(text_.next().position, too_many_instructions.what());
+    FormulaError error(text_.next().position, too_many_instructions.what());
+    if (!open_.empty()) error.within = open_.back();
+    throw error;
   }
 }
 
@@ -45,6 +55,41 @@ Tape FormulaParser::value_of_all() {
   if (text_.is_sign(";")) unexpected("one formula; a definition is written 'a = 2;'");
   if (text_.next().kind != Token::Kind::end) unexpected("an operator");
   return builder_.tape(std::span(&result, 1));
+}
+
+void FormulaParser::define_names_in(std::string_view text) {
+  if (definitions_.empty()) return;
+  for (FormulaText parts(text, use_.derivatives); parts.next().kind != Token::Kind::end; parts.take()) {
+    Token const& token = parts.next();
+    auto const found = definitions_.find(token.text);
+    if (token.kind != Token::Kind::name || found == definitions_.end()) continue;
+    auto const& [name, its_text] = *found;
+    if (std::ranges::find(open_, name) != open_.end()) {
+      std::string round;
+      for (auto const& each : open_) round += each + ", ";
+      fail(token.position, "a definition cannot use itself; here each uses the next: " + round + name);
+    }
+    if (!names_.has(name)) define(name, its_text);
+  }
+}
+
+void FormulaParser::define(std::string const& name, std::string const& text) {
+  open_.push_back(name);
+  try {
+    if (auto const most = static_cast<std::size_t>(use_.deepest); open_.size() > most)
+      fail(0, "at most " + std::to_string(most) + " definitions may each use the next");
+    define_names_in(checked(text, use_));
+    FormulaText const around = std::exchange(text_, FormulaText(text, use_.derivatives));
+    if (text_.is_definition()) unexpected("one formula; what it uses has a name beside it");
+    Entry const defined = value();
+    if (text_.next().kind != Token::Kind::end) unexpected("an operator, or the end");
+    text_ = around;
+    names_.add(name, defined);
+  } catch (FormulaError& error) {
+    if (error.within.empty()) error.within = name;
+    throw;
+  }
+  open_.pop_back();
 }
 
 std::string_view FormulaParser::checked(std::string_view text, FormulaUse use) {

@@ -1,5 +1,7 @@
 // Formulas as texts: "e = c*v2^2; (w^2 + v1^2 + e)/2" with the value behind definitions.
 //
+// Formulas with names, `FormulaDefinitions`, stand beside it, and are read where their names occur.
+//
 // Numbers, names, `pi`; + - * / ^ (to the right, before a sign: -2^2 = -4), brackets; sin cos tan asin acos
 // atan atan2 sinh cosh tanh asinh acosh atanh exp log log2 log10 sqrt cbrt hypot. `log` is the natural one,
 // angles are in radians. Decimal numbers are exact.
@@ -37,6 +39,8 @@ struct FormulaUse {
   std::size_t longest = 200000;  ///< characters that it may have
   int deepest = 200;             ///< brackets, powers and cases that may be open
 };
+/// Formulas by their names, in the inputs, the constants and each other.
+using FormulaDefinitions = std::map<std::string, std::string, std::less<>>;
 /// For its values alone: each operation is carried out in double precision as it is written.
 inline constexpr FormulaUse for_values{false, 2000, 50};
 
@@ -47,13 +51,17 @@ class FormulaParser {
   using Entry = TapeBuilder::Entry;
 
   FormulaParser(std::string_view text, std::vector<std::string> const& names,
-                std::map<std::string, double> const& constants, FormulaUse use);
+                std::map<std::string, double> const& constants, FormulaUse use,
+                FormulaDefinitions const& definitions);
 
   /// All of it.
   ReadFormula run();
 
  private:
   Tape value_of_all();
+  /// Gives the named formulas that occur in a text their entries, each behind those that it uses.
+  void define_names_in(std::string_view text);
+  void define(std::string const& name, std::string const& text);
   static std::string_view checked(std::string_view text, FormulaUse use);
   [[noreturn]] static void fail(std::size_t position, std::string const& what) {
     throw FormulaError(position, what);
@@ -100,6 +108,8 @@ class FormulaParser {
   FormulaText text_;
   FormulaNames names_;
   std::vector<std::pair<std::string, std::size_t>> defined_;
+  FormulaDefinitions const& definitions_;
+  std::vector<std::string> open_;  ///< the named formulas that are being read, each used by the one before
   int depth_ = 0;
 };
 }  // namespace detail
@@ -116,12 +126,17 @@ class FormulaParser {
 /// @throws FormulaError  where the text is none, with the place; of the names, the place is 0
 inline Tape parse_formula(std::string_view text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants = {}, FormulaUse use = {}) {
-  return detail::FormulaParser(text, names, constants, use).run().value;
+  return detail::FormulaParser(text, names, constants, use, {}).run().value;
 }
 /// The same, with the names that it uses.
+///
+/// \snippet numbers.cpp read_formula
+/// @param definitions  formulas with names; only those are read whose names occur
+/// @throws FormulaError  where one of these is none as well, or is defined by itself
 inline ReadFormula read_formula(std::string_view text, std::vector<std::string> const& names,
-                                std::map<std::string, double> const& constants = {}, FormulaUse use = {}) {
-  return detail::FormulaParser(text, names, constants, use).run();
+                                std::map<std::string, double> const& constants = {}, FormulaUse use = {},
+                                FormulaDefinitions const& definitions = {}) {
+  return detail::FormulaParser(text, names, constants, use, definitions).run();
 }
 
 }  // namespace actio

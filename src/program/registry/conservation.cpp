@@ -14,6 +14,8 @@ char const* in_words(Feature feature) {
       return "the potential is a formula in the time";
     case Feature::torque_without_axis:
       return "turns about the axis change the potential";
+    case Feature::torque_without_potential:
+      return "a part of the torque has no potential";
     case Feature::gravity:
       return "gravity acts";
     case Feature::left_invariance:
@@ -67,11 +69,11 @@ std::vector<ConservationLaw> const& conservation_laws() {
   using enum Feature;
   static std::vector<ConservationLaw> const all = [] {
     std::vector<ConservationLaw> laws{
-        {"rigid_body", "energy", {torque_depends_on_time}},
+        {"rigid_body", "energy", {torque_depends_on_time, torque_without_potential}},
         {"rigid_body", "casimir", {torque}},
         {"rigid_body", "spatial_momentum", {torque}},
-        {"rigid_body", "axial_momentum", {torque_without_axis}},
-        {"rigid_body", "jacobi_integral", {torque_of_time}},
+        {"rigid_body", "axial_momentum", {torque_without_axis, torque_without_potential}},
+        {"rigid_body", "jacobi_integral", {torque_of_time, torque_without_potential}},
         {"rigid_body_n", "energy", {}},
         {"rigid_body_n", "spectrum", {}},
         {"rigid_body_n", "casimir", {}},

@@ -11,15 +11,18 @@ namespace actio::scene {
 
 ReadFormula scene_formula(std::string const& text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants, TextPlace const& place,
-                          std::string const& what, FormulaUse use) {
+                          std::string const& what, FormulaUse use, DefinedFormulas const& defined) {
   std::string const begin = what.empty() ? "" : what + ": ";
   try {
-    ReadFormula formula = read_formula(text, names, constants, use);
+    ReadFormula formula = read_formula(text, names, constants, use, defined.texts);
     for (auto const& [name, position] : formula.unused)
       throw FormulaError(position, "'" + shown(name) + "' is defined, and nothing in the formula uses it" +
                                        meant_used_name(name, formula.used));
     return formula;
   } catch (FormulaError const& error) {
+    if (auto const& name = error.within; !name.empty())
+      defined.table->text_place(name).fail(defined.texts.at(name), error.position,
+                                           name + ": " + error.what());
     place.fail(text, error.position, begin + error.what());
   } catch (Error const& error) {
     place.fail(text, 0, begin + error.what());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,16 +12,24 @@
 
 namespace actio::scene {
 
+/// Formulas with names, and the table of a scene that has them.
+struct DefinedFormulas {
+  FormulaDefinitions texts = {};         ///< by name
+  std::optional<SceneTable> table = {};  ///< none where there are none
+};
+
 /// Reads it.
 /// @param names      what its inputs are called
 /// @param constants  numbers with names
 /// @param place      where the text stands
 /// @param what       it is called in complaints: "potential"; empty: not at all
 /// @param use        whether it is differentiated
+/// @param defined    formulas that it may use by their names
 /// @throws SceneError  where it is none, and where it defines a name that occurs nowhere else in it
 ReadFormula scene_formula(std::string const& text, std::vector<std::string> const& names,
                           std::map<std::string, double> const& constants, TextPlace const& place,
-                          std::string const& what = "", FormulaUse use = {});
+                          std::string const& what = "", FormulaUse use = {},
+                          DefinedFormulas const& defined = {});
 
 /// Refuses the name of a key that a formula cannot have, or that stands for something else there.
 /// @param taken  names of other numbers, which are so called: "a component"

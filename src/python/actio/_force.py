@@ -9,7 +9,7 @@ import numpy
 from actio._errors import SceneError
 from actio._formula_text import formula_text
 from actio._lagrangian import Surroundings, called, carried_names, symbols
-from actio._refusals import CONSTRAINTS, FORCE, subject, tracing
+from actio._refusals import CONSTRAINTS, Subject, subject, tracing
 from actio._trace import Trace, constant
 from actio._traced import Traced
 from actio._traced_arrays import Names, traced_array, vector
@@ -34,6 +34,7 @@ class _Call:
         momenta = [f"p_{name}" for name in surroundings.components]
         items = [item for each in self._carried.values() for item in each]
         self._taken = [*surroundings.components, *momenta, *surroundings.parameters, *items, *inputs, "t"]
+        self._taken += surroundings.definitions
         self._names = {"velocity": surroundings.components, "momentum": momenta}
         self._names.update(parameters=surroundings.parameters, inputs=inputs)
         given = {name: self._given(name, surroundings) for name in _wanted(function, allowed)}
@@ -91,24 +92,25 @@ def _is_list(found: Any) -> bool:
 
 
 def formulas_of(
-    force: Callable[..., Any], surroundings: Surroundings, inputs: Sequence[str]
+    force: Callable[..., Any], surroundings: Surroundings, inputs: Sequence[str], what: Subject
 ) -> dict[str, Union[str, float]]:
     """The formulas of a force by components, from one call with symbols.
 
     force: a function of some of `velocity`, `momentum`, `advected`, `time`, `parameters` and `inputs`, by
         these names; it returns a number for each component of the velocity, or a mapping of some of them.
+    what: that it is called by.
 
     Raises SceneError where it branches, needs a float, or does not return so many numbers.
     """
     components = surroundings.components
-    with tracing(FORCE):
+    with tracing(what):
         call = _Call(force, _ARGUMENTS, surroundings, inputs)
         found = call.found
         if isinstance(found, Mapping):
             unknown = [name for name in found if name not in components]
             if unknown:
                 raise SceneError(
-                    f"force: it returned a component {shown(unknown[0])}; there is {', '.join(components)}"
+                    f"{what.key}: it returned a component {shown(unknown[0])}; there is {', '.join(components)}"
                 )
             values = dict(found)
         elif _is_list(found) and len(found) == len(components):
@@ -116,7 +118,7 @@ def formulas_of(
         else:
             size = f" of {len(found)}" if _is_list(found) else ""
             raise SceneError(
-                f"force: {len(components)} numbers are expected of it, for {', '.join(components)}, or a"
+                f"{what.key}: {len(components)} numbers are expected of it, for {', '.join(components)}, or a"
                 f" mapping of some of them; it returned {kind(found)}{size}"
             )
         return {name: call.formula(value, f"component {name}") for name, value in values.items()}

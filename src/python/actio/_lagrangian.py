@@ -26,6 +26,7 @@ class Surroundings(NamedTuple):
     basis: Any  #: of the Lie algebra, as matrices: dimension by n by n
     parameters: Sequence[str]
     advected: Mapping[str, int]  #: the carried vectors, each with its length
+    definitions: Sequence[str] = ()  #: names that formulas which are texts have besides
 
 
 def _positional(lagrangian: Callable[..., Any]) -> int:
@@ -138,5 +139,5 @@ def formula_of(lagrangian: Callable[..., Any], surroundings: Surroundings) -> st
     ]
     value = _its_value(called(lagrangian, *given[:count]), trace, surroundings)
     items = [item for each in carried.values() for item in each]
-    taken = [*surroundings.components, *surroundings.parameters, *items]
+    taken = [*surroundings.components, *surroundings.parameters, *items, *surroundings.definitions]
     return formula_text(trace, value._index, taken)

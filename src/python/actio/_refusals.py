@@ -32,6 +32,7 @@ class Subject(NamedTuple):
 
 LAGRANGIAN = Subject("lagrangian", "a Lagrangian", True)
 FORCE = Subject("force", "a force", False)
+FORCE_IN_SPACE = Subject("force_in_space", "a force", False)
 CONSTRAINTS = Subject("constraints", "a constraint", True)
 _subject: contextvars.ContextVar[Subject] = contextvars.ContextVar("subject", default=LAGRANGIAN)
 

@@ -12,6 +12,7 @@ from actio._errors import SceneError
 from actio._force import checked_inputs, constraints_of, formulas_of
 from actio._formula_functions import FUNCTIONS, KINKED
 from actio._lagrangian import Surroundings, formula_of
+from actio._refusals import FORCE, FORCE_IN_SPACE, Subject
 from actio._run import Run
 from actio._running import Progress, checked_choice, run
 from actio._values import SceneText, kind, shown
@@ -79,6 +80,7 @@ def _checked_names(
     parameters: Mapping[str, Any],
     advected: Mapping[str, Any],
     inputs: Mapping[str, Any],
+    definitions: Mapping[str, Any],
 ) -> None:
     """No name may mean two things."""
     meanings = {**dict.fromkeys(FUNCTIONS, "a function"), "pi": "the number pi"}
@@ -94,12 +96,14 @@ def _checked_names(
                     f"advected: {name} has the component {own}, which is {meanings[own]} already"
                 )
             meanings[own] = "a component of a carried vector"
-    if inputs:
+    if inputs or definitions:
         meanings.update(dict.fromkeys(KINKED, "a function"), t="the time")
         meanings.update(dict.fromkeys((f"p_{name}" for name in components), "a component of the momentum"))
-    for name in inputs:
-        if name in meanings:
-            raise SceneError(f"inputs: {name} is {meanings[name]} already")
+    for key, names in ("inputs", inputs), ("definitions", definitions):
+        for name in names:
+            if name in meanings:
+                raise SceneError(f"{key}: {name} is {meanings[name]} already")
+            meanings[name] = "an input"
 
 
 class System:
@@ -127,12 +131,15 @@ class System:
         or a list of formulas; or a function of some of `velocity`, `momentum`, `advected`, `time`,
         `parameters` and `inputs`, by these names, that returns a list or a mapping of numbers. It need not
         be smooth: abs, numpy.sign, numpy.minimum and the like are there.
+    force_in_space: a force that is added, in the same forms and of the same arguments, with components of
+        the velocity in space, for side="left".
     constraints: what vanishes along the motion by the principle of Lagrange and d'Alembert, linear in the
         velocity: a list of formulas, or a function of some of `velocity`, `advected`, `time` and
         `parameters`, by these names, that returns a list of numbers. The velocity at the start obeys them,
         or the scene has `initial.project = True`.
     inputs: numbers by name that the force is given as functions of time, each held over a step: a formula of
         t, "20*(t < 5)", or rows of a time and the value from then on, [[0, 20], [5, 0]].
+    definitions: formulas by name, {"r": "1 - 4*up3"}, which formulas that are texts use, and each other.
 
     A function is called once, with symbols, and what it does becomes the formula `formula`: Python has no
     part in the run. So it cannot branch on its arguments, and the functions of the module math, which need
@@ -143,7 +150,8 @@ class System:
     """
 
     __slots__ = (
-        "_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs", "_constraints"
+        "_algebra", "_side", "_formula", "_parameters", "_advected", "_force", "_inputs", "_constraints",
+        "_definitions", "_force_in_space",
     )
 
     def __init__(
@@ -157,6 +165,8 @@ class System:
         force: Optional[Force] = None,
         inputs: Optional[Mapping[str, Any]] = None,
         constraints: Union[Sequence[str], Callable[..., Any], None] = None,
+        definitions: Optional[Mapping[str, Union[str, float]]] = None,
+        force_in_space: Optional[Force] = None,
     ) -> None:
         self._side: str = checked_choice(side, ("left", "right"), "side")
         self._algebra = algebra_of(group)
@@ -169,9 +179,13 @@ class System:
             for name, value in _named(advected, "advected", '{"gravity": [0, 0, -1]}').items()
         }
         self._inputs = checked_inputs(_named(inputs, "inputs", '{"thrust": "20*(t < 5)"}'))
-        _checked_names(self.components, self._parameters, self._advected, self._inputs)
+        self._definitions = _named(definitions, "definitions", '{"r": "1 - 4*up3"}')
+        _checked_names(
+            self.components, self._parameters, self._advected, self._inputs, self._definitions
+        )
         self._formula = self._formula_of(lagrangian)
-        self._force = self._force_of(force)
+        self._force = self._force_of(force, FORCE)
+        self._force_in_space = self._force_of(force_in_space, FORCE_IN_SPACE)
         self._constraints = self._constraints_of(constraints)
 
     def _formula_of(self, lagrangian: Any) -> str:
@@ -186,18 +200,20 @@ class System:
 
     def _surroundings(self) -> Surroundings:
         sizes = {name: len(items) for name, items in self._advected.items()}
-        return Surroundings(self.components, self._algebra.basis, list(self._parameters), sizes)
+        return Surroundings(
+            self.components, self._algebra.basis, list(self._parameters), sizes, list(self._definitions)
+        )
 
-    def _force_of(self, force: Any) -> Any:
+    def _force_of(self, force: Any, what: Subject) -> Any:
         """As a scene has it: by components, or a list; None where there is none."""
         if force is None or isinstance(force, Mapping):
             return force if force is None else dict(force)
         if callable(force):
-            return formulas_of(force, self._surroundings(), list(self._inputs))
+            return formulas_of(force, self._surroundings(), list(self._inputs), what)
         if isinstance(force, (list, tuple)):
             return list(force)
         raise TypeError(
-            "force: a function, a mapping by components or a list of formulas is expected, found"
+            f"{what.key}: a function, a mapping by components or a list of formulas is expected, found"
             f" {shown(force)}, of type {kind(force)}"
         )
 
@@ -241,7 +257,12 @@ class System:
     @property
     def force(self) -> Any:
         """The formulas of the force, by components or in their order; None where there is none."""
-        return dict(self._force) if isinstance(self._force, dict) else self._force and list(self._force)
+        return _copied(self._force)
+
+    @property
+    def force_in_space(self) -> Any:
+        """The formulas of the force in components of space, as those of `force`."""
+        return _copied(self._force_in_space)
 
     @property
     def constraints(self) -> list[str]:
@@ -306,10 +327,14 @@ class System:
             system["advected"] = self.advected
         if self._force is not None:
             system["force"] = self.force
+        if self._force_in_space is not None:
+            system["force_in_space"] = self.force_in_space
         if self._inputs:
             system["inputs"] = dict(self._inputs)
         if self._constraints is not None:
             system["constraints"] = self.constraints
+        if self._definitions:
+            system["definitions"] = dict(self._definitions)
         tables: dict[str, dict[str, Any]] = {
             "scene": {"title": title},
             "system": system,
@@ -362,6 +387,10 @@ class System:
     def __repr__(self) -> str:
         where = self.group or f"a group of {len(self.components)} dimensions"
         return f"<actio.System on {where}: {shown(self._formula)[1:-1]}>"
+
+
+def _copied(force: Any) -> Any:
+    return dict(force) if isinstance(force, dict) else force and list(force)
 
 
 def _plain(value: Any) -> Any:

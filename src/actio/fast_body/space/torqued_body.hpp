@@ -6,7 +6,7 @@
 //
 // After each kick the body is on another orbit, so a drift is set up anew each time: by the power series of
 // short_step.hpp as long as it is short, by elliptic functions otherwise. Free motion is exact whatever the
-// step; the order is that of the kicks.
+// step; the order is that of the kicks. A torque may depend on the velocity (velocity_torque.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -18,6 +18,7 @@
 #include "actio/fast_body/space/gravity_gradient.hpp"
 #include "actio/fast_body/space/short_step.hpp"
 #include "actio/fast_body/space/splitting.hpp"
+#include "actio/fast_body/space/velocity_torque.hpp"
 
 namespace actio::bodies {
 namespace detail {
@@ -133,11 +134,23 @@ struct TorqueOfFrame {
   }
 };
 template <class Torque>
-auto in_axes_of(MiddleAxisFrame const& frame, Torque const& torque) {
-  if constexpr (requires { torque.in(frame); })
+auto in_axes_of(TorquedFrame const& body, PrincipalInertia const& inertia, Torque const& torque) {
+  MiddleAxisFrame const& frame = body.axes();
+  if constexpr (TorqueOfVelocity<Torque>) {
+    TorqueOfMomentum<Torque> out{torque, frame};
+    Eigen::Matrix3d const inverse = inertia.inverse_tensor();
+    for (int k = 0; k < 3; ++k) {
+      Three<double> unit{0, 0, 0};
+      unit[k] = 1;
+      Eigen::Vector3d const w = inverse * frame.leave(unit) / (body.step() / 2) * frame.unit();
+      for (int i = 0; i < 3; ++i) out.velocity_of[static_cast<std::size_t>(i)][k] = w[i];
+    }
+    return out;
+  } else if constexpr (requires { torque.in(frame); }) {
     return torque.in(frame);
-  else
+  } else {
     return TorqueOfFrame<Torque>{torque, frame};
+  }
 }
 
 /// Steps of one body under a torque.
@@ -152,17 +165,30 @@ struct TorquedSteps {
   TorquedState state;
   int terms;
 
+  /// Whether the torque depends on the velocity. Two kicks that meet belong to their own steps then.
+  static constexpr bool of_velocity =
+      requires(Torque const& t, Three<double> const& p) { t(Four<double>{}, 0.0, p, 0.0); };
+
   [[gnu::always_inline]] void kick_by(double part, double time, TorquedState& at) const {
     Three<double> const t = torque(at.q, time);
     double const c = part * kick;
     at.p = {at.p[0] + c * t[0], at.p[1] + c * t[1], at.p[2] + c * t[2]};
+  }
+  /// The same in the n-th step.
+  [[gnu::always_inline]] void kick_in(long n, double part, double time, TorquedState& at) const {
+    if constexpr (of_velocity)
+      at.p = gauss_kick(
+          [&](Three<double> const& p) { return torque(at.q, time, p, (static_cast<double>(n) + 0.5) * h); },
+          part * kick, at.p);
+    else
+      kick_by(part, time, at);
   }
   [[gnu::always_inline]] void operator()() {
     TorquedState at = state;
     int order_of_series = terms;
     std::size_t const stages = parts.size();
     double const joined = method.kicks.front() + method.kicks.back();
-    kick_by(method.kicks.front(), static_cast<double>(from) * h, at);
+    kick_in(from, method.kicks.front(), static_cast<double>(from) * h, at);
     for (long n = 0; n < count; ++n) {
       double reached = 0;
       for (std::size_t k = 0; k < stages; ++k) {
@@ -171,7 +197,9 @@ struct TorquedSteps {
         bool const last = k + 1 == stages;
         double const time =
             last ? static_cast<double>(from + n + 1) * h : (static_cast<double>(from + n) + reached) * h;
-        kick_by(last && n + 1 < count ? joined : method.kicks[k + 1], time, at);
+        bool const another = last && n + 1 < count;
+        kick_in(from + n, another && !of_velocity ? joined : method.kicks[k + 1], time, at);
+        if (of_velocity && another) kick_in(from + n + 1, method.kicks.front(), time, at);
       }
       if ((from + n) % 64 == 63) tidy(at.q);
     }
@@ -185,7 +213,8 @@ struct TorquedSteps {
 ///
 /// \snippet bodies.cpp torqued_body
 /// @tparam Torque  (Four<double> const& attitude, double time) -> Three<double>: the torque on the body in
-///                 its own axes, energy, from the unit quaternion (scalar first) that takes the body to space
+///                 its own axes, energy, from the unit quaternion (scalar first) that takes the body to
+///                 space; or a TorqueOfVelocity, with a splitting that is not of Runge-Kutta-Nystrom type
 template <class Torque>
 class TorquedBody {
  public:
@@ -202,7 +231,7 @@ class TorquedBody {
               Element<SU2, double> const& attitude, Torque const& torque, double h,
               Splitting method = strang_splitting(), double start = 0)
       : frame_(inertia, h),
-        torque_(detail::in_axes_of(frame_.axes(), torque)),
+        torque_(detail::in_axes_of(frame_, inertia, torque)),
         method_(std::move(method)),
         start_(start),
         state_(frame_.enter(momentum, attitude)) {
@@ -223,12 +252,22 @@ class TorquedBody {
       throw OutsideDomain("torqued body", "the number of steps must not be negative",
                           static_cast<double>(count), 0);
     if (count == 0) return;
-    auto const shifted = [this](Four<double> const& q, double time) __attribute__((always_inline)) {
-      return torque_(q, start_ + time);
+    auto const run = [&](auto const& shifted) {
+      detail::TorquedSteps<std::decay_t<decltype(shifted)>> all{
+          frame_.body(), parts_, method_, shifted, frame_.step(),
+          frame_.kick(), steps_, count,   state_,  terms_};
+      run_on_best_machine(all);
+      return all;
     };
-    detail::TorquedSteps<decltype(shifted)> steps{frame_.body(), parts_, method_, shifted, frame_.step(),
-                                                  frame_.kick(), steps_, count,   state_,  terms_};
-    run_on_best_machine(steps);
+    auto const steps = [&] {
+      if constexpr (TorqueOfVelocity<Torque>)
+        return run([this](Four<double> const& q, double time, Three<double> const& p, double middle) {
+          return torque_(q, start_ + time, p, start_ + middle);
+        });
+      else
+        return run([this](Four<double> const& q, double time)
+                       __attribute__((always_inline)) { return torque_(q, start_ + time); });
+    }();
     if (!std::isfinite(dot(steps.state.p, steps.state.p))) throw NotFinite("torqued body: torque");
     state_ = steps.state, terms_ = steps.terms, steps_ += count;
   }
@@ -249,7 +288,8 @@ class TorquedBody {
 
  private:
   using TorqueInAxes =
-      decltype(detail::in_axes_of(std::declval<MiddleAxisFrame const&>(), std::declval<Torque const&>()));
+      decltype(detail::in_axes_of(std::declval<detail::TorquedFrame const&>(),
+                                  std::declval<PrincipalInertia const&>(), std::declval<Torque const&>()));
 
   detail::TorquedFrame frame_;
   TorqueInAxes torque_;

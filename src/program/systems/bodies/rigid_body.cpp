@@ -43,8 +43,8 @@ std::vector<Quantity> quantities() {
   auto all = turning_body_quantities(true);
   all.push_back({"energy",
                  Kind::scalar,
-                 "The kinetic energy, and under a torque the potential energy as well; conserved unless "
-                 "the potential depends on time.",
+                 "The kinetic energy, and under a torque the potential energy as well, if it has one; "
+                 "conserved unless the potential depends on time or a part of the torque has none.",
                  "H = \\tfrac12\\langle M, I^{-1}M\\rangle + V(q, t)",
                  "energy",
                  "eq_5_1",
@@ -86,6 +86,7 @@ std::vector<Quantity> quantities_under(std::optional<SceneTorque> const& torque)
   if (torque->depends_on_time()) here.insert(Feature::torque_depends_on_time);
   if (!torque->is_steady()) here.insert(Feature::torque_of_time);
   if (!torque->is_symmetric()) here.insert(Feature::torque_without_axis);
+  if (!torque->has_potential()) here.insert(Feature::torque_without_potential);
   auto all = quantities();
   std::ranges::find(all, "energy", &Quantity::name)->needs.emplace_back("attitude");
   return with_conserved("rigid_body", std::move(all), here);
@@ -241,8 +242,8 @@ BodyShape shape(SceneFile const& file) {
 System rigid_body_system() {
   return {"rigid_body",
           "Rigid body",
-          "A rigid body that turns about its centre of mass, freely or under a torque that comes from a "
-          "potential: Euler's equations for the momentum, and the attitude that goes with it.",
+          "A rigid body that turns about its centre of mass, freely or under a torque: Euler's equations for "
+          "the momentum, and the attitude that goes with it.",
           "chapter 5",
           records_of({body_keys(), torque_parameters(), initial_parameters(momentum_keys), method_keys,
                       accuracy_keys}),

@@ -58,10 +58,10 @@ struct UniformKeys : KeyTable {
 
 KeyTable const torque_table{
     torque, LeftOut{"none, and the body is free"},
-    "A torque on the body, which comes from a potential. One that does not, such as friction or a "
-    "thruster, belongs to no Lagrangian, and is not offered.",
+    "A torque on the body: of a potential, one of three, and of formulas for what has none, such as friction "
+    "or a thruster.",
     "{ gravity_gradient = { rate = 0.5, direction = [1, 0, 0], normal = [0, 0, 1] } }",
-    "a table with gravity_gradient, uniform_gravity or potential"};
+    "a table with gravity_gradient, uniform_gravity or potential, or body, or one of them and body"};
 struct PotentialKeys : KeyTable {
   Key<std::string> formula = key(
       "potential", text.called("a formula, as a text"), without(gradient, uniform),
@@ -107,17 +107,25 @@ void check_right_angle(SceneTable const& gradient, Eigen::Vector3d const& toward
 
 }  // namespace
 
-SceneTorque::SceneTorque(SceneTable const& torque, PrincipalInertia const& inertia) : inertia_(inertia) {
+SceneTorque::SceneTorque(SceneTable const& torque, PrincipalInertia const& inertia)
+    : table_(torque), inertia_(inertia) {
   std::vector<std::string> given;
   for (char const* key : {"gravity_gradient", "uniform_gravity", "potential"})
     if (torque.has(key)) given.emplace_back(key);
-  if (given.empty())
-    throw SceneError(torque.place(),
-                     "[system.torque] needs one of 'gravity_gradient', 'uniform_gravity' and 'potential'");
+  auto const& own = formula_torque_keys;
+  for (AnyKey const& key : {own.parameters, own.definitions, own.inputs})
+    if (key.given(torque) && !own.body.given(torque))
+      key.fail(torque, "they are given to system.torque.body, which is missing");
+  if (given.empty() && !own.body.given(torque))
+    throw SceneError(
+        torque.place(),
+        "[system.torque] needs one of 'gravity_gradient', 'uniform_gravity', 'potential' and 'body'");
+  if (own.body.given(torque)) formulas_.emplace(torque);
+  if (given.empty()) return;
   if (given.size() > 1)
     torque.fail(given[1],
-                fmt::format("{} and {} exclude each other: a body is under one torque; a sum of several is "
-                            "that of the sum of their potentials, written as one formula",
+                fmt::format("{} and {} exclude each other: a body has one potential; a sum of several is "
+                            "written as one formula",
                             given[0], given[1]));
   try {
     if (given[0] == "gravity_gradient")
@@ -155,14 +163,14 @@ void SceneTorque::read_gradient(SceneTable const& table) {
   Eigen::Vector3d const towards = direction(table, keys.direction);
   symmetric_ = !turns, axis_ = towards;
   if (!turns) {
-    torque_ = bodies::gravity_gradient(inertia_.inertia, 3 * strength, towards);
+    of_potential_ = bodies::gravity_gradient(inertia_.inertia, 3 * strength, towards);
     return;
   }
   rate_ = rate, axis_ = direction(table, keys.normal);
   check_right_angle(table, towards, axis_);
   bodies::GravityGradient orbit = bodies::gravity_gradient_in_orbit(inertia_.inertia, rate, towards, axis_);
   orbit.strength = 3 * strength;
-  torque_ = orbit;
+  of_potential_ = orbit;
 }
 
 void SceneTorque::read_uniform(SceneTable const& uniform) {
@@ -174,7 +182,7 @@ void SceneTorque::read_uniform(SceneTable const& uniform) {
     throw SceneError(uniform.place(),
                      "[system.torque.uniform_gravity]: the numbers are too large: mass times lever "
                      "times acceleration is beyond 1e154");
-  torque_ = actio::bodies::uniform_gravity(weight, pull);
+  of_potential_ = actio::bodies::uniform_gravity(weight, pull);
   axis_ = -pull.stableNormalized().normalized(), symmetric_ = true;
 }
 
@@ -183,16 +191,23 @@ void SceneTorque::read_formula(SceneTable const& torque) {
   place_ = torque.place("potential");
   formula_in_time_ = potential.uses_time();
   if (int const axis = potential.axis(); axis >= 0) axis_ = Eigen::Vector3d::Unit(axis), symmetric_ = true;
-  torque_ = bodies::PotentialTorque<FormulaPotential>(std::move(potential));
+  of_potential_ = bodies::PotentialTorque<FormulaPotential>(std::move(potential));
+}
+
+AnyTorque SceneTorque::torque() const {
+  if (formulas_) return formulas_->with(of_potential_);
+  return std::visit([](auto const& torque) -> AnyTorque { return torque; }, *of_potential_);
 }
 
 double SceneTorque::potential(Eigen::Vector4d const& attitude, double time) const {
-  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&torque_))
+  if (!of_potential_) return 0;
+  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&*of_potential_))
     // Its moments are those along the principal axes.
     return gradient->potential({SU2{}, bodies::PrincipalAxes(inertia_.axes).enter(attitude)}, time);
-  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&torque_))
+  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&*of_potential_))
     return gravity->potential({SU2{}, attitude});
-  return std::get<bodies::PotentialTorque<FormulaPotential>>(torque_).potential({SU2{}, attitude}, time);
+  return std::get<bodies::PotentialTorque<FormulaPotential>>(*of_potential_)
+      .potential({SU2{}, attitude}, time);
 }
 
 std::optional<SceneTorque> read_torque(SceneTable const& system, PrincipalInertia const& inertia) {
@@ -201,7 +216,7 @@ std::optional<SceneTorque> read_torque(SceneTable const& system, PrincipalInerti
 }
 
 std::vector<Parameter> torque_parameters() {
-  return records_of({torque_table, gradient_keys, uniform_keys, potential_keys});
+  return records_of({torque_table, gradient_keys, uniform_keys, potential_keys, formula_torque_keys});
 }
 
 }  // namespace actio::scene

@@ -1,6 +1,5 @@
 // The torque on a body in space, [system.torque]: of a gradient of gravity, of uniform gravity on a body that
-// is held at a point, or of a potential that is a formula. Each comes from a potential; a torque that does
-// not is no motion of a Lagrangian, and is not offered.
+// is held at a point, or of a potential that is a formula; and one of formulas, without a potential.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,8 +16,11 @@ class SceneTorque {
   /// @throws SceneError  where it is none
   SceneTorque(SceneTable const& torque, PrincipalInertia const& inertia);
 
-  AnyTorque const& torque() const { return torque_; }  ///< for the motion
-  /// V, energy.
+  /// For the motion.
+  AnyTorque torque() const;
+  /// Whether all of it comes from a potential.
+  bool has_potential() const { return !formulas_; }
+  /// V, energy; 0 where there is none.
   /// @param attitude  of the frame of the scene
   double potential(Eigen::Vector4d const& attitude, double time) const;
   /// Whether V depends on time, so that the energy is not conserved.
@@ -35,7 +37,8 @@ class SceneTorque {
   /// What steps are measured by, 1/time: a bound of the angular velocity, by the energy, and of the
   /// frequencies at which the body and the torque may swing. Of a formula it is estimated, from its values
   /// and derivatives at two thousand attitudes and times, fewer where the formula is long, and at some
-  /// attitudes from bounds over all times, so that no short event is stepped over.
+  /// attitudes from bounds over all times, so that no short event is stepped over. Of formulas without a
+  /// potential it is the pace at which they change the velocity, at that of the start and two hundred times.
   /// @param until    the last time
   /// @param remarks  are told what was not found out
   double pace(bodies::FreeState const& start, double until, std::vector<std::string>& remarks) const;
@@ -47,14 +50,17 @@ class SceneTorque {
   void read_uniform(SceneTable const& uniform);
   void read_formula(SceneTable const& torque);
   void check_start(FormulaPotential const& potential, bodies::FreeState const& start) const;
+  double pace_of_formulas(bodies::FreeState const& start, double until) const;
   double pace_of(bodies::GravityGradient const& gradient, bodies::FreeState const& start) const;
   double pace_of(bodies::UniformGravity const& gravity, bodies::FreeState const& start) const;
   double pace_of(bodies::PotentialTorque<FormulaPotential> const& potential, bodies::FreeState const& start,
                  double until, std::vector<std::string>& remarks) const;
 
+  SceneTable table_;
   PrincipalInertia inertia_;
   Place place_;  // of the formula
-  AnyTorque torque_ = bodies::UniformGravity{};
+  std::optional<TorqueOfPotential> of_potential_;
+  std::optional<FormulaTorque> formulas_;
   Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
   double rate_ = 0;
   bool formula_in_time_ = false, symmetric_ = false;

@@ -114,21 +114,56 @@ double SceneTorque::pace_of(bodies::PotentialTorque<FormulaPotential> const& tor
   return std::max(moves, change.frequency());
 }
 
+double SceneTorque::pace_of_formulas(bodies::FreeState const& start, double until) const {
+  auto const& q = start.attitude.value;
+  Eigen::Matrix3d const inverse = inertia_.inverse_tensor();
+  Eigen::Vector3d const w = inverse * start.body_momentum.components;
+  // From rest a body turns by a radian in the time sqrt(2/|w'|).
+  double fastest = 0;
+  constexpr int times = 200;
+  for (int k = 0; k <= times; ++k) {
+    double const t = until * k / times;
+    auto const torque = (*formulas_)({q[0], q[1], q[2], q[3]}, t, {w[0], w[1], w[2]}, t);
+    Eigen::Vector3d const change = inverse * Eigen::Vector3d(torque[0], torque[1], torque[2]);
+    if (!is_finite(change)) {
+      if (k > 0) continue;
+      formula_torque_keys.body.fail_at(
+          table_, 0,
+          fmt::format("at the start it is [{}, {}, {}], where finite numbers are needed", told(torque[0]),
+                      told(torque[1]), told(torque[2])));
+    }
+    Eigen::Matrix3d const decay = inverse * formulas_->slope({q[0], q[1], q[2], q[3]}, t, {w[0], w[1], w[2]});
+    fastest = std::max(fastest, std::sqrt(magnitude(change) / 2));
+    if (is_finite(decay)) fastest = std::max(fastest, decay.norm());
+  }
+  return fastest;
+}
+
 double SceneTorque::pace(bodies::FreeState const& start, double until,
                          std::vector<std::string>& remarks) const {
-  if (auto const* const gradient = std::get_if<bodies::GravityGradient>(&torque_))
-    return pace_of(*gradient, start);
-  if (auto const* const gravity = std::get_if<bodies::UniformGravity>(&torque_))
-    return pace_of(*gravity, start);
-  return pace_of(std::get<bodies::PotentialTorque<FormulaPotential>>(torque_), start, until, remarks);
+  double const own = formulas_ ? pace_of_formulas(start, until) : 0;
+  if (!of_potential_)
+    return std::max(own, fastest_turn(inertia_, kinetic_energy(inertia_, start.body_momentum)));
+  return std::max(own, std::visit(
+                           [&](auto const& torque) {
+                             if constexpr (std::is_same_v<std::decay_t<decltype(torque)>,
+                                                          bodies::PotentialTorque<FormulaPotential>>)
+                               return pace_of(torque, start, until, remarks);
+                             else
+                               return pace_of(torque, start);
+                           },
+                           *of_potential_));
 }
 
 long SceneTorque::steps_at_once() const {
   constexpr long most = 1 << 14, kicks = 6;
-  auto const* const formula = std::get_if<bodies::PotentialTorque<FormulaPotential>>(&torque_);
-  if (!formula) return most;
-  auto const operations = static_cast<long>(formula->function().operations_of_slope());
-  return std::clamp(10'000'000 / (kicks * (operations + 1)), 1L, most);
+  long operations = 0;
+  if (of_potential_)
+    if (auto const* const formula = std::get_if<bodies::PotentialTorque<FormulaPotential>>(&*of_potential_))
+      operations += static_cast<long>(formula->function().operations_of_slope()) + 1;
+  // Two stages, and some ten iterations.
+  if (formulas_) operations += 20 * (static_cast<long>(formulas_->operations()) + 10);
+  return operations > 0 ? std::clamp(10'000'000 / (kicks * operations), 1L, most) : most;
 }
 
 }  // namespace actio::scene

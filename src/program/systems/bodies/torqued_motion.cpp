@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "actio/fast_body/space/torqued_body.hpp"
+#include "actio/reduction/composition.hpp"
 #include "program/systems/method_input.hpp"
 
 namespace actio::scene {
@@ -27,7 +28,9 @@ class StepsOfTorque : public TorquedMotion {
     body_->step(steps);
     show(*body_);
     // The energy bounds how fast gravity makes a body turn; a formula may do anything.
-    if constexpr (std::is_same_v<Torque, bodies::PotentialTorque<FormulaPotential>>) check_turn();
+    if constexpr (std::is_same_v<Torque, bodies::PotentialTorque<FormulaPotential>> ||
+                  std::is_same_v<Torque, FormulaTorque>)
+      check_turn();
   }
   void look_ahead(double time) override {
     show(*body_);
@@ -86,7 +89,11 @@ class StepsOfTorque : public TorquedMotion {
 std::unique_ptr<TorquedMotion> torqued_motion(PrincipalInertia const& inertia, bodies::FreeState const& start,
                                               AnyTorque const& torque, double step,
                                               std::string const& order) {
-  auto const method = order == "2" ? bodies::strang_splitting() : bodies::blanes_moan_splitting();
+  // Kicks by a torque without a potential have none of the brackets that vanish for one.
+  auto const method = order == "2" ? bodies::strang_splitting()
+                      : std::holds_alternative<FormulaTorque>(torque)
+                          ? bodies::composed_splitting("Suzuki", 4, suzuki<double>())
+                          : bodies::blanes_moan_splitting();
   return std::visit(
       [&](auto const& t) -> std::unique_ptr<TorquedMotion> {
         return std::make_unique<StepsOfTorque<std::decay_t<decltype(t)>>>(inertia, start, t, step, method);

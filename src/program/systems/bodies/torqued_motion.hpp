@@ -1,22 +1,19 @@
-// Motions of a body in space under a torque that comes from a potential: kicks, and the exact flow of the
-// free body in between. Heavy tops and bodies under a torque of their own share them.
+// Motions of a body in space under a torque: kicks, and the exact flow of the free body in between. Heavy
+// tops and bodies under a torque of their own share them.
 #pragma once
 
 #include <Eigen/Core>
 
 #include <variant>
 
-#include "actio/fast_body/space/gravity_gradient.hpp"
-#include "actio/fast_body/space/potential_torque.hpp"
-#include "actio/fast_body/space/uniform_gravity.hpp"
-#include "program/systems/bodies/formula_potential.hpp"
+#include "program/systems/bodies/formula_torque.hpp"
 #include "program/systems/bodies/turning_body.hpp"
 
 namespace actio::scene {
 
-/// The torques that a scene may name.
-using AnyTorque =
-    std::variant<bodies::GravityGradient, bodies::UniformGravity, bodies::PotentialTorque<FormulaPotential>>;
+/// The torques that a scene may name: one of a potential, or formulas with or without such a one.
+using AnyTorque = std::variant<bodies::GravityGradient, bodies::UniformGravity,
+                               bodies::PotentialTorque<FormulaPotential>, FormulaTorque>;
 
 /// A body under a torque, in steps.
 class TorquedMotion : public TurningBody {
@@ -26,7 +23,8 @@ class TorquedMotion : public TurningBody {
 };
 
 /// The motion from a state at the time 0.
-/// @param order  of the scheme, as the scene has it: "2", which is Strang's, or "4", that of Blanes and Moan
+/// @param order  of the scheme, as the scene has it: "2", which is Strang's, or "4", that of Blanes and Moan;
+///               under a torque without a potential Suzuki's composition
 std::unique_ptr<TorquedMotion> torqued_motion(PrincipalInertia const& inertia, bodies::FreeState const& start,
                                               AnyTorque const& torque, double step, std::string const& order);
 

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "actio/nonholonomic/rattle_integrator.hpp"
-#include "program/systems/formula.hpp"
 
 namespace actio::scene {
 namespace {
@@ -38,21 +37,17 @@ KeyTable const& constraint_keys() { return keys; }
 KeyTable const& constrained_start_keys() { return start_keys; }
 
 std::vector<Tape> read_constraints(SceneTable const& system, std::vector<std::string> names,
-                                   std::map<std::string, double> const& parameters,
-                                   std::set<std::string, std::less<>>& used) {
+                                   SharedNames& shared) {
   std::vector<Tape> all;
   if (!keys.constraints.given(system)) return all;
-  if (parameters.contains("t"))
+  if (shared.has_parameter("t"))
     system.inside("parameters")
         .fail("t", "the name 't' is taken already: in system.constraints it is the time");
   names.push_back("t");
   auto const texts = system.texts("constraints");
   if (texts.empty()) keys.constraints.fail(system, "at least one formula is expected");
   for (std::size_t k = 0; k < texts.size(); ++k) {
-    auto formula =
-        scene_formula(texts[k], names, parameters, system.text_place("constraints", k), "constraints");
-    used.merge(formula.used);
-    all.push_back(std::move(formula.value));
+    all.push_back(shared.read(texts[k], names, system.text_place("constraints", k), "constraints").value);
   }
   return all;
 }

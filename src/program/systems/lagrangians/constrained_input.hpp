@@ -1,12 +1,11 @@
 // What a scene says of constraints on the velocity: `system.constraints` and `initial.project`.
 #pragma once
 
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "program/systems/lagrangians/input.hpp"
+#include "program/systems/shared_names.hpp"
 
 namespace actio::scene {
 
@@ -14,12 +13,11 @@ KeyTable const& constraint_keys();         ///< in [system]
 KeyTable const& constrained_start_keys();  ///< in [initial]
 
 /// The formulas that vanish, in the velocity, the vectors and the time `t`; none where the scene has none.
-/// @param names  of the components of velocity and vectors
-/// @param used   the names that occur in them are added to it
+/// @param names   of the components of velocity and vectors
+/// @param shared  the names that formulas share; those that occur are marked
 /// @throws SceneError  where one is no formula, at its place
 std::vector<Tape> read_constraints(SceneTable const& system, std::vector<std::string> names,
-                                   std::map<std::string, double> const& parameters,
-                                   std::set<std::string, std::less<>>& used);
+                                   SharedNames& shared);
 
 /// Constrains a scene, and moves its start on the constraints.
 /// @throws SceneError  where a constraint is not linear in the velocity, where they depend on each other or

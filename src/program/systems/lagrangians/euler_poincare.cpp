@@ -73,6 +73,8 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
         "name",
         "momentum_level: it takes no force, which leads the momentum away from its level; natural_chart, "
         "cayley_chart and galerkin do");
+  if (scene.system->force && scene.system->force->across && galerkin)
+    method.fail("name", "galerkin: it takes no force_in_space; natural_chart and cayley_chart do");
   bool const left = scene.system->side == systems::Side::left;
   if (scene.constraints && (galerkin || choice.name == "momentum_level"))
     method.fail("name", fmt::format("{}: it takes no constraints on the velocity; natural_chart does, and "
@@ -173,6 +175,11 @@ void require_quantities(Request const& request, ReducedScene const& scene) {
   for (char const* const name :
        {"poisson_defect", "symplectic_defect", "leaf_defect", "order", "tangent_map"}) {
     if (!asked(request, {name})) continue;
+    if (scene.system->force && scene.system->force->across)
+      output.fail("quantities",
+                  fmt::format("{}: with force_in_space a step is no map of momenta, since it depends on the "
+                              "configuration; momentum_balance is told",
+                              name));
     if (scene.system->dissipation)
       output.fail("quantities", fmt::format("{}: it is known of motions without system.dissipation", name));
     if (scene.constraints)
@@ -226,7 +233,10 @@ Simulation prepare(Request const& request) {
 /// The cheapest one that takes what acts on the system.
 std::string method_for_accuracy(SceneFile const& file) {
   SceneTable const system = file.section("system");
-  return force_keys.force.given(system) || system.has("dissipation") ? "natural_chart" : "momentum_level";
+  return force_keys.force.given(system) || force_keys.force_in_space.given(system) ||
+                 system.has("dissipation")
+             ? "natural_chart"
+             : "momentum_level";
 }
 
 }  // namespace

@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "actio/any_group/least_regular.hpp"
 #include "actio/any_group/membership.hpp"
+#include "actio/any_group/momentum_across.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
-#include "program/systems/formula.hpp"
 #include "program/systems/lagrangians/constrained_input.hpp"
 #include "program/systems/lagrangians/dissipation_input.hpp"
 #include "program/systems/lagrangians/force_input.hpp"
@@ -45,6 +44,11 @@ struct ReducedKeys : KeyTable {
           "\"(w^2 + v1^2 + 6*v2^2)/2\"");
   AnyKey parameters = key("parameters", "a table by names of one's own", LeftOut{"none"},
                           "Numbers by whose names the Lagrangian uses them; each is used.", "{ c = 6 }");
+  AnyKey definitions = key(
+      "definitions", "a table of formulas by names of one's own", LeftOut{"none"},
+      "Formulas by whose names the Lagrangian, the force, the constraints and each other use them, in the "
+      "names that these have; each is used.",
+      "{ side = \"c*v2^2\" }");
   AnyKey advected =
       key("advected", "a table of vectors by names of one's own", LeftOut{"none"},
           "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in "
@@ -146,14 +150,16 @@ std::vector<std::string> components_of(CarriedVector const& vector, systems::Mat
   return out;
 }
 
-/// Refuses a parameter, or a carried vector, that neither the Lagrangian nor the force uses; a vector may be
-/// asked for.
-void require_used(SceneFile const& file, std::map<std::string, double> const& parameters,
-                  std::vector<CarriedVector> const& carried, systems::MatrixAlgebra const& algebra,
-                  std::set<std::string, std::less<>> const& used) {
+/// Refuses a parameter, a definition, or a carried vector, that neither the Lagrangian nor the force uses; a
+/// vector may be asked for.
+void require_used(SceneFile const& file, SharedNames const& shared, std::vector<CarriedVector> const& carried,
+                  systems::MatrixAlgebra const& algebra) {
   SceneTable const system = file.section("system");
-  char const* const formulas = force_keys.force.given(system) ? "lagrangian or the force" : "lagrangian";
-  require_used_constants(system, "parameters", parameters, used, formulas);
+  std::string formulas = "lagrangian";
+  if (force_keys.force.given(system) || force_keys.force_in_space.given(system)) formulas += " or the force";
+  if (system.has("constraints")) formulas += " or the constraints";
+  shared.require_used(formulas);
+  auto const& used = shared.used();
   auto const asked = file.section("output").texts("quantities");
   for (auto const& vector : carried) {
     for (std::size_t k = 0; k < vector.shown; ++k)
@@ -187,13 +193,12 @@ Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& alge
   for (auto const& vector : carried)
     for (auto& name : components_of(vector, algebra)) vectors.push_back(std::move(name));
   names.insert(names.end(), vectors.begin(), vectors.end());
-  auto const parameters = formula_constants(system, "parameters", names, "a component");
-  auto formula =
-      scene_formula(reduced_keys.lagrangian.read(system), names, parameters, system.text_place("lagrangian"));
-  auto force = read_force(file, algebra, vectors, parameters, formula.used);
-  auto constraints = read_constraints(system, names, parameters, formula.used);
-  require_used(file, parameters, carried, algebra, formula.used);
-  return {std::move(formula.value), std::move(force), std::move(constraints)};
+  SharedNames shared(system, names, names_of_force(algebra));
+  auto l = shared.read(reduced_keys.lagrangian.read(system), names, system.text_place("lagrangian")).value;
+  auto force = read_force(file, algebra, vectors, shared);
+  auto constraints = read_constraints(system, names, shared);
+  require_used(file, shared, carried, algebra);
+  return {std::move(l), std::move(force), std::move(constraints)};
 }
 
 Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra const& algebra,
@@ -250,17 +255,6 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
                           least.largest));
 }
 
-/// Refuses a force that is no number at the start.
-void require_force(SceneTable const& system, ReducedScene const& scene) {
-  if (!scene.system->force) return;
-  auto const force = systems::force_at(*scene.system, scene.velocity, scene.start);
-  for (std::size_t i = 0; i < force.size(); ++i)
-    if (!std::isfinite(force[i]))
-      force_keys.force.fail(system,
-                            fmt::format("along {} it is {} at the start, and a finite number is needed",
-                                        scene.system->algebra.components[i], force[i]));
-}
-
 systems::Chart read_chart(SceneTable const& method, systems::MatrixAlgebra const& algebra) {
   if (!method.is_text("name") || method.text("name") != "cayley_chart") return systems::Chart::exponential;
   if (!systems::SpanOfMatrices(algebra).cayley_stays())
@@ -297,12 +291,16 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   auto [l, force, constraints] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
+  require_force_in_space(system, side);
   Eigen::MatrixXd mover = scene.configuration;
   if (side == systems::Side::left) mover = inverse_matrix(scene.configuration, "configuration");
   for (auto const& vector : scene.carried) {
     Eigen::VectorXd const a = mover * vector.constant;
     scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());
   }
+  if (force && force->across)
+    scene.start.frame = systems::frame_at(algebra, side, scene.configuration,
+                                          inverse_matrix(scene.configuration, "configuration"));
   systems::Chart const chart = read_chart(file.section("method"), algebra);
   auto const built = std::make_shared<systems::ReducedSystem>(
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
