@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "actio/nonholonomic/rattle_integrator.hpp"
+#include "actio/nonholonomic/constrained_integrator.hpp"
 #include "program/systems/formula.hpp"
 
 namespace actio::scene {
@@ -29,7 +29,8 @@ struct ConstrainedStartKeys : KeyTable {
       "true");
 } const start_keys{{"initial"}};
 
-/// How far a velocity may break a constraint without being moved, relative to the terms of the constraint.
+/// How far a velocity may break a constraint without being moved, relative to what that is of a velocity of
+/// this size.
 constexpr double allowed = 1e-6;
 
 }  // namespace
@@ -70,8 +71,8 @@ void constrain(SceneFile const& file, std::vector<Tape> const& each, ReducedScen
     double const defect = projection.defect(scene.velocity, scene.start.vectors, 0);
     if (defect > allowed && !project)
       initial.fail("velocity",
-                   fmt::format("velocity: it breaks system.constraints by {:.3g} of their terms, and at "
-                               "most {:.0e} is allowed; initial.project = true moves it on them",
+                   fmt::format("velocity: it breaks system.constraints by {:.3g} of its size, and at most "
+                               "{:.0e} is allowed; initial.project = true moves it on them",
                                defect, allowed));
     state = systems::constrained_state(*scene.system, *constraints, scene.velocity, scene.start.vectors, 0,
                                        HUGE_VAL);
@@ -82,7 +83,7 @@ void constrain(SceneFile const& file, std::vector<Tape> const& each, ReducedScen
   }
   if (state.moved > 1e-12)
     remarks.push_back(fmt::format(
-        "velocity: it broke the constraints by {:.2g} of their terms, and was moved on them", state.moved));
+        "velocity: it broke the constraints by {:.2g} of its size, and was moved on them", state.moved));
   scene.velocity = state.velocity, scene.start = state.point;
 }
 

@@ -2,6 +2,7 @@
 // vectors.
 #include <fmt/format.h>
 
+#include "actio/nonholonomic/conserving_step.hpp"
 #include "actio/reduction/composition.hpp"
 #include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
@@ -28,6 +29,15 @@ StepKeys const reduced_step{
     "group turns, or the linearized equations of motion swing or grow; a hundredth of the time "
     "between two rows where nothing does.",
     "0.01"};
+
+struct ReducedMethodKeys : KeyTable {
+  Key<std::string> conserve = key(
+      "conserve", one_of("value of conserve", {"energy"}), LeftOut{"what the method conserves"},
+      "Of steps with system.constraints in cayley_chart: whether they conserve the energy, to rounding. The "
+      "Lagrangian is then a kinetic energy with constant coefficients less a potential. Not the velocities "
+      "shown obey the constraints, but those of the steps.",
+      "\"energy\"");
+} const reduced_method_keys{{"method"}};
 
 std::vector<Method> methods() {
   return {
@@ -63,6 +73,28 @@ bool asked(Request const& request, std::initializer_list<char const*> names) {
   return false;
 }
 
+/// Whether steps conserve the energy.
+/// @throws SceneError  where they cannot, with the reason
+bool conserves_energy(SceneTable const& method, std::string const& name, ReducedScene const& scene) {
+  auto const& key = reduced_method_keys.conserve;
+  if (!key.given(method)) return false;
+  key.read(method);
+  if (!scene.constraints)
+    key.fail(method,
+             "it is for steps with system.constraints; others have an error of the energy that stays "
+             "bounded");
+  if (name != "cayley_chart")
+    key.fail(method, fmt::format("it needs the chart by Cayley's transform, name = \"cayley_chart\", and the "
+                                 "scene has {}",
+                                 name));
+  try {
+    systems::require_constant_metric(*scene.system);
+  } catch (Error const& error) {
+    key.fail(method, error.what());
+  }
+  return true;
+}
+
 ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
   SceneTable method = request.file.section("method");
   MethodChoice const choice = read_method(method, methods());
@@ -88,7 +120,10 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
                           left ? "spatial_momentum" : "body_momentum"}),
           choice.name,
           scene.constraints,
-          !scene.constraints || !constraints_move(scene)};
+          !scene.constraints || !constraints_move(scene),
+          conserves_energy(method, choice.name, scene),
+          asked(request, {"work", "impulse", "momentum_balance"}),
+          carried_names(request.file)};
 }
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
@@ -167,9 +202,13 @@ void require_quantities(Request const& request, ReducedScene const& scene) {
   for (char const* const name : {"reaction", "constraint"})
     if (!scene.constraints && asked(request, {name}))
       output.fail("quantities", fmt::format("{}: it is a quantity of systems with system.constraints", name));
-  for (char const* const name : {"work", "impulse", "momentum_balance"})
-    if (scene.constraints && asked(request, {name}))
-      output.fail("quantities", fmt::format("{}: it is known of motions without system.constraints", name));
+  for (char const* const name : {"impulse", "momentum_balance"})
+    if (request.file.section("method").has("conserve") && asked(request, {name}))
+      output.fail(
+          "quantities",
+          fmt::format("{}: it is that of reactions at the times between steps, and those of steps with "
+                      "method.conserve act in their middle",
+                      name));
   for (char const* const name :
        {"poisson_defect", "symplectic_defect", "leaf_defect", "order", "tangent_map"}) {
     if (!asked(request, {name})) continue;
@@ -239,7 +278,7 @@ System euler_poincare_system() {
       "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
       "vectors that the motion carries.",
       "chapters 2 to 4",
-      records_of({reduced_parameters(), reduced_step, accuracy_keys}),
+      records_of({reduced_parameters(), reduced_method_keys, reduced_step, accuracy_keys}),
       methods(),
       reduced_quantities(),
       prepare,
