@@ -124,6 +124,32 @@ BOOST_AUTO_TEST_CASE(energy_is_conserved_by_steps_that_can) {
   check_said(changed(other("constraints = [\"v2\"]\n", ""), "", ""), "constraint");
 }
 
+BOOST_AUTO_TEST_CASE(a_damped_sleigh_runs_along_the_free_one) {
+  // The constraint is linear, so damping by p' = -c p slows the motion down: over the time t it goes on by
+  // s = (1 - e^-ct)/c, and its velocity has the factor e^-ct.
+  double const c = 0.2, t = 4, s = (1 - std::exp(-c * t)) / c, slower = std::exp(-c * t);
+  std::string const damped = "[system.dissipation]\nkind = \"conformal\"\nrate = 0.2\n[initial]";
+  auto const row = last_row(sleigh("[initial]", damped));
+  // Of order 4, as without damping.
+  BOOST_TEST(std::abs(row[0] - slower / std::cosh(s / 2)) < 1e-6);
+  BOOST_TEST(std::abs(row[1] - slower * std::tanh(s / 2)) < 1e-6);
+  BOOST_TEST(std::abs(row[3] - 0.75 * row[0] * row[1]) < 1e-14);
+  check_refused("[initial]", "[system.dissipation]\nkind = \"orbit\"\nrate = 0.2\n[initial]",
+                "reactions lead away from the orbit");
+}
+
+BOOST_AUTO_TEST_CASE(constraints_that_move_do_work_on_a_damped_body) {
+  // On a belt at the speed 1 a body of mass 3 is pushed by what the damping takes: 3 c.
+  auto const row = last_row(
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"R^2\"\nlagrangian = \"3*(x1^2 + x2^2)/2\"\n"
+      "constraints = [\"x1 - 1\"]\ndissipation = { kind = \"conformal\", rate = 0.5 }\n"
+      "[initial]\nvelocity = [1, 1]\n[method]\nstep = 0.25\n[run]\n"
+      "until = 2\n[output]\nquantities = [\"velocity\", \"reaction\"]\n");
+  BOOST_TEST(std::abs(row[0] - 1) < 1e-14);
+  BOOST_TEST(std::abs(row[1] - std::exp(-1.0)) < 1e-14);
+  BOOST_TEST(std::abs(row[2] - 1.5) < 1e-14);
+}
+
 BOOST_AUTO_TEST_CASE(a_disc_that_falls_flat_ends_the_run_with_the_angle) {
   // Let go at rest, tilted by a third: nothing makes it turn, and it falls on its side.
   std::string const disc =

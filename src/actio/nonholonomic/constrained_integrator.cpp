@@ -46,6 +46,10 @@ ConstrainedIntegrator<Step>::ConstrainedIntegrator(std::shared_ptr<ReducedSystem
     substeps_.emplace_back(*system_, *constraints_, fraction * h);
     substeps_.back().begin_at(start.velocity);
   }
+  if (auto const& friction = system_->dissipation; friction && friction->kind == Dissipation::Kind::orbit)
+    throw OutsideDomain("velocity constraints",
+                        "reactions lead away from the orbit, so that there must be no friction on it; rate",
+                        friction->rate, 0);
   nodes_.set_values(start.velocity, start.point.vectors, t), nodes_.set_rows(start.point.vectors, t);
   now_.rows = nodes_.rows, now_.middle = nodes_.values;
   Eigen::VectorXd const units =
@@ -81,6 +85,12 @@ void ConstrainedIntegrator<Step>::step() {
 
 template <template <class> class Step>
 void ConstrainedIntegrator<Step>::take(Solver& substep, double t) {
+  auto const damp = [&] {
+    auto const& friction = system_->dissipation;
+    if (!friction) return;
+    for (double& p : now_.point.momentum) p *= std::exp(-friction->rate * substep.length() / 2);
+  };
+  damp();
   ReducedPoint const start = with_ledger_ ? now_.point : ReducedPoint{};
   try {
     substep(now_.point, t);
@@ -88,6 +98,7 @@ void ConstrainedIntegrator<Step>::take(Solver& substep, double t) {
     look_ahead(substep.length(), t);
     throw;
   }
+  damp();
   now_.middle = substep.last().constraint.values;
   auto const move = [&] {
     if (now_.configuration.size())

@@ -41,7 +41,9 @@ struct RowsTurn : OutsideDomain {
   static constexpr double most = 1;  ///< radian
 };
 
-/// Steps of one length, each of some substeps. For one thread at a time.
+/// Steps of one length, each of some substeps. For one thread at a time. Damping in proportion to the
+/// momentum acts for half of a substep before and after it: by a factor of the momentum, which is known up to
+/// a combination of the rows.
 ///
 /// \snippet nonholonomic.cpp rattle_integrator
 /// @tparam Step  \ref RattleStep, or \ref ConservingStep
@@ -54,7 +56,7 @@ class ConstrainedIntegrator {
   /// @param fractions    of the substeps (composition.hpp); {1} for order 2, five of `suzuki()` for order 4
   /// @param start        obeys the constraints
   /// @param t            time at the start
-  /// @throws OutsideDomain  where such steps cannot take the system
+  /// @throws OutsideDomain  where such steps cannot take the system, or its friction is on the orbit
   ConstrainedIntegrator(std::shared_ptr<ReducedSystem const> system,
                         std::shared_ptr<VelocityConstraints const> constraints, double h,
                         std::vector<double> const& fractions, ConstrainedState const& start, double t = 0);

@@ -181,6 +181,8 @@ std::vector<double> ConstrainedVelocity::reaction(std::vector<double> const& v, 
     for (std::size_t first = 0; first < a.size(); first += length)
       right[e.direction] -=
           system_.sign() * slopes[1 + d + first + at(e.row)].value * e.value * a[first + at(e.column)];
+  if (auto const& friction = system_.dissipation; friction && friction->kind == Dissipation::Kind::conformal)
+    for (std::size_t i = 0; i < d; ++i) right[static_cast<Index>(i)] -= friction->rate * slopes[1 + i].value;
   if (system_.force) {
     ReducedPoint now{{}, a, t};
     for (std::size_t i = 0; i < d; ++i) now.momentum.push_back(slopes[1 + i].value);

@@ -182,7 +182,7 @@ void require_short_for_damping(SceneTable const& method, ReducedScheme const& sc
                                Simulation& simulation) {
   auto const& friction = scheme.system->dissipation;
   if (!friction || friction->kind != systems::Dissipation::Kind::conformal || scheme.fractions.size() < 2 ||
-      systems::damps_along_free_motion(*scheme.system))
+      (!scheme.constraints && systems::damps_along_free_motion(*scheme.system)))
     return;
   double const decay = friction->rate * simulation.step;
   if (decay >= 2)
