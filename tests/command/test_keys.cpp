@@ -118,6 +118,7 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
         values["system.lagrangian"] = "\"(w^2 + v1^2 + c*v2^2 + angle_rate^2 - angle^2)/2\"",
         values["initial.velocity"] = "[0.1, 0.7, 1.0, 0.2]";
       if (key["key"] == "method.conserve") add_conserving(values, system["name"]);
+      if (key["key"] == "system.contact") values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
       if (key["key"] == "system.inputs") values["system.force"] = "{ v1 = \"thrust\" }";
       if (key["key"] == "system.advected") values["output.quantities"] = "[\"gravity\"]";
       if (key["key"] == "system.loops") values["output.quantities"] = "[\"circulation\"]";
@@ -186,8 +187,10 @@ BOOST_AUTO_TEST_CASE(words_that_are_allowed_are_those_that_are_taken) {
         values[key["key"]] = has(key["expects"], "list") ? "[" + quoted + "]" : number ? text : quoted;
         // A format of snapshots, where there are snapshots.
         if (text == "netcdf" || text == "vtu") values["output.snapshots"] = "[]";
-        // Reactions are of constraints.
-        if (text == "reaction" || text == "constraint") values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
+        // Reactions and contacts are of constraints.
+        if (text == "reaction" || text == "constraint" || text == "contact")
+          values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
+        if (text == "contact") values["system.contact"] = "[\"0.3\", \"0\"]";
         if (key["key"] == "method.conserve") add_conserving(values, system["name"]);
         // Friction has a rate.
         if (text == "conformal" || text == "orbit") values["system.dissipation.rate"] = "0.1";

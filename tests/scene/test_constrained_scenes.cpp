@@ -124,6 +124,19 @@ BOOST_AUTO_TEST_CASE(energy_is_conserved_by_steps_that_can) {
   check_said(changed(other("constraints = [\"v2\"]\n", ""), "", ""), "constraint");
 }
 
+BOOST_AUTO_TEST_CASE(a_contact_is_a_place_of_the_body) {
+  // A point that is a fifth ahead of the blade, seen from above.
+  auto const text = changed(sleigh("parameters", "contact = [\"0.2\", \"0\"]\nparameters"), "\"velocity\"",
+                            "\"configuration\", \"contact\"");
+  auto const row = last_row(text);
+  BOOST_TEST(std::abs(row[9] - (row[2] + 0.2 * row[0])) < 1e-14);
+  BOOST_TEST(std::abs(row[10] - (row[5] + 0.2 * row[3])) < 1e-14);
+  check_refused("parameters", "contact = [\"0.2\"]\nparameters", "2 formulas are expected");
+  check_refused("constraints = [\"v2\"]", "contact = [\"0.2\", \"0\"]", "it goes with system.constraints");
+  check_refused("parameters", "contact = [\"v1\", \"0\"]\nparameters", "v1");
+  check_refused("\"energy\"", "\"contact\"", "it is a quantity of systems with system.contact");
+}
+
 BOOST_AUTO_TEST_CASE(a_damped_sleigh_runs_along_the_free_one) {
   // The constraint is linear, so damping by p' = -c p slows the motion down: over the time t it goes on by
   // s = (1 - e^-ct)/c, and its velocity has the factor e^-ct.

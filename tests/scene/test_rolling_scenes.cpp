@@ -171,6 +171,25 @@ BOOST_AUTO_TEST_CASE(a_skate_on_a_slope_runs_along_a_cycloid) {
   check_constraints(rows, 13);
 }
 
+BOOST_AUTO_TEST_CASE(contacts_stay_on_the_plane) {
+  // The height of the contact is that of the centre of mass less the support function, which rolling
+  // conserves: to the order of the method. The disc begins on the plane z = 0; under the rattleback it is
+  // tilted.
+  auto const disc = rows_of("falling_disc", "[\"contact\"]");
+  double height = 0, way = 0;
+  for (auto const& row : disc)
+    height = std::max(height, std::abs(row[3])), way = std::max(way, std::hypot(row[1], row[2]));
+  BOOST_TEST(height < fourth_order(0.01, std::sqrt(9.81)));
+  BOOST_TEST(way > 1);
+  auto const stone = rows_of("rattleback", "[\"contact\"]", {"run.until=1"});
+  double const tilt = 0.00872653549837;
+  Triple const up(tilt, tilt, 0.999923844678);
+  double const first = up.dot(triple(stone[0], 1));
+  // A hundred radians a second.
+  for (auto const& row : stone)
+    BOOST_TEST(std::abs(up.dot(triple(row, 1)) - first) < 20 * fourth_order(0.0005, 100));
+}
+
 BOOST_AUTO_TEST_CASE(a_rattleback_conserves_its_energy_where_it_is_told_to) {
   auto const rows = rows_of("rattleback", "[\"velocity\", \"energy\", \"constraint\"]",
                             {"method.name=cayley_chart", "method.conserve=energy", "method.order=2",

@@ -19,6 +19,12 @@ struct ConstraintKeys : KeyTable {
           "components of the velocity, linear in them, in parameters, components of carried vectors and the "
           "time t. A blade that does not slip, a ball that rolls.",
           "[\"v2 - 0.2*v1\"]");
+  AnyKey contact = key(
+      "contact", "a list of formulas, one for each direction of space", LeftOut{"none"},
+      "On SE(2) and SE(3), with system.constraints: where the body touches, as seen from its origin in its "
+      "own frame, in parameters and components of carried vectors. The quantity contact is that place in "
+      "space.",
+      "[\"0.3\", \"0\"]");
 } const keys{{"system"}};
 
 struct ConstrainedStartKeys : KeyTable {
@@ -52,6 +58,30 @@ std::vector<Tape> read_constraints(SceneTable const& system, std::vector<std::st
   for (std::size_t k = 0; k < texts.size(); ++k) {
     auto formula =
         scene_formula(texts[k], names, parameters, system.text_place("constraints", k), "constraints");
+    used.merge(formula.used);
+    all.push_back(std::move(formula.value));
+  }
+  return all;
+}
+
+std::vector<Tape> read_contact(SceneTable const& system, systems::MatrixAlgebra const& algebra,
+                               std::vector<std::string> const& vectors,
+                               std::map<std::string, double> const& parameters,
+                               std::set<std::string, std::less<>>& used) {
+  std::vector<Tape> all;
+  if (!keys.contact.given(system)) return all;
+  if (!keys.constraints.given(system))
+    keys.contact.fail(system, "it goes with system.constraints, and there are none");
+  bool const motions = algebra.name == "SE(2)" || algebra.name == "SE(3)";
+  if (!motions)
+    keys.contact.fail(system, "it is a place of a body that moves in the plane or in space, SE(2) or SE(3)");
+  auto const texts = system.texts("contact");
+  if (static_cast<int>(texts.size()) + 1 != algebra.size)
+    keys.contact.fail(system,
+                      fmt::format("{} formulas are expected, one for each direction of space; found {}",
+                                  algebra.size - 1, texts.size()));
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    auto formula = scene_formula(texts[k], vectors, parameters, system.text_place("contact", k), "contact");
     used.merge(formula.used);
     all.push_back(std::move(formula.value));
   }

@@ -21,6 +21,17 @@ std::vector<Tape> read_constraints(SceneTable const& system, std::vector<std::st
                                    std::map<std::string, double> const& parameters,
                                    std::set<std::string, std::less<>>& used);
 
+/// Where the body touches, in its own frame, as formulas of the vectors; none where the scene does not say
+/// it.
+/// @param vectors  names of their components
+/// @param used     the names that occur in them are added to it
+/// @throws SceneError  where there are no constraints, the group is not one of rigid motions, or a formula is
+///                     missing or none
+std::vector<Tape> read_contact(SceneTable const& system, systems::MatrixAlgebra const& algebra,
+                               std::vector<std::string> const& vectors,
+                               std::map<std::string, double> const& parameters,
+                               std::set<std::string, std::less<>>& used);
+
 /// Constrains a scene, and moves its start on the constraints.
 /// @throws SceneError  where a constraint is not linear in the velocity, where they depend on each other or
 ///                     leave no motion, and where the velocity at the start breaks them

@@ -131,6 +131,17 @@ void define_constraints(QuantityGraph& graph, ReducedScene const& scene, Reduced
                });
   graph.define("constraint", ends,
                [&motion](auto, double* out) { std::ranges::copy(motion.constraint(), out); });
+  if (scene.contact.empty()) return;
+  std::vector<std::string> const axes{"_x", "_y", "_z"};
+  auto const count = scene.contact.size();
+  graph.define("contact", {axes.begin(), axes.begin() + static_cast<std::ptrdiff_t>(count)},
+               [contact = joined(scene.contact), count, &motion](auto, double* out) {
+                 auto const n = static_cast<Eigen::Index>(count);
+                 Eigen::VectorXd place = Eigen::VectorXd::Ones(n + 1);
+                 std::vector<double> work;
+                 contact(motion.point().vectors.data(), place.data(), work);
+                 Eigen::VectorXd::Map(out, n) = (motion.configuration() * place).head(n);
+               });
 }
 
 }  // namespace actio::scene

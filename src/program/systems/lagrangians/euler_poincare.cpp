@@ -116,7 +116,7 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
           : order == 2                    ? std::vector<double>{1}
           : order == 4                    ? suzuki<double>()
                                           : kahan_li<double>(),
-          asked(request, {"configuration", "impulse", "momentum_balance",
+          asked(request, {"configuration", "contact", "impulse", "momentum_balance",
                           left ? "spatial_momentum" : "body_momentum"}),
           choice.name,
           scene.constraints,
@@ -202,6 +202,8 @@ void require_quantities(Request const& request, ReducedScene const& scene) {
   for (char const* const name : {"reaction", "constraint"})
     if (!scene.constraints && asked(request, {name}))
       output.fail("quantities", fmt::format("{}: it is a quantity of systems with system.constraints", name));
+  if (scene.contact.empty() && asked(request, {"contact"}))
+    output.fail("quantities", "contact: it is a quantity of systems with system.contact");
   for (char const* const name : {"impulse", "momentum_balance"})
     if (request.file.section("method").has("conserve") && asked(request, {name}))
       output.fail(

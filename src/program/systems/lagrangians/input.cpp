@@ -104,24 +104,11 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
   std::vector<CarriedVector> out;
   if (!system.has("advected")) return out;
   SceneTable const table = system.inside("advected");
-  std::vector<std::string> taken{"velocity",
-                                 "body_momentum",
-                                 "spatial_momentum",
-                                 "energy",
-                                 "configuration",
-                                 "casimir",
-                                 "order",
-                                 "tangent_map",
-                                 "leaf_defect",
-                                 "symplectic_defect",
-                                 "poisson_defect",
-                                 "reaction",
-                                 "constraint",
-                                 "force",
-                                 "work",
-                                 "impulse",
-                                 "momentum_balance",
-                                 "shape"};
+  std::vector<std::string> taken{
+      "velocity",       "body_momentum", "spatial_momentum", "energy",      "configuration",
+      "casimir",        "order",         "tangent_map",      "leaf_defect", "symplectic_defect",
+      "poisson_defect", "reaction",      "constraint",       "contact",     "force",
+      "work",           "impulse",       "momentum_balance", "shape"};
   for (auto const& key : table.keys()) {
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
@@ -178,7 +165,7 @@ void require_used(SceneFile const& file, std::map<std::string, double> const& pa
 struct Formulas {
   Tape lagrangian;
   std::optional<systems::GeneralizedForce> force;
-  std::vector<Tape> constraints;
+  std::vector<Tape> constraints, contact;
 };
 Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& algebra,
                        std::vector<CarriedVector> const& carried) {
@@ -192,8 +179,9 @@ Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& alge
       scene_formula(reduced_keys.lagrangian.read(system), names, parameters, system.text_place("lagrangian"));
   auto force = read_force(file, algebra, vectors, parameters, formula.used);
   auto constraints = read_constraints(system, names, parameters, formula.used);
+  auto contact = read_contact(system, algebra, vectors, parameters, formula.used);
   require_used(file, parameters, carried, algebra, formula.used);
-  return {std::move(formula.value), std::move(force), std::move(constraints)};
+  return {std::move(formula.value), std::move(force), std::move(constraints), std::move(contact)};
 }
 
 Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra const& algebra,
@@ -294,7 +282,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   if (!shape.names.empty())
     scene.carried.push_back(
         {"shape", shape.carried(algebra, side), shape.components(algebra), shape.names.size()});
-  auto [l, force, constraints] = read_formulas(file, algebra, scene.carried);
+  auto [l, force, constraints, contact] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
   Eigen::MatrixXd mover = scene.configuration;
@@ -308,7 +296,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
   built->force = std::move(force);
   built->dissipation = read_dissipation(file, *built, remarks);
-  scene.system = built;
+  scene.system = built, scene.contact = std::move(contact);
   try {
     scene.start.momentum =
         systems::LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);

@@ -120,6 +120,13 @@ std::vector<Quantity> quantities_of_constraints() {
        "of the formula",
        "claim_10_0_nonholonomic_constraints",
        {}},
+      {"contact",
+       Kind::list,
+       "The place in space where the body touches, of system.contact.",
+       "g\\,r(a)",
+       "of the place",
+       "",
+       {}},
   };
 }
 
