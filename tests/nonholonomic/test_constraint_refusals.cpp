@@ -105,6 +105,14 @@ BOOST_AUTO_TEST_CASE(rows_that_turn_too_far_in_a_step_are_refused_with_the_angle
   BOOST_TEST(run.point().vectors[0] < 0.1);
 }
 
+BOOST_AUTO_TEST_CASE(friction_on_the_orbit_goes_with_no_constraints) {
+  auto const body = turning({"w1"});
+  auto rubbed = std::make_shared<ReducedSystem>(*body.system);
+  rubbed->dissipation = Dissipation{Dissipation::Kind::orbit, 0.1, Eigen::MatrixXd::Identity(3, 3)};
+  auto const start = body.state({0, 0, 1}, {1, 2, 0});
+  CHECK_REFUSED(RattleIntegrator(rubbed, body.constraints, 0.1, {1}, start), OutsideDomain);
+}
+
 BOOST_AUTO_TEST_CASE(energy_is_conserved_for_constant_kinetic_energies_in_cayleys_chart) {
   auto const conserving = [](Constrained const& system) {
     return ConservingSolver(*system.system, *system.constraints, 0.1);

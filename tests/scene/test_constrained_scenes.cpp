@@ -124,6 +124,14 @@ BOOST_AUTO_TEST_CASE(energy_is_conserved_by_steps_that_can) {
   check_said(changed(other("constraints = [\"v2\"]\n", ""), "", ""), "constraint");
 }
 
+BOOST_AUTO_TEST_CASE(an_accuracy_chooses_a_method_that_takes_constraints) {
+  auto const text = changed(sleigh("[method]\nname = \"natural_chart\"\norder = 4\nstep = 0.05\n", ""),
+                            "until = 4", "until = 4\naccuracy = 1e-8");
+  auto const row = last_row(text);
+  BOOST_TEST(std::abs(row[0] - 1 / std::cosh(2.0)) < 1e-8);
+  BOOST_TEST(std::abs(row[1] - std::tanh(2.0)) < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_is_a_place_of_the_body) {
   // A point that is a fifth ahead of the blade, seen from above.
   auto const text = changed(sleigh("parameters", "contact = [\"0.2\", \"0\"]\nparameters"), "\"velocity\"",

@@ -35,6 +35,15 @@ struct ConstrainedStartKeys : KeyTable {
       "true");
 } const start_keys{{"initial"}};
 
+struct ConstrainedMethodKeys : KeyTable {
+  Key<std::string> conserve = key(
+      "conserve", one_of("value of conserve", {"energy"}), LeftOut{"what the method conserves"},
+      "Of steps with system.constraints in cayley_chart: whether they conserve the energy, to rounding. The "
+      "Lagrangian is then a kinetic energy with constant coefficients less a potential. Not the velocities "
+      "shown obey the constraints, but those of the steps.",
+      "\"energy\"");
+} const method_keys{{"method"}};
+
 /// How far a velocity may break a constraint without being moved, relative to what that is of a velocity of
 /// this size.
 constexpr double allowed = 1e-6;
@@ -43,6 +52,7 @@ constexpr double allowed = 1e-6;
 
 KeyTable const& constraint_keys() { return keys; }
 KeyTable const& constrained_start_keys() { return start_keys; }
+KeyTable const& constrained_method_keys() { return method_keys; }
 
 std::vector<Tape> read_constraints(SceneTable const& system, std::vector<std::string> names,
                                    std::map<std::string, double> const& parameters,
@@ -115,6 +125,26 @@ void constrain(SceneFile const& file, std::vector<Tape> const& each, ReducedScen
     remarks.push_back(fmt::format(
         "velocity: it broke the constraints by {:.2g} of its size, and was moved on them", state.moved));
   scene.velocity = state.velocity, scene.start = state.point;
+}
+
+bool conserves_energy(SceneTable const& method, std::string const& name, ReducedScene const& scene) {
+  auto const& key = method_keys.conserve;
+  if (!key.given(method)) return false;
+  key.read(method);
+  if (!scene.constraints)
+    key.fail(method,
+             "it is for steps with system.constraints; others have an error of the energy that stays "
+             "bounded");
+  if (name != "cayley_chart")
+    key.fail(method, fmt::format("it needs the chart by Cayley's transform, name = \"cayley_chart\", and the "
+                                 "scene has {}",
+                                 name));
+  try {
+    systems::require_constant_metric(*scene.system);
+  } catch (Error const& error) {
+    key.fail(method, error.what());
+  }
+  return true;
 }
 
 bool constraints_move(ReducedScene const& scene) {

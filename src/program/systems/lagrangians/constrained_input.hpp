@@ -1,4 +1,5 @@
-// What a scene says of constraints on the velocity: `system.constraints` and `initial.project`.
+// What a scene says of constraints on the velocity: `system.constraints`, `system.contact`,
+// `initial.project` and `method.conserve`.
 #pragma once
 
 #include <map>
@@ -10,8 +11,9 @@
 
 namespace actio::scene {
 
-KeyTable const& constraint_keys();         ///< in [system]
-KeyTable const& constrained_start_keys();  ///< in [initial]
+KeyTable const& constraint_keys();          ///< in [system]
+KeyTable const& constrained_start_keys();   ///< in [initial]
+KeyTable const& constrained_method_keys();  ///< in [method]
 
 /// The formulas that vanish, in the velocity, the vectors and the time `t`; none where the scene has none.
 /// @param names  of the components of velocity and vectors
@@ -37,6 +39,11 @@ std::vector<Tape> read_contact(SceneTable const& system, systems::MatrixAlgebra 
 ///                     leave no motion, and where the velocity at the start breaks them
 void constrain(SceneFile const& file, std::vector<Tape> const& each, ReducedScene& scene,
                std::vector<std::string>& remarks);
+
+/// Whether steps conserve the energy: `method.conserve`.
+/// @param name  of the method
+/// @throws SceneError  where they cannot, with the reason
+bool conserves_energy(SceneTable const& method, std::string const& name, ReducedScene const& scene);
 
 /// Whether some constraint does not hold at rest: a table that turns, a belt that runs.
 bool constraints_move(ReducedScene const& scene);

@@ -2,7 +2,6 @@
 // vectors.
 #include <fmt/format.h>
 
-#include "actio/nonholonomic/conserving_step.hpp"
 #include "actio/reduction/composition.hpp"
 #include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
@@ -29,15 +28,6 @@ StepKeys const reduced_step{
     "group turns, or the linearized equations of motion swing or grow; a hundredth of the time "
     "between two rows where nothing does.",
     "0.01"};
-
-struct ReducedMethodKeys : KeyTable {
-  Key<std::string> conserve = key(
-      "conserve", one_of("value of conserve", {"energy"}), LeftOut{"what the method conserves"},
-      "Of steps with system.constraints in cayley_chart: whether they conserve the energy, to rounding. The "
-      "Lagrangian is then a kinetic energy with constant coefficients less a potential. Not the velocities "
-      "shown obey the constraints, but those of the steps.",
-      "\"energy\"");
-} const reduced_method_keys{{"method"}};
 
 std::vector<Method> methods() {
   return {
@@ -71,28 +61,6 @@ bool asked(Request const& request, std::initializer_list<char const*> names) {
     for (char const* const one : names)
       if (name == one) return true;
   return false;
-}
-
-/// Whether steps conserve the energy.
-/// @throws SceneError  where they cannot, with the reason
-bool conserves_energy(SceneTable const& method, std::string const& name, ReducedScene const& scene) {
-  auto const& key = reduced_method_keys.conserve;
-  if (!key.given(method)) return false;
-  key.read(method);
-  if (!scene.constraints)
-    key.fail(method,
-             "it is for steps with system.constraints; others have an error of the energy that stays "
-             "bounded");
-  if (name != "cayley_chart")
-    key.fail(method, fmt::format("it needs the chart by Cayley's transform, name = \"cayley_chart\", and the "
-                                 "scene has {}",
-                                 name));
-  try {
-    systems::require_constant_metric(*scene.system);
-  } catch (Error const& error) {
-    key.fail(method, error.what());
-  }
-  return true;
 }
 
 ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
@@ -267,7 +235,9 @@ Simulation prepare(Request const& request) {
 /// The cheapest one that takes what acts on the system.
 std::string method_for_accuracy(SceneFile const& file) {
   SceneTable const system = file.section("system");
-  return force_keys.force.given(system) || system.has("dissipation") ? "natural_chart" : "momentum_level";
+  bool const free =
+      !force_keys.force.given(system) && !system.has("dissipation") && !system.has("constraints");
+  return free ? "momentum_level" : "natural_chart";
 }
 
 }  // namespace
@@ -280,7 +250,7 @@ System euler_poincare_system() {
       "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
       "vectors that the motion carries.",
       "chapters 2 to 4",
-      records_of({reduced_parameters(), reduced_method_keys, reduced_step, accuracy_keys}),
+      records_of({reduced_parameters(), constrained_method_keys(), reduced_step, accuracy_keys}),
       methods(),
       reduced_quantities(),
       prepare,
