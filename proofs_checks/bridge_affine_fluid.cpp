@@ -55,9 +55,7 @@ struct OnSquares {
   }
 };
 template <class S, int n>
-actio::Matrix<S, n * n, 1> column(actio::Matrix<S, n, n> const& m) {
-  return m.reshaped();
-}
+actio::Matrix<S, n * n, 1> column(actio::Matrix<S, n, n> const& m) { return m.reshaped(); }
 
 /// \f$m = \mathrm{tr}\,(\dot AA^{-1})^2/\mathrm{tr}\,(A^{-1}A^{-T})\f$, with which \f$\ddot A = mA^{-T}\f$
 /// preserves the determinant.

@@ -28,9 +28,7 @@ Matrix<S> summed_by_power(Matrix<S> const& rows, int n) {
   return sums;
 }
 template <class S>
-Matrix<S> tensor_at(Matrix<S> const& m) {
-  return lie_poisson_tensor_plus(as_momentum(m));
-}
+Matrix<S> tensor_at(Matrix<S> const& m) { return lie_poisson_tensor_plus(as_momentum(m)); }
 /// \f$\det(1-\lambda M-\lambda^2\Lambda^2)\f$ by elimination: not through the library's recursion.
 template <class S>
 S determinant(Matrix<S> a) {

@@ -47,9 +47,7 @@ Velocity<SpannedGroup, T> reduced(Side side, State<SpannedGroup, T> const& v) {
 }
 /// l of that velocity.
 template <class F>
-auto invariant(Side side, F const& l) {
-  return [=](auto const& v) { return l(reduced(side, v)); };
-}
+auto invariant(Side side, F const& l) { return [=](auto const& v) { return l(reduced(side, v)); }; }
 /// The frame of a chart with its columns translated to the identity on a side.
 template <class Chart, class T>
 Matrix<T> frame_on(Side side, Chart const& chart, Vector<T> const& q) {
@@ -314,9 +312,7 @@ Momentum<SpannedGroup, T> reduced(Side side, Costate<SpannedGroup, T> const& p) 
 }
 /// h of that momentum.
 template <class H>
-auto invariant_function(Side side, H const& h) {
-  return [=](auto const& p) { return h(reduced(side, p)); };
-}
+auto invariant_function(Side side, H const& h) { return [=](auto const& p) { return h(reduced(side, p)); }; }
 template <class S, class H>
 Momentum<SpannedGroup, S> lie_poisson_rate(Side side, H const& h, Momentum<SpannedGroup, S> const& mu) {
   return side == Side::right ? lie_poisson_rate_right(h, mu) : lie_poisson_rate_left(h, mu);
@@ -538,13 +534,9 @@ struct LegendreTransform {
   Velocity<SpannedGroup, S> form;  // the group
 
   template <class T>
-  T operator()(Momentum<SpannedGroup, T> const& y) const {
-    return value(y.components);
-  }
+  T operator()(Momentum<SpannedGroup, T> const& y) const { return value(y.components); }
   template <class T>
-  T operator()(Velocity<SpannedGroup, T> const& y) const {
-    return value(y.coordinates);
-  }
+  T operator()(Velocity<SpannedGroup, T> const& y) const { return value(y.coordinates); }
 
  private:
   template <class T>

@@ -39,9 +39,7 @@ template <class F>
 struct OnFirst {
   F f;
   template <class T>
-  T operator()(GroupElement<T> const& g0, GroupElement<T> const&) const {
-    return f(g0);
-  }
+  T operator()(GroupElement<T> const& g0, GroupElement<T> const&) const { return f(g0); }
 };
 /// SO(3) and Aff(1): for third derivatives.
 std::vector<SpannedGroup> const& small_groups() {

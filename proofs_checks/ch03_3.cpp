@@ -459,9 +459,7 @@ template <class S>
 struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
-  T operator()(State<SpannedGroup, T> const& state) const {
-    return contract(w, state.configuration.value);
-  }
+  T operator()(State<SpannedGroup, T> const& state) const { return contract(w, state.configuration.value); }
 };
 /// A base point and two configurations far from it and from each other, all in one chart.
 template <class S>

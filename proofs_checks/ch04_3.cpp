@@ -248,9 +248,7 @@ Corner<S> draw_corner(Draw& draw, SpannedGroup const& group) {
 /// The form of the leaf on the corner's two vectors: that of the orbit, <mu, [eta, zeta]>, since the momentum
 /// moves by -ad*.
 template <class S>
-S orbit_value(Corner<S> const& c) {
-  return pair(c.mu, bracket(c.eta, c.zeta));
-}
+S orbit_value(Corner<S> const& c) { return pair(c.mu, bracket(c.eta, c.zeta)); }
 template <class S>
 S scale_of(Corner<S> const& c) {
   return S(size_of(c.mu) * size_of(c.eta) * size_of(c.zeta) * Base<S>(c.f.group.dimension()));

@@ -65,9 +65,7 @@ template <class S>
 struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
-  T operator()(State<SpannedGroup, T> const& state) const {
-    return contract(w, state.configuration.value);
-  }
+  T operator()(State<SpannedGroup, T> const& state) const { return contract(w, state.configuration.value); }
 };
 
 }  // namespace

@@ -13,9 +13,7 @@ namespace {
 
 /// A step that is no power of 2: a factor of it that is lost shows.
 template <class S>
-S step() {
-  return ratio<S>(3, 7);
-}
+S step() { return ratio<S>(3, 7); }
 /// \f$g_1^T(g_1 - g_0)/h\f$, (5.5).
 template <class S>
 Matrix<S> difference_at_end(Matrix<S> const& g0, Matrix<S> const& g1, S const& h) {

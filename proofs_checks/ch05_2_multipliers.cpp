@@ -20,17 +20,11 @@ using namespace actio::checks;
 namespace {
 
 template <class S>
-Matrix<S> symmetric_half(Matrix<S> const& m) {
-  return (m + m.transpose()) / S(2);
-}
+Matrix<S> symmetric_half(Matrix<S> const& m) { return (m + m.transpose()) / S(2); }
 template <class S>
-Matrix<S> skew_half(Matrix<S> const& m) {
-  return (m - m.transpose()) / S(2);
-}
+Matrix<S> skew_half(Matrix<S> const& m) { return (m - m.transpose()) / S(2); }
 template <class S>
-Matrix<Dual<S>> fixed(Matrix<S> const& m) {
-  return m.template cast<Dual<S>>();
-}
+Matrix<Dual<S>> fixed(Matrix<S> const& m) { return m.template cast<Dual<S>>(); }
 /// How the constrained action of three configurations changes with the middle one: dual numbers on (5.6), the
 /// definition.
 template <class S>
@@ -49,14 +43,10 @@ Vector<S> components(SpannedGroup const& group, Matrix<S> const& m) {
 }
 /// \f$\ell'(f)\cdot v = \mathrm{Tr}(v\Lambda)\f$, for any matrix v.
 template <class S>
-S slope_of_trace(Matrix<S> const& lambda, Matrix<S> const& v) {
-  return Matrix<S>(v * lambda).trace();
-}
+S slope_of_trace(Matrix<S> const& lambda, Matrix<S> const& v) { return Matrix<S>(v * lambda).trace(); }
 /// Size of the terms of the equations at a configuration.
 template <class S>
-S pull_of(Matrix<S> const& lambda) {
-  return S(magnitude(lambda)) * static_cast<int>(lambda.rows());
-}
+S pull_of(Matrix<S> const& lambda) { return S(magnitude(lambda)) * static_cast<int>(lambda.rows()); }
 
 }  // namespace
 

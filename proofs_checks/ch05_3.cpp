@@ -274,9 +274,7 @@ ChartMotion<S> draw_chart_motion(Draw& draw) {
 }
 /// \f$\langle\mu, J^{-1}\mu\rangle\f$, twice the energy of a momentum.
 template <class S>
-S twice_energy(Vector<S> const& moments, Vector<S> const& mu) {
-  return mu.dot(mu.cwiseQuotient(moments));
-}
+S twice_energy(Vector<S> const& moments, Vector<S> const& mu) { return mu.dot(mu.cwiseQuotient(moments)); }
 
 /// A component of the intersection of a sphere of momenta with an energy ellipsoid. It surrounds the axis e
 /// of the least or the greatest moment: \f$M_o = A_o\cos\varphi\f$, \f$M_m = A_m\sin\varphi\f$ about it, and

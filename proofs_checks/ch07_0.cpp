@@ -101,9 +101,7 @@ Matrix<T, 4, 1> rates_by_restriction(T const& y, Matrix<T, 2, 1> const& velocity
 }
 /// Jerks from accelerations that move.
 template <class S>
-Matrix<S, 3, 1> rates_of(Matrix<Dual<S>, 4, 1> const& rates) {
-  return rate_of(rates).template head<3>();
-}
+Matrix<S, 3, 1> rates_of(Matrix<Dual<S>, 4, 1> const& rates) { return rate_of(rates).template head<3>(); }
 /// dz = y dx and the free particle, for the library.
 struct Contact {
   static constexpr int components = 1;

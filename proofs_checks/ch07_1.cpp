@@ -31,13 +31,9 @@ template <class S>
 struct FibreMetric {
   AnyMetric<S, 2> g;
   template <class T>
-  auto frame(Numbers<T, 4> const& q) const {
-    return g.frame(Numbers<T, 2>(q[0], q[3]));
-  }
+  auto frame(Numbers<T, 4> const& q) const { return g.frame(Numbers<T, 2>(q[0], q[3])); }
   template <class T>
-  auto operator()(Numbers<T, 4> const& q) const {
-    return g(Numbers<T, 2>(q[0], q[3]));
-  }
+  auto operator()(Numbers<T, 4> const& q) const { return g(Numbers<T, 2>(q[0], q[3])); }
 };
 
 /// A cubic with a linear function added, so that its differential at one point is what it should be.

@@ -51,18 +51,12 @@ AnyMultiplier<S, n, k> draw_multiplier(Draw& draw) {
 
 /// The opposite of a field.
 template <class S, class A>
-SumOfFields<A, A, S> opposite(A const& field) {
-  return {field, field, S(-2)};
-}
+SumOfFields<A, A, S> opposite(A const& field) { return {field, field, S(-2)}; }
 /// The augmented density, and a section with its multiplier.
 template <class L, class Phi>
-AugmentedDensity<L, Phi> augmented(L const& density, Phi const& constraint) {
-  return {density, constraint};
-}
+AugmentedDensity<L, Phi> augmented(L const& density, Phi const& constraint) { return {density, constraint}; }
 template <class A, class B>
-ExtendedSection<A, B> extended(A const& phi, B const& lambda) {
-  return {phi, lambda};
-}
+ExtendedSection<A, B> extended(A const& phi, B const& lambda) { return {phi, lambda}; }
 
 /// A polynomial that vanishes on the sides of the unit box, times a vector.
 template <class S, int N>
@@ -118,15 +112,11 @@ struct QuadraticConstraint {
   static constexpr int components = 1;
   Quadratic<S, n, N> c;
   template <class T>
-  Matrix<T, 1, 1> operator()(Jet<T, n, N> const& j) const {
-    return Matrix<T, 1, 1>(c(j));
-  }
+  Matrix<T, 1, 1> operator()(Jet<T, n, N> const& j) const { return Matrix<T, 1, 1>(c(j)); }
 };
 
 template <class S, int n>
-Box<S, n> unit_box() {
-  return {Event<S, n>::Zero(), Event<S, n>::Ones()};
-}
+Box<S, n> unit_box() { return {Event<S, n>::Zero(), Event<S, n>::Ones()}; }
 
 /// Bodies as large as their space, and smaller ones.
 using ConstrainedDimensions =

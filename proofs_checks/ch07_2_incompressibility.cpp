@@ -150,9 +150,7 @@ struct KeptVolume {
   }
   /// The root of its determinant, without a root.
   template <class V>
-  auto root(V const& body) const {
-    return ScalarOf<V>(determinant(frame(body)));
-  }
+  auto root(V const& body) const { return ScalarOf<V>(determinant(frame(body))); }
 };
 /// The body of a point of space-time.
 template <class V>

@@ -42,9 +42,7 @@ template <class L>
 struct WithMovingMultiplier {
   L density;
   template <class S, int n, int M>
-  S operator()(Jet<S, n, M> const& j) const {
-    return density(j) + j.v(M - 1, 1) * j.v(M - 1, 1) / S(2);
-  }
+  S operator()(Jet<S, n, M> const& j) const { return density(j) + j.v(M - 1, 1) * j.v(M - 1, 1) / S(2); }
 };
 
 }  // namespace
@@ -194,9 +192,7 @@ template <class L>
 struct WithSquaredMultiplier {
   L density;
   template <class S, int n, int M>
-  S operator()(Jet<S, n, M> const& j) const {
-    return density(j) + j.y[M - 1] * j.y[M - 1] / S(2);
-  }
+  S operator()(Jet<S, n, M> const& j) const { return density(j) + j.y[M - 1] * j.y[M - 1] / S(2); }
 };
 
 }  // namespace

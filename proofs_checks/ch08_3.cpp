@@ -309,9 +309,7 @@ struct AccelerationOf {
   Metric g;
   Phi phi;
   template <class V>
-  auto operator()(V const& x) const {
-    return material_acceleration(g, second_jet(phi, x));
-  }
+  auto operator()(V const& x) const { return material_acceleration(g, second_jet(phi, x)); }
 };
 template <class Metric, class Phi>
 AccelerationOf(Metric, Phi) -> AccelerationOf<Metric, Phi>;

@@ -33,9 +33,7 @@ struct StreamAtWall {
   Wall<S, n> wall;
   Cubic<S, n + 1> cubic;
   template <class V>
-  auto operator()(V const& at) const {
-    return ScalarOf<V>(wall(at) * cubic(at));
-  }
+  auto operator()(V const& at) const { return ScalarOf<V>(wall(at) * cubic(at)); }
 };
 template <class S, int n>
 using FieldAlongWall = SolenoidalField<S, n, MetricOfVolume<S, n>, StreamAtWall<S, n>>;
@@ -78,9 +76,7 @@ template <class Field>
 struct Swollen {
   Field u;
   template <class V>
-  auto operator()(V const& y) const {
-    return (u(y) + y * (y[0] * y[1])).eval();
-  }
+  auto operator()(V const& y) const { return (u(y) + y * (y[0] * y[1])).eval(); }
 };
 template <class Field>
 Swollen(Field) -> Swollen<Field>;
@@ -126,9 +122,7 @@ struct Varied {
     return moved(at, true).template tail<n>().eval();
   }
   template <class V>
-  auto particle(V const& y) const {
-    return motion.particle(moved(y.eval(), false));
-  }
+  auto particle(V const& y) const { return motion.particle(moved(y.eval(), false)); }
 };
 template <class S, int n, class Epsilon>
 Varied(Shears<S, n>, Shears<S, n>, Epsilon) -> Varied<S, n, Epsilon>;

@@ -162,9 +162,7 @@ template <class L>
 struct Ageing {
   L density;
   template <class S, int n, int N>
-  S operator()(Jet<S, n, N> const& j) const {
-    return density(j) * (j.x[0] + 2);
-  }
+  S operator()(Jet<S, n, N> const& j) const { return density(j) * (j.x[0] + 2); }
 };
 /// Time runs on at a rate that grows.
 struct GrowingTime {

@@ -18,14 +18,10 @@ namespace {
 
 /// A section of second degree.
 template <class S, int n>
-AnySection<S, n, n> draw_quadratic_section(Draw& draw) {
-  return draw_section_of_degree<S, n, n>(draw, 2);
-}
+AnySection<S, n, n> draw_quadratic_section(Draw& draw) { return draw_section_of_degree<S, n, n>(draw, 2); }
 /// The box of the integrals.
 template <class S>
-Box<S, 2> the_box() {
-  return {{S(0), S(0), ratio<S>(-1, 3)}, {S(1), ratio<S>(1, 2), ratio<S>(1, 3)}};
-}
+Box<S, 2> the_box() { return {{S(0), S(0), ratio<S>(-1, 3)}, {S(1), ratio<S>(1, 2), ratio<S>(1, 3)}}; }
 
 /// A finite isometry of a flat space, by the angle of the triangle 3, 4, 5 in the frame of the metric, with a
 /// shift; and a shift of time.

@@ -17,9 +17,7 @@ template <class L>
 struct Ageing {
   L density;
   template <class S, int n, int N>
-  S operator()(Jet<S, n, N> const& j) const {
-    return density(j) * (j.x[0] + 1);
-  }
+  S operator()(Jet<S, n, N> const& j) const { return density(j) * (j.x[0] + 1); }
 };
 
 /// The rate \f$\dot e\f$ of the energy density along a section.

@@ -99,8 +99,9 @@ STATEMENT(claim_10_0_nonholonomic_constraints,
       "restriction is right for relativistic fields, where no coordinate is singled out, the text leaves "
       "open, and there is nothing to compute. Discretely, on a group with an advected vector in Lagrangian "
       "and constraints, the principle of Lagrange and d'Alembert reduces: the body momentum jumps at a node "
-      "by a combination of the rows. So the momentum along an allowed section obeys the equation of the free "
-      "step, and over a step of a rolling ball the momentum about the contact turns with the plane.");
+      "by a combination of the rows, as the Lagrange equations on the action groupoid say with a reaction at "
+      "the point where two arrows meet. So the momentum along an allowed section obeys the equation of the "
+      "free step, and over a step of a rolling ball the momentum about the contact turns with the plane.");
   restrict_to_allowed_curves<S, 3, 1>(claim, draw, false, "one linear constraint in R^3");
   restrict_to_allowed_curves<S, 5, 2>(claim, draw, true, "two affine constraints in R^5");
   compare_accelerations<S, 3, 1>(claim, draw, false, "one linear constraint in R^3");

@@ -29,9 +29,7 @@ Event<T, n> stress_energy(L const& density, Jet<T, n, N> const& j, int nu) {
 }
 /// The field \f$\partial/\partial x^\nu\f$ on Y.
 template <class S, int n, int N>
-AnyVariation<S, n, N> shift(int nu) {
-  return AnyVariation<S, n, N>::coordinate(nu, S(1));
-}
+AnyVariation<S, n, N> shift(int nu) { return AnyVariation<S, n, N>::coordinate(nu, S(1)); }
 /// A section's values as a vertical field on Y.
 template <class W>
 struct Upright {
@@ -52,9 +50,7 @@ struct OnSpaceTime {
   static constexpr int rows = n + 1;
   Values values;
   template <class V>
-  auto operator()(V const& x) const {
-    return values(x);
-  }
+  auto operator()(V const& x) const { return values(x); }
 };
 /// An n-form from the components of a current.
 template <int n, class Current>
@@ -81,9 +77,7 @@ struct AlongDirection {
     return rate_of(stress_energy(density, varied(first_jet(phi, x), first_jet(W, x)), of));
   }
   template <class T>
-  Event<T, n> change(Event<T, n> const& x) const {
-    return change(x, nu);
-  }
+  Event<T, n> change(Event<T, n> const& x) const { return change(x, nu); }
   /// \f$\partial_\nu(p^\mu\cdot W) - \delta^\mu_\nu\,\partial_\kappa(p^\kappa\cdot W)\f$, or its first term.
   template <class T>
   Event<T, n> curl(Event<T, n> const& x, bool both = true) const {

@@ -207,9 +207,7 @@ struct Patch {
     return sum;
   }
   template <class T>
-  Nodal<T> forces(Nodal<T> const& q) const {
-    return forces<T>(q, [](Element const&, int) { return S(1); });
-  }
+  Nodal<T> forces(Nodal<T> const& q) const { return forces<T>(q, [](Element const&, int) { return S(1); }); }
   /// The action at rest.
   template <class T>
   T action(Nodal<T> const& q) const {

@@ -39,9 +39,7 @@ struct Relabelled {
     return at;
   }
   template <class V>
-  auto operator()(V const& x) const {
-    return phi(label(x));
-  }
+  auto operator()(V const& x) const { return phi(label(x)); }
   template <class V>
   auto particle(V const& y) const {
     auto at = phi.particle(y).eval();
@@ -101,9 +99,7 @@ struct VariedInSpace {
     return displaced(at, 1).template tail<V::RowsAtCompileTime - 1>().eval();
   }
   template <class V>
-  auto particle(V const& y) const {
-    return phi.particle(displaced(y.eval(), -1));
-  }
+  auto particle(V const& y) const { return phi.particle(displaced(y.eval(), -1)); }
 };
 template <class Phi, class Field, class Epsilon>
 VariedInSpace(Phi, Field, Epsilon) -> VariedInSpace<Phi, Field, Epsilon>;
@@ -302,9 +298,7 @@ struct EntropyFluid {
     return root * mass * (inner(g(j.y), v, v) / T(2) - energy(T(mass / J), entropy));
   }
   template <class T>
-  T operator()(Jet<T, n, n> const& j) const {
-    return density(j, T(rho(j.particle())), T(s(j.particle())));
-  }
+  T operator()(Jet<T, n, n> const& j) const { return density(j, T(rho(j.particle())), T(s(j.particle()))); }
   /// The size of what is subtracted in it.
   S terms(Jet<S, n, n> const& j) const {
     S const mass = rho(j.particle()) * volume<S>(G(j.particle())), whole = (*this)(j),
@@ -354,9 +348,7 @@ struct OfOtherCoordinates {
     for (auto* vector : {&f.a, &f.b, &f.d, &f.e}) (*vector)[0] = S(0);
   }
   template <class V>
-  auto operator()(V const& x) const {
-    return ScalarOf<V>(f(chart(x)) + ScalarOf<V>(least));
-  }
+  auto operator()(V const& x) const { return ScalarOf<V>(f(chart(x)) + ScalarOf<V>(least)); }
 };
 
 /// \f$\partial_tf + df(u)\f$ and \f$\partial_tf + \mathrm{div}(fu)\f$ at a point.

@@ -142,9 +142,7 @@ BoxPolynomial<S, 2> laplacian_of(BoxPolynomial<S, 2> const& f) {
   return f.slope(0).slope(0) + f.slope(1).slope(1);
 }
 template <class S>
-S at_zero(BoxPolynomial<S, 2> const& f) {
-  return f(Matrix<S, 2, 1>(Matrix<S, 2, 1>::Zero()));
-}
+S at_zero(BoxPolynomial<S, 2> const& f) { return f(Matrix<S, 2, 1>(Matrix<S, 2, 1>::Zero())); }
 /// \f$f - \alpha^2\Delta f\f$.
 template <class S>
 BoxPolynomial<S, 2> filtered(BoxPolynomial<S, 2> const& f, S const& alpha_squared) {
@@ -173,9 +171,7 @@ FieldsInTime<S, 2> averaged_force(FieldsInTime<S, 2> const& u, FieldsInTime<S, 2
   return force;
 }
 template <class S>
-BoxPolynomial<S, 3> curl_of(FieldsInTime<S, 2> const& u) {
-  return u[1].slope(1) - u[0].slope(2);
-}
+BoxPolynomial<S, 3> curl_of(FieldsInTime<S, 2> const& u) { return u[1].slope(1) - u[0].slope(2); }
 
 /// \f$\int_0^\infty e^{-x\cosh t}\cosh^m t\,dt\f$, the functions of Bessel that decay, for m = 0, 1, 2: the
 /// trapezoidal rule, whose error is \f$e^{-\pi^2/h}\f$.

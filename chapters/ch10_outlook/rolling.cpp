@@ -16,7 +16,7 @@
 
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/formula/parse_formula.hpp"
-#include "actio/nonholonomic/rattle_integrator.hpp"
+#include "actio/nonholonomic/constrained_integrator.hpp"
 #include "actio/nonholonomic/rolling_steps.hpp"
 #include "actio/reduction/composition.hpp"
 #include "book/measure.hpp"

@@ -2,6 +2,8 @@
 // displacements that constraints allow, on a group and reduced by it; and a ball that rolls.
 #pragma once
 
+#include "actio/groupoid/action_groupoid.hpp"
+#include "actio/groupoid/lagrange_equations.hpp"
 #include "actio/reduction/advected.hpp"
 
 #include "models.hpp"
@@ -91,6 +93,21 @@ void move_under_constraints(Claim<S>& claim, Draw& draw, SpannedGroup const& gro
              condition);
   claim.refutes("work of (3.2) on a displacement that is not allowed", name,
                 pair(unreduced, displaced(g1, other)), S(1));
+
+  // On the action groupoid an arrow has the element g0^-1 g1 and the vector at its source. Reactions are
+  // combinations of the rows at the point where two arrows meet.
+  ActionGroupoid<SpannedGroup> const gamma{group};
+  auto const on_arrows = [&](auto const& arrow) { return l(inverse(arrow.element), arrow.vector); };
+  ActionArrow<SpannedGroup, S> const first{inverse(f10), a0}, second{inverse(f21), a1};
+  Vector<S> const on_groupoid = lagrange_equations(gamma, on_arrows, first, second);
+  claim.equal("residual on the action groupoid = momenta of the steps", name, on_groupoid,
+              Vector<S>(-jump(l).components), condition);
+  claim.zero("the same with the reaction at the point where the arrows meet", name,
+             Vector<S>(on_groupoid + reaction.components), S(1), condition);
+  claim.refutes("with rows at the source of the first arrow", name,
+                Vector<S>(on_groupoid + rows.at(a0).transpose() * lambda), S(1));
+  claim.differs("residual of the arrows in the other order", name,
+                Vector<S>(lagrange_equations(gamma, on_arrows, second, first)), on_groupoid);
 
   // The nonholonomic momentum equation: along allowed sections reactions drop out.
   S const before =

@@ -75,6 +75,12 @@ std::map<std::string, std::string> with_example(std::map<std::string, std::strin
   return values;
 }
 
+/// Steps with constraints conserve the energy in one chart.
+void add_conserving(std::map<std::string, std::string>& values, std::string const& system) {
+  if (system != "euler_poincare") return;
+  values["method.name"] = "\"cayley_chart\"", values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(keys)
@@ -112,6 +118,8 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
         values["system.lagrangian"] = "\"(w^2 + v1^2 + c*v2^2 + angle_rate^2 - angle^2)/2\"",
         values["initial.velocity"] = "[0.1, 0.7, 1.0, 0.2]";
       if (key["key"] == "system.definitions") values["system.lagrangian"] = "\"(w^2 + v1^2 + side)/2\"";
+      if (key["key"] == "method.conserve") add_conserving(values, system["name"]);
+      if (key["key"] == "system.contact") values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
       if (key["key"] == "system.inputs") values["system.force"] = "{ v1 = \"thrust\" }";
       if (key["key"] == "system.advected") values["output.quantities"] = "[\"gravity\"]";
       if (key["key"] == "system.loops") values["output.quantities"] = "[\"circulation\"]";
@@ -180,8 +188,11 @@ BOOST_AUTO_TEST_CASE(words_that_are_allowed_are_those_that_are_taken) {
         values[key["key"]] = has(key["expects"], "list") ? "[" + quoted + "]" : number ? text : quoted;
         // A format of snapshots, where there are snapshots.
         if (text == "netcdf" || text == "vtu") values["output.snapshots"] = "[]";
-        // Reactions are of constraints.
-        if (text == "reaction" || text == "constraint") values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
+        // Reactions and contacts are of constraints.
+        if (text == "reaction" || text == "constraint" || text == "contact")
+          values["system.constraints"] = "[\"v2 - 0.2*v1\"]";
+        if (text == "contact") values["system.contact"] = "[\"0.3\", \"0\"]";
+        if (key["key"] == "method.conserve") add_conserving(values, system["name"]);
         // Friction has a rate.
         if (text == "conformal" || text == "orbit") values["system.dissipation.rate"] = "0.1";
         // A layer has a radius.

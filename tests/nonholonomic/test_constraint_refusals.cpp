@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/nonholonomic/conserving_integrator.hpp"
+#include "actio/nonholonomic/constrained_integrator.hpp"
 #include "actio/reduction/composition.hpp"
 #include "refused.hpp"
 #include "rolling_systems.hpp"
@@ -89,6 +89,28 @@ BOOST_AUTO_TEST_CASE(a_disc_that_lies_flat_has_no_point_of_contact) {
   Constrained const disc("SE(3)", "(w1^2/4 + w2^2/4 + w3^2/2 + v1^2 + v2^2 + v3^2)/2 - q", point_rests, {"u"},
                          {}, "q = sqrt(u1^2 + u2^2); r1 = -u1/q; r2 = -u2/q; r3 = 0*u3;");
   CHECK_REFUSED(disc.state({0, 0, 1, 0, 0, 0}, {0, 0, 1, 0}), NotFinite);
+}
+
+BOOST_AUTO_TEST_CASE(rows_that_turn_too_far_in_a_step_are_refused_with_the_angle) {
+  // A disc that falls on its side: the contact goes to the other end of its diameter at once.
+  Constrained const disc("SE(3)", "(w1^2/4 + w2^2/4 + w3^2/2 + v1^2 + v2^2 + v3^2)/2 - 10*q", point_rests,
+                         {"u"}, {}, "q = sqrt(u1^2 + u2^2); r1 = -u1/q; r2 = -u2/q; r3 = 0*u3;");
+  auto run = disc.run(0.01, {1}, disc.state({0, 0, 0, 0, 0, 0}, {0.6, 0, 0.8, 0}));
+  auto const fall = [&] {
+    for (int k = 0; k < 1000; ++k) run.step();
+  };
+  CHECK_REFUSED(fall(), RowsTurn);
+  // It is left as it was before that step, with the contact on its first side.
+  BOOST_TEST(run.point().vectors[0] > 0);
+  BOOST_TEST(run.point().vectors[0] < 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(friction_on_the_orbit_goes_with_no_constraints) {
+  auto const body = turning({"w1"});
+  auto rubbed = std::make_shared<ReducedSystem>(*body.system);
+  rubbed->dissipation = Dissipation{Dissipation::Kind::orbit, 0.1, Eigen::MatrixXd::Identity(3, 3)};
+  auto const start = body.state({0, 0, 1}, {1, 2, 0});
+  CHECK_REFUSED(RattleIntegrator(rubbed, body.constraints, 0.1, {1}, start), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(energy_is_conserved_for_constant_kinetic_energies_in_cayleys_chart) {

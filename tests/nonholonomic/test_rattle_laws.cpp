@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "actio/any_group/momentum_across.hpp"
 #include "actio/reduction/composition.hpp"
 #include "rolling_systems.hpp"
 #include "saved_numbers.hpp"
@@ -128,6 +129,55 @@ BOOST_AUTO_TEST_CASE(the_energy_of_a_run_stays_near_its_start) {
   double const coarse = change(0.1), fine = change(0.05);
   BOOST_TEST_MESSAGE("energy of the sleigh: " << coarse << " " << fine);
   BOOST_TEST(std::abs(std::log2(coarse / fine) - 2) < 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_velocity_that_vanishes_to_rounding_obeys) {
+  // What a constraint leaves of a velocity is small beside the whole of it, and not beside itself: a skate
+  // that a weight drives has v2 = 0 alone.
+  Constrained const skate("SE(2)", "(v1^2 + v2^2 + w^2)/2 - d1*q1 - d2*q2", {"v2"}, {"d", "q"});
+  auto const start = skate.state({1.5, 0, 1e-17}, {1, 0, 0, 0, 0, 1});
+  BOOST_TEST(start.moved < 1e-16);
+  auto run = skate.run(0.02, symmetric_composition<double>(4), start);
+  for (int k = 0; k < 100; ++k) run.step();
+  BOOST_TEST(std::abs(run.state().velocity[1] - std::sin(1.5 * 2) / 1.5) < std::pow(0.02 * 1.5, 4));
+}
+
+BOOST_AUTO_TEST_CASE(forces_and_reactions_explain_the_momentum_and_the_energy) {
+  // On either side, in either chart, with vectors in the constraints alone: all of the momentum of the
+  // symmetry.
+  for (Side const side : {Side::left, Side::right})
+    for (Chart const chart : {Chart::exponential, Chart::cayley})
+      for (int const order : {2, 4}) {
+        Constrained system("SE(3)", "(w1^2 + 2*w2^2 + 2.5*w3^2 + w1*w2/3 + v1^2 + v2^2 + v3^2)/2 + v1*w2/5",
+                           {"v1 + w2*u3 - w3*u2 + w1*u4/2 - sin(t)", "v2 + (w3*u1 - w1*u3)*(1 + u1^2/4)"},
+                           {"u"}, {}, "", chart, side);
+        auto const start =
+            constrained_state(*system.system, *system.constraints, uneven_velocity, uneven_vector, 0, 10);
+        auto run = system.run(0.05, symmetric_composition<double>(order), start);
+        run.follow_configuration(Eigen::MatrixXd::Identity(4, 4));
+        run.follow_ledger();
+        auto const momentum = [&] {
+          Eigen::MatrixXd const g = run.configuration(), back = g.inverse();
+          return momentum_across(system.system->algebra, side, g, back, run.state().point.momentum);
+        };
+        auto const first = momentum();
+        double balance = 0, changed = 0, work = 0, energy = 0;
+        for (int k = 0; k < 200; ++k) {
+          run.step();
+          auto const now = momentum();
+          auto const done = run.ledger();
+          for (std::size_t i = 0; i < 6; ++i) {
+            balance = std::max(balance, std::abs(now[i] - done.impulse[i] - first[i]));
+            changed = std::max(changed, std::abs(now[i] - first[i]));
+          }
+          energy = std::max(energy, std::abs(system.energy(run.state()) - system.energy(start)));
+          work = std::max(work, std::abs(system.energy(run.state()) - system.energy(start) - done.work));
+        }
+        // A thousand substeps of momenta up to ten, far out, with some tens of roundings each.
+        BOOST_TEST(balance < 1000 * 32 * eps * 10);
+        BOOST_TEST(changed > 0.1);
+        BOOST_TEST(work < (order == 2 ? 0.05 : 0.002) * energy);
+      }
 }
 
 BOOST_AUTO_TEST_CASE(a_velocity_is_moved_on_the_constraints_as_by_a_blow) {

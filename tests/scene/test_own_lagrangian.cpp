@@ -39,10 +39,7 @@ std::string sleigh(std::string const& line = "", std::string const& instead = ""
       "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
       "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[method]\nstep = 0.1\n[run]\n"
       "until = 1\n[output]\nquantities = [\"energy\"]\n";
-  if (line.empty()) return text;
-  auto const at = text.find(line);
-  BOOST_REQUIRE(at != std::string::npos);
-  return text.replace(at, line.size(), instead);
+  return changed(std::move(text), line, instead);
 }
 void check_refused(std::string const& line, std::string const& instead, std::string const& says) {
   check_said(refusal(sleigh(line, instead), "own.toml"), says);

@@ -39,6 +39,9 @@ class StepIteration {
   /// @param units  of the unknowns
   void set_derivative(Eigen::MatrixXd const& derivative, Eigen::MatrixXd const& inverse_of_it,
                       Eigen::VectorXd const& units);
+  /// An unknown, in its unit of the last derivative.
+  double in_units(std::size_t i) const { return std::abs(unknowns[i]) * std::sqrt(weights_[i]); }
+  double unit(std::size_t i) const { return 1 / std::sqrt(weights_[i]); }  ///< of an unknown
   /// Forgets the inverse.
   void forget() { known_ = false; }
 
@@ -55,7 +58,9 @@ class StepIteration {
 
   /// Saves, or restores, all that the next step depends on.
   template <class Stream>
-  void store(Stream& stream) { stream(known_, unknowns, weights_, inverse, moduli); }
+  void store(Stream& stream) {
+    stream(known_, unknowns, weights_, inverse, moduli);
+  }
 
  private:
   void find_update();

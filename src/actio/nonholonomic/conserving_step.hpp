@@ -16,15 +16,27 @@
 
 #include <cmath>
 
+#include "actio/any_group/chart_solver.hpp"
 #include "actio/linear_algebra/linear.hpp"
 #include "actio/nonholonomic/velocity_constraints.hpp"
 
 namespace actio::systems {
 
+/// Refuses what such steps cannot take.
+/// @throws OutsideDomain  where the chart is not Cayley's, where there is a force or friction, or where the
+///                        Lagrangian is not \f$\tfrac12v\cdot Mv - V(a)\f$ with a constant M, as it is
+///                        written
+void require_constant_metric(ReducedSystem const& system);
+
 /// The equations of one such step at one scalar, with their work space.
 template <class S>
 class ConservingStep {
  public:
+  static constexpr char const* name = "steps that conserve the energy";  ///< in messages
+  static constexpr double share = 0.5;  ///< of the reactions, which comes before the middle
+  /// Refuses systems that it cannot take. @throws OutsideDomain
+  static void require(ReducedSystem const& system) { require_constant_metric(system); }
+
   /// Of a system and constraints that outlive it.
   ConservingStep(ReducedSystem const& system, VelocityConstraints const& constraints)
       : constraint(constraints),
@@ -32,9 +44,11 @@ class ConservingStep {
         momentum(change),
         vectors(static_cast<std::size_t>(system.carried())),
         halfway(vectors),
+        before_(change),
         system_(system),
         inputs_(static_cast<std::size_t>(system.lagrangian.inputs)),
-        slopes_(inputs_.size() + 1) {}
+        slopes_(inputs_.size() + 1),
+        sizes_(change.size()) {}
 
   ConstraintValues<S> constraint;  ///< in the middle: values and rows
   std::vector<S> change,           ///< of the momentum over the step, without reactions; energy x time
@@ -43,11 +57,15 @@ class ConservingStep {
       halfway;                     ///< their mean with those at the start
   double work_terms = 0;           ///< the size of what the correction of the force is a difference of
 
+  /// What the vectors at the start say, whatever the velocity: nothing.
+  void begin(std::vector<S> const&, S const&) {}
+
   /// @param h  step, time
   /// @param t  time at the start
   /// @param v  velocity of the step
   /// @param a  vectors at the start
-  void operator()(S const& h, S const& t, std::vector<S> const& v, std::vector<S> const& a) {
+  /// @return   true: Cayley's chart reaches everywhere
+  bool operator()(S const& h, S const& t, std::vector<S> const& v, std::vector<S> const& a) {
     auto const d = v.size();
     S const signed_h = h * S(system_.sign());
     carry(signed_h, v, a);
@@ -62,12 +80,36 @@ class ConservingStep {
         change[n(e.direction)] -=
             signed_h * slopes_[1 + d + k + n(e.row)] * halfway[k + n(e.column)] * S(e.value);
     for (std::size_t i = 0; i < d; ++i) power -= v[i] * change[i], twice_kinetic += v[i] * momentum[i];
-    for (auto const& c : system_.algebra.constants)
-      change[n(c.b)] += signed_h * v[n(c.a)] * momentum[n(c.c)] * S(c.value);
+    for (std::size_t i = 0; i < d; ++i) sizes_[i] = modulus(change[i]);
+    for (auto const& c : system_.algebra.constants) {
+      S const part = signed_h * v[n(c.a)] * momentum[n(c.c)] * S(c.value);
+      change[n(c.b)] += part, sizes_[n(c.b)] += modulus(part);
+    }
     correct(S(rise(a) - power), twice_kinetic);
+    for (std::size_t i = 0; i < d; ++i) before_[i] = momentum[i] - change[i] / S(2);
+    return true;
+  }
+
+  /// The momentum at the start with the share of the reactions.
+  std::vector<S> const& before() const { return before_; }
+  std::vector<S> const& vectors_at_end() const { return vectors; }  ///< that are carried
+  /// The size of what a component of it is a sum of.
+  double size(std::size_t i) const { return (1 + work_terms / 2) * std::abs(momentum[i]) + sizes_[i] / 2; }
+  /// Takes the point to the end of the step: of the two ways to the momentum there, that on which the last
+  /// residual does next to no work.
+  /// @param x  velocity and multipliers
+  void finish(double, std::vector<double> const& x, std::vector<double> const&, ReducedPoint& point) const {
+    for (std::size_t i = 0; i < change.size(); ++i) {
+      double sum = change[i];
+      for (std::size_t k = 0; k < constraint.values.size(); ++k)
+        sum += constraint.rows[k * change.size() + i] * x[change.size() + k];
+      point.momentum[i] += sum;
+    }
+    point.vectors = vectors;
   }
 
  private:
+  static double modulus(S const& x) { return std::abs(to_double(base_value(x))); }
   static std::size_t n(int i) { return static_cast<std::size_t>(i); }
   std::size_t length() const { return n(system_.length()); }
 
@@ -102,7 +144,7 @@ class ConservingStep {
       system_.lagrangian(inputs_.data(), &out, work_);
     };
     potential(a, high), potential(vectors, low);
-    potentials_ = std::abs(to_double(base_value(high))) + std::abs(to_double(base_value(low)));
+    potentials_ = modulus(high) + modulus(low);
     return high - low;
   }
   /// Takes what the force misses of the work off along the momentum.
@@ -110,12 +152,14 @@ class ConservingStep {
     work_terms = 0;
     if (base_value(twice_kinetic) == 0) return;
     S const factor = missing / twice_kinetic;
-    work_terms = potentials_ / std::abs(to_double(base_value(twice_kinetic)));
+    work_terms = potentials_ / modulus(twice_kinetic);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= factor * momentum[i];
   }
 
+  std::vector<S> before_;
   ReducedSystem const& system_;
   std::vector<S> inputs_, slopes_, work_, still_;
+  std::vector<double> sizes_;  // of what the change is a sum of
   double potentials_ = 0;
 };
 

@@ -59,6 +59,7 @@ double ConstrainedVelocity::residual(std::vector<double> const& p, std::vector<d
   at_.set_values(v, a, t), at_.set_rows(a, t);
   set_matrix(v, a);
   Index const d = constraints_.dimension, m = constraints_.count;
+  Eigen::VectorXd const sizes = sizes_at(v);
   double largest = 0;
   for (Index i = 0; i < d + m; ++i) {
     double scale = 0, sum = 0;
@@ -67,9 +68,9 @@ double ConstrainedVelocity::residual(std::vector<double> const& p, std::vector<d
       for (Index k = 0; k < m; ++k) sum += matrix_(i, d + k) * lambda[at(k)];
       for (Index k = 0; k < m; ++k) scale += std::abs(matrix_(i, d + k) * lambda[at(k)]);
     } else {
-      sum = at_.values[at(i - d)], scale = std::abs(sum);
+      sum = at_.values[at(i - d)], scale = std::abs(sum) + sizes[i - d];
     }
-    for (Index j = 0; j < d; ++j) scale += std::abs(matrix_(i, j) * v[at(j)]);
+    for (Index j = 0; i < d && j < d; ++j) scale += std::abs(matrix_(i, j) * v[at(j)]);
     residual_[i] = sum;
     if (!(sum - sum == 0)) throw NotFinite("a velocity constraint or its row");
     if (sum != 0) largest = std::max(largest, std::abs(sum) / scale);
@@ -110,15 +111,26 @@ std::vector<double> ConstrainedVelocity::momentum(std::vector<double> p, std::ve
 
 double ConstrainedVelocity::defect(std::vector<double> const& v, std::vector<double> const& a, double t) {
   at_.set_values(v, a, t), at_.set_rows(a, t);
+  set_matrix(v, a);
+  Eigen::VectorXd const sizes = sizes_at(v);
   double largest = 0;
   for (std::size_t k = 0; k < at_.values.size(); ++k) {
-    double scale = 0;
-    for (std::size_t i = 0; i < v.size(); ++i) scale += std::abs(at_.rows[k * v.size() + i] * v[i]);
-    double const c = std::abs(at_.values[k]);
+    double const c = std::abs(at_.values[k]), size = sizes[static_cast<Index>(k)];
     if (!std::isfinite(c)) throw NotFinite("a velocity constraint or its row");
-    if (c > 0) largest = std::max(largest, scale > c ? c / scale : 1);
+    if (c > 0) largest = std::max(largest, size > c ? c / size : 1);
   }
   return largest;
+}
+
+Eigen::VectorXd ConstrainedVelocity::sizes_at(std::vector<double> const& v) const {
+  Index const d = constraints_.dimension, m = constraints_.count;
+  Eigen::VectorXd const units = units_of(matrix_.topLeftCorner(d, d));
+  double speed = 0;
+  for (Index i = 0; i < d; ++i) speed = std::max(speed, std::abs(v[at(i)]) / units[i]);
+  Eigen::VectorXd out(m);
+  for (Index k = 0; k < m; ++k)
+    out[k] = speed * (matrix_.row(d + k).head(d).transpose().cwiseAbs().cwiseProduct(units)).maxCoeff();
+  return out;
 }
 
 void ConstrainedVelocity::require_independent(std::vector<double> const& v, std::vector<double> const& a,
@@ -169,6 +181,8 @@ std::vector<double> ConstrainedVelocity::reaction(std::vector<double> const& v, 
     for (std::size_t first = 0; first < a.size(); first += length)
       right[e.direction] -=
           system_.sign() * slopes[1 + d + first + at(e.row)].value * e.value * a[first + at(e.column)];
+  if (auto const& friction = system_.dissipation; friction && friction->kind == Dissipation::Kind::conformal)
+    for (std::size_t i = 0; i < d; ++i) right[static_cast<Index>(i)] -= friction->rate * slopes[1 + i].value;
   if (system_.force) {
     ReducedPoint now{{}, a, t};
     for (std::size_t i = 0; i < d; ++i) now.momentum.push_back(slopes[1 + i].value);

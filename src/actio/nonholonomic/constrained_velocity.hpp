@@ -43,8 +43,8 @@ class ConstrainedVelocity {
   std::vector<double> momentum(std::vector<double> p, std::vector<double> const& a, double t,
                                std::vector<double> const& lambda);
 
-  /// How far a velocity is from the constraints: the largest \f$|c_i|\f$ relative to the sum of the moduli
-  /// of its terms \f$A_{ij}v_j\f$; 1 where a velocity of rest breaks one.
+  /// How far a velocity is from the constraints: the largest \f$|c_i|\f$ relative to what the row is of a
+  /// velocity of this size, in the metric of the Lagrangian; 1 where it is as large as that or larger.
   double defect(std::vector<double> const& v, std::vector<double> const& a, double t);
 
   /// Refuses rows that depend on each other, by more than 1e-10 in the metric of the Lagrangian.
@@ -67,6 +67,9 @@ class ConstrainedVelocity {
   /// \f$\begin{pmatrix}\partial^2l/\partial v^2 & -A^T\\ A & 0\end{pmatrix}\f$.
   void set_matrix(std::vector<double> const& v, std::vector<double> const& a);
   Eigen::MatrixXd inverse() const;
+  /// What each row is, at most, of a velocity whose largest component is that of this one, in the units of
+  /// the matrix that was set.
+  Eigen::VectorXd sizes_at(std::vector<double> const& v) const;
 
   ReducedSystem const& system_;
   VelocityConstraints const& constraints_;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "actio/any_group/chart_map.hpp"
-#include "actio/nonholonomic/rattle_integrator.hpp"
+#include "actio/nonholonomic/constrained_integrator.hpp"
 
 namespace actio::systems {
 
@@ -49,15 +49,10 @@ class RattleMap {
     std::vector<D> x(solver.unknowns().begin(), solver.unknowns().end()),
         v(x.begin(), x.begin() + system_.dimension());
     RattleStep<D> step(system_, constraints_);
+    step.begin(point.vectors, t);
     step(h, t, v, point.vectors);
-    std::vector<D> residual(point.momentum);
-    for (std::size_t i = 0; i < d; ++i) residual[i] = step.momenta.before[i] - residual[i];
-    ConstraintValues<D> rows(constraints_);
-    rows.set_rows(point.vectors, t);
-    for (std::size_t k = 0; k + d < n; ++k) {
-      for (std::size_t i = 0; i < d; ++i) residual[i] -= rows.rows[k * d + i] * x[d + k];
-      residual.push_back(step.middle.values[k]);
-    }
+    std::vector<D> residual(n);
+    set_residual(step, point.momentum, x, residual);
     if constexpr (is_dual<D>) {
       Eigen::MatrixXd const inverse = solver.exact_inverse(start, base_value(t));
       for (std::size_t i = 0; i < n; ++i)

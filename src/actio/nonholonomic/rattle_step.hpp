@@ -15,23 +15,33 @@
 // In Cayley's chart a_1/2 is the mean of the vectors at both ends.
 #pragma once
 
-#include "actio/any_group/chart_step.hpp"
+#include <cmath>
+
+#include "actio/any_group/chart_solver.hpp"
 #include "actio/nonholonomic/velocity_constraints.hpp"
 
 namespace actio::systems {
 
-/// Momenta at both ends of a step and the constraints in its middle, at one scalar, with their work space.
+/// The equations of one such step at one scalar, with their work space.
 template <class S>
 class RattleStep {
  public:
+  static constexpr char const* name = "rattle";  ///< in messages
+  static constexpr double share = 1;             ///< of the reactions, which comes before the middle
+  /// It takes every system.
+  static void require(ReducedSystem const&) {}
+
   /// Of a system and constraints that outlive it.
   RattleStep(ReducedSystem const& system, VelocityConstraints const& constraints)
-      : momenta(system), middle(constraints) {
+      : constraint(constraints), momenta(system), system_(system) {
     momenta.halfway = momenta.vectors;
   }
 
-  ChartStep<S> momenta;        ///< at both ends
-  ConstraintValues<S> middle;  ///< the constraints in the middle of the step
+  ConstraintValues<S> constraint;  ///< values in the middle of the step, rows at its start
+  ChartStep<S> momenta;            ///< at both ends
+
+  /// Sets the rows at the vectors and the time of the start.
+  void begin(std::vector<S> const& a, S const& t) { constraint.set_rows(a, t); }
 
   /// @param h  step, time
   /// @param t  time at the start
@@ -41,9 +51,32 @@ class RattleStep {
   bool operator()(S const& h, S const& t, std::vector<S> const& v, std::vector<S> const& a) {
     momenta.begin_at(t);
     if (!momenta(h, v, a)) return false;
-    middle.set_values(v, momenta.halfway, t + h / S(2));
+    constraint.set_values(v, momenta.halfway, t + h / S(2));
     return true;
   }
+
+  /// The momentum at the start with the share of the reactions.
+  std::vector<S> const& before() const { return momenta.before; }
+  std::vector<S> const& vectors_at_end() const { return momenta.vectors; }  ///< that are carried
+  /// The size of what a component of it is a sum of.
+  double size(std::size_t i) const { return std::abs(momenta.before[i]) + momenta.sizes[i]; }
+  /// Takes the point to the end of the step. What the last residual leaves of the momentum goes with the step
+  /// as the momentum does.
+  /// @param x  velocity and multipliers
+  /// @throws OutsideDomain  where the step turns by half a turn or more; the point is as it was
+  void finish(double h, std::vector<double> const& x, std::vector<double> const& residual,
+              ReducedPoint& point) {
+    auto const d = point.momentum.size();
+    require_in_chart(system_, momenta, h, {x.begin(), x.begin() + static_cast<std::ptrdiff_t>(d)});
+    left_.assign(residual.begin(), residual.begin() + static_cast<std::ptrdiff_t>(d));
+    momenta.transport(left_);
+    for (std::size_t i = 0; i < d; ++i) point.momentum[i] = momenta.after[i] - left_[i];
+    point.vectors = momenta.vectors;
+  }
+
+ private:
+  ReducedSystem const& system_;
+  std::vector<S> left_;
 };
 
 }  // namespace actio::systems

@@ -40,7 +40,7 @@ class ConstraintValues {
   explicit ConstraintValues(VelocityConstraints const& of)
       : values(static_cast<std::size_t>(of.count)),
         rows(static_cast<std::size_t>(of.count * of.dimension)),
-        of_(of),
+        of_(&of),
         inputs_(static_cast<std::size_t>(of.dimension + of.carried + 1)) {}
 
   std::vector<S> values,  ///< \f$c(v, a, t)\f$
@@ -50,22 +50,22 @@ class ConstraintValues {
   void set_values(std::vector<S> const& v, std::vector<S> const& a, S const& t) {
     std::copy(v.begin(), v.end(), inputs_.begin());
     set_place(a, t);
-    of_.values(inputs_.data(), values.data(), work_);
+    of_->values(inputs_.data(), values.data(), work_);
   }
   /// Sets the rows.
   void set_rows(std::vector<S> const& a, S const& t) {
-    std::fill_n(inputs_.begin(), of_.dimension, S(0));
+    std::fill_n(inputs_.begin(), of_->dimension, S(0));
     set_place(a, t);
-    of_.rows(inputs_.data(), rows.data(), work_);
+    of_->rows(inputs_.data(), rows.data(), work_);
   }
 
  private:
   void set_place(std::vector<S> const& a, S const& t) {
-    std::copy(a.begin(), a.end(), inputs_.begin() + of_.dimension);
+    std::copy(a.begin(), a.end(), inputs_.begin() + of_->dimension);
     inputs_.back() = t;
   }
 
-  VelocityConstraints const& of_;
+  VelocityConstraints const* of_;
   std::vector<S> inputs_, work_;
 };
 

@@ -42,10 +42,13 @@ std::optional<systems::Dissipation> read_dissipation(SceneFile const& file,
   if (out.rate < 0)
     dissipation_keys.rate.fail(table, fmt::format("a number >= 0 is expected, found {}", out.rate));
   std::string const name = method.is_text("name") ? method.text("name") : "natural_chart";
-  if (whole.has("constraints"))
-    whole.fail("dissipation", "dissipation: it takes no system.constraints; system.force does");
+  bool const constrained = whole.has("constraints");
   bool const charts = name == "natural_chart" || name == "cayley_chart";
   if (out.kind == Kind::orbit) {
+    if (constrained)
+      dissipation_keys.kind.fail(
+          table,
+          "orbit: it takes no system.constraints, whose reactions lead away from the orbit; conformal does");
     if (system.vectors > 0)
       dissipation_keys.kind.fail(table,
                                  "orbit: it takes no carried vectors, and the scene has system.advected");
@@ -59,7 +62,7 @@ std::optional<systems::Dissipation> read_dissipation(SceneFile const& file,
   }
   if (dissipation_keys.metric.given(table))
     dissipation_keys.metric.fail(table, "it belongs to friction on the orbit, kind = \"orbit\"");
-  bool const along = systems::damps_along_free_motion(system) && !system.force;
+  bool const along = systems::damps_along_free_motion(system) && !system.force && !constrained;
   if (!along && !charts)
     method.fail(
         "name",

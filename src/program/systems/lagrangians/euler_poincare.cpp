@@ -86,11 +86,14 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
           : order == 2                    ? std::vector<double>{1}
           : order == 4                    ? suzuki<double>()
                                           : kahan_li<double>(),
-          asked(request, {"configuration", "impulse", "momentum_balance",
+          asked(request, {"configuration", "contact", "impulse", "momentum_balance",
                           left ? "spatial_momentum" : "body_momentum"}),
           choice.name,
           scene.constraints,
-          !scene.constraints || !constraints_move(scene)};
+          !scene.constraints || !constraints_move(scene),
+          conserves_energy(method, choice.name, scene),
+          asked(request, {"work", "impulse", "momentum_balance"}),
+          carried_names(request.file)};
 }
 
 /// Of a step, as `Simulation` has it: substeps; stages, whose equations are solved together.
@@ -149,7 +152,7 @@ void require_short_for_damping(SceneTable const& method, ReducedScheme const& sc
                                Simulation& simulation) {
   auto const& friction = scheme.system->dissipation;
   if (!friction || friction->kind != systems::Dissipation::Kind::conformal || scheme.fractions.size() < 2 ||
-      systems::damps_along_free_motion(*scheme.system))
+      (!scheme.constraints && systems::damps_along_free_motion(*scheme.system)))
     return;
   double const decay = friction->rate * simulation.step;
   if (decay >= 2)
@@ -169,9 +172,15 @@ void require_quantities(Request const& request, ReducedScene const& scene) {
   for (char const* const name : {"reaction", "constraint"})
     if (!scene.constraints && asked(request, {name}))
       output.fail("quantities", fmt::format("{}: it is a quantity of systems with system.constraints", name));
-  for (char const* const name : {"work", "impulse", "momentum_balance"})
-    if (scene.constraints && asked(request, {name}))
-      output.fail("quantities", fmt::format("{}: it is known of motions without system.constraints", name));
+  if (scene.contact.empty() && asked(request, {"contact"}))
+    output.fail("quantities", "contact: it is a quantity of systems with system.contact");
+  for (char const* const name : {"impulse", "momentum_balance"})
+    if (request.file.section("method").has("conserve") && asked(request, {name}))
+      output.fail(
+          "quantities",
+          fmt::format("{}: it is that of reactions at the times between steps, and those of steps with "
+                      "method.conserve act in their middle",
+                      name));
   for (char const* const name :
        {"poisson_defect", "symplectic_defect", "leaf_defect", "order", "tangent_map"}) {
     if (!asked(request, {name})) continue;
@@ -233,10 +242,9 @@ Simulation prepare(Request const& request) {
 /// The cheapest one that takes what acts on the system.
 std::string method_for_accuracy(SceneFile const& file) {
   SceneTable const system = file.section("system");
-  return force_keys.force.given(system) || force_keys.force_in_space.given(system) ||
-                 system.has("dissipation")
-             ? "natural_chart"
-             : "momentum_level";
+  bool const free = !force_keys.force.given(system) && !force_keys.force_in_space.given(system) &&
+                    !system.has("dissipation") && !system.has("constraints");
+  return free ? "momentum_level" : "natural_chart";
 }
 
 }  // namespace
@@ -249,7 +257,7 @@ System euler_poincare_system() {
       "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
       "vectors that the motion carries.",
       "chapters 2 to 4",
-      records_of({reduced_parameters(), reduced_step, accuracy_keys}),
+      records_of({reduced_parameters(), constrained_method_keys(), reduced_step, accuracy_keys}),
       methods(),
       reduced_quantities(),
       prepare,

@@ -108,24 +108,11 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, systems::Matri
   std::vector<CarriedVector> out;
   if (!system.has("advected")) return out;
   SceneTable const table = system.inside("advected");
-  std::vector<std::string> taken{"velocity",
-                                 "body_momentum",
-                                 "spatial_momentum",
-                                 "energy",
-                                 "configuration",
-                                 "casimir",
-                                 "order",
-                                 "tangent_map",
-                                 "leaf_defect",
-                                 "symplectic_defect",
-                                 "poisson_defect",
-                                 "reaction",
-                                 "constraint",
-                                 "force",
-                                 "work",
-                                 "impulse",
-                                 "momentum_balance",
-                                 "shape"};
+  std::vector<std::string> taken{
+      "velocity",       "body_momentum", "spatial_momentum", "energy",      "configuration",
+      "casimir",        "order",         "tangent_map",      "leaf_defect", "symplectic_defect",
+      "poisson_defect", "reaction",      "constraint",       "contact",     "force",
+      "work",           "impulse",       "momentum_balance", "shape"};
   for (auto const& key : table.keys()) {
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
@@ -184,7 +171,7 @@ void require_used(SceneFile const& file, SharedNames const& shared, std::vector<
 struct Formulas {
   Tape lagrangian;
   std::optional<systems::GeneralizedForce> force;
-  std::vector<Tape> constraints;
+  std::vector<Tape> constraints, contact;
 };
 Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& algebra,
                        std::vector<CarriedVector> const& carried) {
@@ -197,8 +184,9 @@ Formulas read_formulas(SceneFile const& file, systems::MatrixAlgebra const& alge
   auto l = shared.read(reduced_keys.lagrangian.read(system), names, system.text_place("lagrangian")).value;
   auto force = read_force(file, algebra, vectors, shared);
   auto constraints = read_constraints(system, names, shared);
+  auto contact = read_contact(system, algebra, vectors, shared);
   require_used(file, shared, carried, algebra);
-  return {std::move(l), std::move(force), std::move(constraints)};
+  return {std::move(l), std::move(force), std::move(constraints), std::move(contact)};
 }
 
 Eigen::MatrixXd read_configuration(SceneTable& initial, systems::MatrixAlgebra const& algebra,
@@ -288,7 +276,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   if (!shape.names.empty())
     scene.carried.push_back(
         {"shape", shape.carried(algebra, side), shape.components(algebra), shape.names.size()});
-  auto [l, force, constraints] = read_formulas(file, algebra, scene.carried);
+  auto [l, force, constraints, contact] = read_formulas(file, algebra, scene.carried);
   scene.velocity = reduced_start_keys.velocity.read(initial, Patterns::numbers("", algebra.dimension));
   scene.configuration = read_configuration(initial, algebra, remarks);
   require_force_in_space(system, side);
@@ -306,7 +294,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
       std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
   built->force = std::move(force);
   built->dissipation = read_dissipation(file, *built, remarks);
-  scene.system = built;
+  scene.system = built, scene.contact = std::move(contact);
   try {
     scene.start.momentum =
         systems::LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);

@@ -30,6 +30,7 @@ struct ReducedScene {
   systems::ReducedPoint start;                           ///< momentum and vectors at the start
   /// of the velocity; null where there are none
   std::shared_ptr<systems::VelocityConstraints const> constraints;
+  std::vector<Tape> contact;  ///< where the body touches, in its frame, by the vectors; or none
 };
 
 /// The records of [system] and [initial].

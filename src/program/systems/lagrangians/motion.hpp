@@ -20,7 +20,8 @@ class ReducedMotion : public Motion {
   virtual std::vector<double> const& velocity() const = 0;   ///< near the one now, for searches
   /// What the forces have done since the start.
   virtual systems::ForceLedger const& ledger() const;
-  virtual double time() const { return 0; }  ///< now, where the motion depends on it
+  virtual double time() const { return 0; }                      ///< now, where the motion depends on it
+  virtual std::vector<double> constraint() const { return {}; }  ///< the values of constraints
   /// So many steps; what fails is thrown as it is.
   virtual void advance_plainly(long steps) { advance(steps); }
   /// How momentum and vectors now change with those at the start; null where that is not followed.
@@ -40,7 +41,10 @@ struct ReducedScheme {
   std::string name = "natural chart";  ///< of the method, for messages
   /// of the velocity; null where there are none
   std::shared_ptr<systems::VelocityConstraints const> constraints = nullptr;
-  bool keeps_energy = true;  ///< whether the motion does
+  bool keeps_energy = true;               ///< whether the motion does
+  bool conserves = false;                 ///< whether steps with constraints conserve it to rounding
+  bool with_ledger = false;               ///< whether what reactions do is summed up
+  std::vector<std::string> carried = {};  ///< the names of the carried vectors
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made

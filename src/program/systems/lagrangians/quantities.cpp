@@ -74,24 +74,26 @@ std::vector<Quantity> quantities_of_forces() {
        {}},
       {"work",
        Kind::scalar,
-       "The work of the force since the start. The energy less the work changes as the square of the step, "
-       "or as the power that is the order of the method.",
-       "\\sum\\tfrac h2\\langle F_k + F_{k+1}, v\\rangle",
+       "The work of the force since the start, and of the reactions of constraints that move. The energy "
+       "less the work changes as the square of the step, or as the power that is the order of the method; "
+       "with method.conserve to rounding.",
+       "\\sum\\tfrac h2\\langle F_k + F_{k+1}, v\\rangle + \\sum\\lambda_k\\cdot b_k",
        "energy",
        "",
        {}},
       {"impulse",
        Kind::list,
-       "What the force has added since the start to the momentum that the symmetry conserves, in space "
-       "on the left and of the body on the right.",
+       "What the force and the reactions of constraints have added since the start to the momentum that the "
+       "symmetry conserves, in space on the left and of the body on the right.",
        "\\sum\\tfrac h2(\\mathrm{Ad}^*_{g_k^{-1}}F_k + \\mathrm{Ad}^*_{g_{k+1}^{-1}}F_{k+1})",
        "energy x time",
        "",
        {}},
       {"momentum_balance",
        Kind::list,
-       "The momentum that the symmetry conserves without the force, less the impulse: conserved to rounding "
-       "with any force. Of its components those of the basis whose motions change no carried vector.",
+       "The momentum that the symmetry conserves without force and reactions, less the impulse: conserved "
+       "to rounding with any of them. Of its components those of the basis whose motions change no carried "
+       "vector in the Lagrangian.",
        "\\mathrm{Ad}^*_{g^{-1}}\\,\\Pi - I",
        "energy x time",
        "",
@@ -117,6 +119,13 @@ std::vector<Quantity> quantities_of_constraints() {
        "A(a, t)\\,v - b(a, t)",
        "of the formula",
        "claim_10_0_nonholonomic_constraints",
+       {}},
+      {"contact",
+       Kind::list,
+       "The place in space where the body touches, of system.contact.",
+       "g\\,r(a)",
+       "of the place",
+       "",
        {}},
   };
 }

@@ -33,7 +33,9 @@ void show_reduced(std::vector<Quantity>& quantities, ReducedScene const& scene) 
   for (auto& quantity : quantities) {
     bool const carried = std::ranges::any_of(
         scene.carried, [&](CarriedVector const& vector) { return vector.name == quantity.name; });
-    if (quantity.name == "body_momentum" || quantity.name == "spatial_momentum")
+    if (quantity.name == "contact")
+      quantity.shown = Shown::as_trajectory;
+    else if (quantity.name == "body_momentum" || quantity.name == "spatial_momentum")
       quantity.shown = momenta;
     else if (quantity.name == "configuration")
       quantity.shown = configuration;

@@ -84,13 +84,19 @@ QuantityGraph::NaturalUnit modulus_of(ReducedMotion const& motion) {
 }  // namespace
 
 std::vector<std::size_t> conserved_directions(ReducedScene const& scene) {
+  auto const& [algebra, lagrangian] = std::tie(scene.system->algebra, scene.system->lagrangian);
   std::vector<std::size_t> out;
-  auto const& basis = scene.system->algebra.basis;
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    if (std::ranges::all_of(scene.carried, [&](CarriedVector const& vector) {
-          return (basis[i] * vector.constant).cwiseAbs().maxCoeff() == 0;
-        }))
-      out.push_back(i);
+  for (std::size_t i = 0; i < algebra.basis.size(); ++i) {
+    bool changes = false;
+    for (std::size_t k = 0; k < scene.carried.size(); ++k) {
+      int const first = algebra.dimension + static_cast<int>(k) * algebra.size;
+      bool occurs = false;
+      for (int j = first; j < first + algebra.size; ++j) occurs = occurs || lagrangian.depends_on(j);
+      changes =
+          changes || (occurs && (algebra.basis[i] * scene.carried[k].constant).cwiseAbs().maxCoeff() > 0);
+    }
+    if (!changes) out.push_back(i);
+  }
   return out;
 }
 
