@@ -122,6 +122,34 @@ std::vector<Featured> media() {
   return out;
 }
 
+/// Incompressible media, which move in half a unit of time by some tenths of a cell.
+std::vector<Featured> incompressible_media() {
+  std::vector<Featured> out;
+  for (bool const fluid : {true, false}) {
+    std::string const kind = fluid ? "incompressible_fluid" : "incompressible_body";
+    auto const add = [&](std::vector<Feature> features, std::string const& keys, std::string const& velocity,
+                         std::string const& periodic = "") {
+      out.push_back({kind, std::move(features),
+                     "[system]\nkind = \"" + kind +
+                         "\"\nmesh = { lower = [0, 0], upper = [1, 1], cells = [13, 12]" + periodic + " }\n" +
+                         (fluid ? "" : "material = { name = \"neo_hookean\", mu = 1, kappa = 0 }\n") + keys +
+                         "[initial]\nproject = true\nvelocity = [" + velocity +
+                         "]\n[method]\nstep = 0.005\n" +
+                         ending("\"energy\", \"momentum\", \"angular_momentum\"", "0.5", "0.05")});
+    };
+    std::string const waves = "\"0.1*sin(pi*Y)\", \"0.1*cos(pi*X)\"";
+    add({}, "", waves);
+    add({periodic_box}, "", "\"0.1*sin(2*pi*Y)\", \"0.1*cos(2*pi*X)\"", ", periodic = [true, true]");
+    add({held_side}, "boundary = { left = \"sliding\" }\n", waves);
+    add({driven_side, held_side}, "boundary = { left = \"fixed\" }\n", "\"0.3*(1 - X)\", \"0.3*Y\"");
+    add({moved_side, held_side}, "load = { motion.left = [\"0.5*sin(t)^2\", \"Y\"] }\n", "\"0\", \"0\"");
+    add({potential}, "load = { gravity = \"0.3*y\" }\n", waves);
+    add({traction}, "load = { traction.right = [0.05, 0.1] }\n", waves);
+    add({pressure_on_a_side}, "load = { pressure.right = \"0.1 + 0.1*sin(5*t)\" }\n", waves);
+  }
+  return out;
+}
+
 std::vector<Featured> bodies() {
   std::string const start = "[initial]\nangular_velocity = [0.3, 0.7, 0.5]\n",
                     body = "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\n",
@@ -211,7 +239,8 @@ std::vector<Featured> lagrangians() {
 
 std::vector<Featured> scenes() {
   auto out = media();
-  for (auto& more : {bodies(), pairs(), lagrangians()}) out.insert(out.end(), more.begin(), more.end());
+  for (auto& more : {incompressible_media(), bodies(), pairs(), lagrangians()})
+    out.insert(out.end(), more.begin(), more.end());
   return out;
 }
 

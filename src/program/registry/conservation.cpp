@@ -101,8 +101,10 @@ std::vector<ConservationLaw> const& conservation_laws() {
          "circulation",
          {loop_at_a_side, potential_around_a_loop, viscosity, pressure_of_the_jacobian}},
     };
-    for (char const* medium : {"barotropic_fluid", "elastic_body"}) {
-      laws.push_back({medium, "energy", {moved_side, driven_side, pressure_on_a_side, viscosity}});
+    for (char const* medium :
+         {"barotropic_fluid", "elastic_body", "incompressible_fluid", "incompressible_body"}) {
+      laws.push_back({medium, "energy", {moved_side, driven_side, pressure_on_a_side}});
+      if (!laws.back().system.starts_with("incompressible")) laws.back().unless.push_back(viscosity);
       laws.push_back({medium, "momentum", {held_side, potential, traction, pressure_on_a_side}});
       laws.push_back(
           {medium, "angular_momentum", {periodic_box, held_side, potential, traction, pressure_on_a_side}});

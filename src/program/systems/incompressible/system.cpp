@@ -129,6 +129,7 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
     auto const examined = examined_start<d>(file, *start, cells, mesh);
     for (auto& told : examined_loads<d>(file, mesh, body, loads, examined, request.schedule.until()))
       simulation.remarks.push_back(std::move(told));
+    if (!driven_sides<d>(mesh, cells, examined).empty()) features.insert(Feature::driven_side);
     begin.gravity = taken_gravity<d>(file, loads, examined.places);
     for (auto const& v : examined.velocities) {
       double square = 0;
@@ -136,8 +137,8 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
       fastest = std::max(fastest, std::sqrt(square));
     }
     // Steps follow loads: a wave as fast as they change turns by a quarter of a radian in one.
-    loading = 0.8 / 0.25 *
-              frequency_of(loads.in_time, body.nodes, request.schedule.until(), simulation.remarks);
+    loading =
+        0.8 / 0.25 * frequency_of(loads.in_time, body.nodes, request.schedule.until(), simulation.remarks);
   }
   auto motion = std::make_unique<IncompressibleSteps<d>>(made<d>(file, mesh, law, begin, loads));
   auto& medium = motion->medium();
