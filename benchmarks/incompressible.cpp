@@ -1,5 +1,5 @@
-// What a step of an incompressible fluid on a box costs: nanoseconds for an unknown, of which a cell has three,
-// two coordinates and a pressure; by multigrid and by Cholesky factors, in the same rounds.
+// What a step of an incompressible fluid on a box costs: nanoseconds for an unknown, of which a cell has
+// three, two coordinates and a pressure; by multigrid and by Cholesky factors, in the same rounds.
 #include "actio/incompressible_media/incompressible_medium.hpp"
 #include "benchmark.hpp"
 #include "timing.hpp"

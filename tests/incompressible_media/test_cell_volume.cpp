@@ -125,8 +125,8 @@ BOOST_AUTO_TEST_CASE(volumes_are_integrals_of_the_jacobian) {
   BOOST_TEST(std::abs(SphereCell::volume(cell) - std::numbers::pi / 6) <= 1e-15);
 }
 
-// The mean of the Jacobians at the corners is not the volume of a hexahedron: the sum over cells between fixed
-// walls depends on the nodes inside, so that it could not be kept cell by cell.
+// The mean of the Jacobians at the corners is not the volume of a hexahedron: the sum over cells between
+// fixed walls depends on the nodes inside, so that it could not be kept cell by cell.
 BOOST_AUTO_TEST_CASE(corner_means_of_hexahedra_do_not_add_up_between_walls) {
   auto mesh = box_mesh({0, 0, 0}, {3, 3, 3}, {3, 3, 3});
   for (auto& X : mesh.nodes) {

@@ -210,7 +210,8 @@ BOOST_AUTO_TEST_CASE(a_drop_on_the_group_of_matrices_with_determinant_one_is_met
 
 BOOST_AUTO_TEST_CASE(flows_on_the_sphere_keep_three_angular_momenta) {
   using Point = std::array<double, 3>;
-  // A rotation, and psi = x y/2 + 3/10 y z, in one degree l: u = x cross grad psi, p = -|u|^2/2 - l(l+1)/2 psi^2.
+  // A rotation, and psi = x y/2 + 3/10 y z, in one degree l: u = x cross grad psi, p = -|u|^2/2 - l(l+1)/2
+  // psi^2.
   for (int const l : {1, 2}) {
     auto const slope = [l](Point const& x) {
       return l == 1 ? Point{0.3, 0.2, 0.5} : Point{0.5 * x[1], 0.5 * x[0] + 0.3 * x[2], 0.3 * x[1]};

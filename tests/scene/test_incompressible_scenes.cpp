@@ -1,5 +1,5 @@
-// Incompressible media of scenes, against exact motions: what a scene writes is compared, places and pressures
-// of a snapshot.
+// Incompressible media of scenes, against exact motions: what a scene writes is compared, places and
+// pressures of a snapshot.
 #include <boost/test/unit_test.hpp>
 
 #include "incompressible_media/exact_motions.hpp"

@@ -9,8 +9,8 @@
 // p^2/3 + q^2/3 + 4 r^2/9 for a face on which it is m + p xi + q eta + r xi eta, -1 < xi, eta < 1. By the
 // divergence theorem the integral is one of s^2/2 over facets, too. Where two cells of one density meet, the
 // facet between them counts twice with opposite signs: the weight of a homogeneous medium acts on its rim
-// alone, as in the continuum, where pressure carries the rest, and there it is that of columns of liquid above
-// the nodes. Without D a free surface would be too soft in its shortest waves.
+// alone, as in the continuum, where pressure carries the rest, and there it is that of columns of liquid
+// above the nodes. Without D a free surface would be too soft in its shortest waves.
 //
 // Weight at the nodes, m g at each, has the same energy to first order and differs in the second: a pressure
 // that carries it makes shears of neighbouring columns grow like exp(t sqrt(g/cell)) (a test shows it).

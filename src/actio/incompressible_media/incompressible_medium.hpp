@@ -1,5 +1,5 @@
-// An incompressible fluid or body on a mesh, in the plane or in space (chapters 7 and 8 of the thesis, chapter
-// 10C of the book).
+// An incompressible fluid or body on a mesh, in the plane or in space (chapters 7 and 8 of the thesis,
+// chapter 10C of the book).
 //
 //     IncompressibleStart<2> cells;
 //     cells.velocity = [](auto const& X) {

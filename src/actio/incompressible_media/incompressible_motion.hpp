@@ -99,8 +99,8 @@ class IncompressibleMotion {
   std::vector<Place> velocities() { return points(velocities_now()); }
   /// The masses of the nodes.
   std::vector<double> const& masses() const { return volumes_.masses; }
-  /// The pressure in each cell now, by the multiplier of the step that begins here; its mean by volume is zero
-  /// where it is known up to a constant.
+  /// The pressure in each cell now, by the multiplier of the step that begins here; its mean by volume is
+  /// zero where it is known up to a constant.
   /// \copydetails step
   std::vector<double> pressures() {
     prepare();
@@ -261,7 +261,8 @@ class IncompressibleMotion {
   /// Forces on all nodes at places y and time t, without pressures; those of held nodes projected.
   /// @return whether there are any
   virtual bool forces(std::vector<double> const& y, double t, std::vector<double>& f) const = 0;
-  /// Places at time t from those a time h before and velocities between; on a curved target it corrects the velocities.
+  /// Places at time t from those a time h before and velocities between; on a curved target it corrects the
+  /// velocities.
   virtual void move(SharpPlaces const& from, double h, double t, std::vector<double>& v,
                     SharpPlaces& to) const = 0;
   /// Makes velocities such as nodes at y may have at time t.

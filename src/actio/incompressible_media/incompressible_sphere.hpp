@@ -1,8 +1,8 @@
-// An incompressible fluid on the unit sphere: the volume constraint (8.1) with a curved target (chapter 10C of
-// the book).
+// An incompressible fluid on the unit sphere: the volume constraint (8.1) with a curved target (chapter 10C
+// of the book).
 //
-//     IncompressibleSphere air(sphere_mesh(16), [](auto const& x) { return std::array{-x[1], x[0], 0.0}; }, 0.01);
-//     air.step(100);
+//     IncompressibleSphere air(sphere_mesh(16), [](auto const& x) { return std::array{-x[1], x[0], 0.0}; },
+//     0.01); air.step(100);
 //     air.angular_momentum();   // all three to rounding
 //
 // Particles are unit vectors in space, their kinetic energy is that of the chords of their ways, and the area

@@ -7,7 +7,8 @@
 
 namespace actio::media {
 
-/// Places of nodes as sums of two numbers: where cells are small, their volumes are not rounded as places are.
+/// Places of nodes as sums of two numbers: where cells are small, their volumes are not rounded as places
+/// are.
 struct SharpPlaces {
   std::vector<double> y;     ///< the nearest numbers, length
   std::vector<double> rest;  ///< what is to be added to them; empty: nothing
@@ -15,8 +16,8 @@ struct SharpPlaces {
 
 /// The volumes of the cells of a mesh as functions of the places of its nodes.
 ///
-/// Velocities and forces, as places, are lists with `Cell::space` numbers a node; slopes, the derivatives G of all
-/// volumes, have as many for each corner of each cell.
+/// Velocities and forces, as places, are lists with `Cell::space` numbers a node; slopes, the derivatives G
+/// of all volumes, have as many for each corner of each cell.
 /// @tparam Cell  what the cells are: \ref PlaneCell, \ref SpaceCell or \ref SphereCell
 template <class Cell>
 class MeshVolumes {
@@ -110,9 +111,9 @@ class MeshVolumes {
         for (int a = 0; a < N; ++a) out[cell] += slope[b * N + a] * u[std::size_t(N) * node(cell, b) + a];
     }
   }
-  /// The masses of the nodes: \f$m_v=\tfrac1n\sum_K\rho_K\,\partial A_K/\partial y_v\cdot(y_v-c_K)\f$ with the
-  /// mean \f$c_K\f$ of the corners, such that a pressure which is linear in space moves a node by minus its
-  /// gradient. In a parallelogram each corner has its share.
+  /// The masses of the nodes: \f$m_v=\tfrac1n\sum_K\rho_K\,\partial A_K/\partial y_v\cdot(y_v-c_K)\f$ with
+  /// the mean \f$c_K\f$ of the corners, such that a pressure which is linear in space moves a node by minus
+  /// its gradient. In a parallelogram each corner has its share.
   /// @param y        places at which the medium has this density
   /// @param density  of each cell
   std::vector<double> masses(SharpPlaces const& y, std::vector<double> const& density) const {

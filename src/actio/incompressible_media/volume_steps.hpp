@@ -1,5 +1,5 @@
-// Steps that keep the volume of every cell: SHAKE with one multiplier a cell, the pressure (chapter 10C of the
-// book).
+// Steps that keep the volume of every cell: SHAKE with one multiplier a cell, the pressure (chapter 10C of
+// the book).
 //
 // The discrete extended section has places y_k at the nodes and a pressure P_k in each cell at every level.
 // Its field equations are, with slopes G_k = dA/dy(y_k), forces F_k = -dE/dy(y_k) and masses M,
@@ -273,8 +273,8 @@ class VolumeSteps {
             push, bound);
     }
   }
-  /// Takes from defects of all volumes the part of each in their sum, which no pressure can mend: rounding, or
-  /// what walls do.
+  /// Takes from defects of all volumes the part of each in their sum, which no pressure can mend: rounding,
+  /// or what walls do.
   /// @param bound  of that part over the volume
   /// @throws WallsChangeVolume  where it is more
   void share_out(std::vector<double>& r, double bound) const {

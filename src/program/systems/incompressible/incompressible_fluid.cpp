@@ -21,8 +21,8 @@ quantities = ["energy", "volume_defect", "min_jacobian"]
 )scene";
   return incompressible_system(
       true, "incompressible_fluid", "Incompressible fluid",
-      "A fluid without friction and without sound: the volume of every cell is kept, and the pressure is what "
-      "keeps it. It sloshes, turns in a box, or flies as a drop, on cells that move with it.",
+      "A fluid without friction and without sound: the volume of every cell is kept, and the pressure is "
+      "what keeps it. It sloshes, turns in a box, or flies as a drop, on cells that move with it.",
       example);
 }
 

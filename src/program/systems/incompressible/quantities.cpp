@@ -33,11 +33,11 @@ std::vector<Quantity> incompressible_quantities(bool fluid) {
     all.push_back({name, Kind::scalar, meaning, formula, unit, "", {}});
   };
   add("volume_defect",
-      "How far the volume of a cell is from what it was, the largest over all cells, over it.",
+      "How far the volume of a cell is from what it was, over it, the largest over all.",
       "\\max_K|A_K/A_K^0 - 1|", "1");
   add("min_jacobian",
-      "The least Jacobian at a corner of a cell, over that of the reference: a run ends before it reaches zero. "
-      "The volume of a cell may be kept while it folds.",
+      "The least Jacobian at a corner of a cell, over that of the reference: a run ends before it reaches "
+      "zero. The volume of a cell may be kept while it folds.",
       "\\min J", "1");
   add("pressure_checkerboard",
       "The mean pressure of the red cells of a box less that of the black ones, of a chessboard. Of bodies that "

@@ -22,6 +22,7 @@ std::vector<Quantity> sums_of_body(bool fluid);
 /// How these come from its motion.
 /// \copydetails define_medium
 template <int d>
-void define_sums(QuantityGraph& graph, MediumView<d> const& medium, std::vector<MaterialLoop<d>> const& loops);
+void define_sums(QuantityGraph& graph, MediumView<d> const& medium,
+                 std::vector<MaterialLoop<d>> const& loops);
 
 }  // namespace actio::scene
