@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
   }
   program.picture(
       "growth", plot.svg(),
-      "How far the corners of cells are deformed by a wave of amplitude 1e-4: weight at nodes, and of cells.");
+      "Deformation of the corners of cells by a wave of amplitude 1e-4: weight at nodes, and of cells.");
   program.figure("off", off, number(100 * std::abs(off), 2), "per cent of the frequency on 64 x 45 cells");
   program.figure("rest", rest, number(rest, 2), "difference from the hydrostatic pressure");
   program.figure("slow", slow, number(slow, 2), "rate of growth with weight at nodes, 8 cells across");

@@ -2,36 +2,9 @@
 // 10C of the book). Media in the plane and in space, and the fluid on the sphere, say what acts on them.
 #pragma once
 
-#include "actio/incompressible_media/volume_steps.hpp"
+#include "actio/incompressible_media/volume_examination.hpp"
 
 namespace actio::media {
-
-/// A cell of an incompressible medium that would fold: its volume is kept, and a corner of it turns inside
-/// out. The state is that before the step.
-struct CellFolds : OutsideDomain {
-  int cell;     ///< which
-  int corner;   ///< of it
-  double time;  ///< when it would, on the straight way of the step
-  /// @param name  of the cell, for messages
-  CellFolds(int which, int at, std::string const& name, double when, double jacobian)
-      : OutsideDomain(
-            "incompressible medium: corner " + std::to_string(at) + " of " + name + ", t = " + show(when),
-            "a cell is not sheared so far that it folds, although its volume is kept; Jacobian at the "
-            "corner after the step",
-            jacobian, 0),
-        cell(which),
-        corner(at),
-        time(when) {}
-};
-
-/// An incompressible medium whose start changes volumes.
-struct StartChangesVolumes : OutsideDomain {
-  bool placement;  ///< whether its placement does; if not its velocity
-  /// As \ref OutsideDomain.
-  StartChangesVolumes(bool by_placement, std::string const& where, std::string const& required, double was,
-                      double allowed)
-      : OutsideDomain(where, required, was, allowed), placement(by_placement) {}
-};
 
 /// Steps of an incompressible medium.
 template <class Cell>
@@ -230,7 +203,7 @@ class IncompressibleMotion {
     SharpPlaces at{std::move(y), none};
     double const off = volumes_.defects(at, r);
     double const bound = 1e-6;
-    if (!(off <= bound) && !project) refuse_places(r, off, bound);
+    if (!(off <= bound) && !project) refuse_placement(mesh_, volumes_, r, bound);
     if (off > solving_.tolerance) {
       std::vector<double> P(r.size(), 0), way = none;
       SharpPlaces const from = at;
@@ -242,20 +215,15 @@ class IncompressibleMotion {
     volumes_.set_slopes(state_.at), volumes_.rebuild();
     tangent(state_.at.y, 0, state_.v);
     auto const given = state_.v;
-    double const rate = divergence(state_.v);
-    if (!(rate <= bound) && !project)
-      throw StartChangesVolumes(
-          false, "incompressible medium",
-          "a velocity changes no volume at the start, or what does is to be taken from it "
-          "(project = true); the rate of a volume over what that speed could do",
-          rate, bound);
-    volumes_.project(whole_slopes(), state_.v);
+    auto const whole = whole_slopes();
+    if (!project) require_volumes_kept(volumes_, whole, state_.v, bound);
+    volumes_.project(whole, state_.v);
     for (std::size_t k = 0; k < given.size(); k += N) {
       double square = 0;
       for (int a = 0; a < N; ++a) square += std::pow(state_.v[k + a] - given[k + a], 2);
       projected_ = std::max(projected_, std::sqrt(square));
     }
-    refuse_folds(state_.at.y, state_.at.y, 0, 0);
+    refuse_folds(mesh_, volumes_.volumes, reference_jacobians_, {state_.at.y, state_.at.y, 0, 0});
   }
 
   /// Forces on all nodes at places y and time t, without pressures; those of held nodes projected.
@@ -312,7 +280,7 @@ class IncompressibleMotion {
     volumes_.set_slopes(from.at);
     volumes_.solve([&](std::vector<double>& v, SharpPlaces& to) { move(from.at, h, t, v, to); }, scale, h, P,
                    next_.v, next_.at);
-    refuse_folds(from.at.y, next_.at.y, t - h, h);
+    refuse_folds(mesh_, volumes_.volumes, reference_jacobians_, {from.at.y, next_.at.y, t - h, h});
     pressure_ = std::move(P);
   }
   /// The parabola through the last three pressures, or what is known of it.
@@ -341,51 +309,6 @@ class IncompressibleMotion {
     volumes_.set_slopes(state_.at);
     volumes_.project(whole_slopes(), v);
     return v;
-  }
-  /// The largest |G v| over what velocities of that size could do to the cell.
-  double divergence(std::vector<double> const& v) const {
-    std::vector<double> rates;
-    auto const slopes = whole_slopes();
-    volumes_.volumes.rates(slopes, v, rates);
-    double speed = 0, most = 0;
-    for (std::size_t k = 0; k < v.size(); k += N) {
-      double square = 0;
-      for (int a = 0; a < N; ++a) square += v[k + a] * v[k + a];
-      speed = std::max(speed, std::sqrt(square));
-    }
-    for (std::size_t cell = 0; cell < rates.size(); ++cell) {
-      double sum = 0;
-      for (int k = 0; k < Cell::corners * N; ++k) sum += std::abs(slopes[cell * Cell::corners * N + k]);
-      if (speed > 0) most = std::max(most, std::abs(rates[cell]) / (sum * speed));
-    }
-    return most;
-  }
-  [[noreturn]] void refuse_places(std::vector<double> const& r, double off, double bound) const {
-    std::size_t worst = 0;
-    for (std::size_t k = 0; k < r.size(); ++k)
-      if (!(std::abs(r[k]) / volumes_.kept[k] <= std::abs(r[worst]) / volumes_.kept[worst])) worst = k;
-    throw StartChangesVolumes(
-        true, "incompressible medium: " + mesh_.cell_name(static_cast<int>(worst)),
-        "the placement keeps the volume of each cell; A/A0 - 1 (project = true takes that "
-        "from it)",
-        off, bound);
-  }
-  /// Refuses places at which a corner is inside out, with the time on the way at which it turned.
-  void refuse_folds(std::vector<double> const& from, std::vector<double> const& to, double t,
-                    double h) const {
-    auto const J = volumes_.volumes.corner_jacobians(to);
-    auto const worst = std::min_element(J.begin(), J.end()) - J.begin();
-    if (J[worst] > 0) return;
-    double low = 0, high = 1;
-    std::vector<double> y = to;
-    for (int k = 0; k < 40; ++k) {
-      double const middle = 0.5 * (low + high);
-      for (std::size_t i = 0; i < y.size(); ++i) y[i] = from[i] + middle * (to[i] - from[i]);
-      (volumes_.volumes.corner_jacobians(y)[worst] > 0 ? low : high) = middle;
-    }
-    int const cell = static_cast<int>(worst) / Cell::corners;
-    throw CellFolds(cell, static_cast<int>(worst) % Cell::corners, mesh_.cell_name(cell), t + high * h,
-                    J[worst] / reference_jacobians_[worst]);
   }
   static std::vector<Place> points(std::vector<double> const& in) {
     std::vector<Place> out(in.size() / N);

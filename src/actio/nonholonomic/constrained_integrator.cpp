@@ -108,13 +108,13 @@ void ConstrainedIntegrator<Step>::take(Solver& substep, double t) {
   auto const v = substep.velocity(), multipliers = substep.multipliers();
   if constexpr (at_nodes_) {
     add_reactions(now_.ledger, start, t, multipliers);
-    auto const& ends = substep.last().momenta;
+    auto const& force = substep.last().momenta.force;
     double const half = substep.length() / 2;
-    for (std::size_t i = 0; i < ends.force_before.size(); ++i)
-      now_.ledger.work += half * (ends.force_before[i] + ends.force_after[i]) * v[i];
-    add_impulse(now_.ledger, half, ends.force_before);
+    for (std::size_t i = 0; i < force.before.size(); ++i)
+      now_.ledger.work += half * (force.before[i] + force.after[i]) * v[i];
+    add_impulse(now_.ledger, half, force.before);
     move();
-    add_impulse(now_.ledger, half, ends.force_after);
+    add_impulse(now_.ledger, half, force.after);
   } else {
     auto const& rows = substep.last().constraint.rows;
     for (std::size_t k = 0; k < multipliers.size(); ++k)
@@ -178,7 +178,7 @@ template <template <class> class Step>
 std::pair<ConstrainedState, std::vector<double>> ConstrainedIntegrator<Step>::projected() const {
   ConstrainedVelocity projection(*system_, *constraints_);
   std::vector<double> v = velocity_of_substep(), lambda(static_cast<std::size_t>(constraints_->count), 0);
-  auto const& [p, a, _] = now_.point;
+  auto const &p = now_.point.momentum, &a = now_.point.vectors;
   projection.solve(p, a, time(), v, lambda);
   return {{{projection.momentum(p, a, time(), lambda), a}, v, 0}, lambda};
 }

@@ -40,8 +40,8 @@ std::vector<Quantity> incompressible_quantities(bool fluid) {
       "zero. The volume of a cell may be kept while it folds.",
       "\\min J", "1");
   add("pressure_checkerboard",
-      "The mean pressure of the red cells of a box less that of the black ones, of a chessboard. Of bodies that "
-      "are no box it is zero.",
+      "The mean pressure of the red cells of a box less that of the black ones, of a chessboard. Of bodies "
+      "that are no box it is zero.",
       "\\langle P\\rangle_{\\mathrm{red}} - \\langle P\\rangle_{\\mathrm{black}}", "energy/volume");
   add("iterations", "How many rounds it took to solve for the pressures of the last step.", "", "1");
   return all;
