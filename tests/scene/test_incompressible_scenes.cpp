@@ -127,6 +127,19 @@ BOOST_AUTO_TEST_CASE(a_tank_sways_and_its_pressure_is_hydrostatic) {
   BOOST_TEST(heavy <= 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(both_solvers_lead_to_the_same_places) {
+  std::vector<double> places[2];
+  for (int k = 0; k < 2; ++k)
+    places[k] = end_of("turning_cells", {"run.until=0.5", std::string("method.solver=") +
+                                                              (k ? "\"cholesky\"" : "\"multigrid\"")})
+                    .of("position");
+  double apart = 0;
+  for (std::size_t k = 0; k < places[0].size(); ++k)
+    apart = std::max(apart, std::abs(places[0][k] - places[1][k]));
+  // The tolerance of volumes, over a hundred steps.
+  BOOST_TEST(apart <= 1e-10);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_scene_is_told_at_its_place) {
   auto const refused = [](std::string const& text) {
     CHECK_REFUSED(Scene::read(SceneFile::parse(text, "scene.toml")), SceneError);
@@ -138,6 +151,14 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_scene_is_told_at_its_place) {
   refused(head + "boundary = { left = \"fixed\", right = \"fixed\", bottom = \"fixed\", top = \"fixed\" }\n" +
           tail);
   refused(head + "[method]\ntolerance = 1\n" + tail);
+  refused(
+      "[system]\nkind = \"incompressible_fluid\"\nmesh = { shape = \"disc\", radius = 1, cells = [2, 4] }\n"
+      "[method]\nsolver = \"multigrid\"\n" +
+      tail);
+  refused(
+      "[system]\nkind = \"incompressible_fluid\"\nmesh = { lower = [0, 0, 0], upper = [1, 1, 1], cells = [3, 3, 3] }\n"
+      "[method]\nsolver = \"cholesky\"\n" +
+      tail);
   refused("[system]\nkind = \"incompressible_fluid\"\nmesh = { lower = [0], upper = [1], cells = [4] }\n" +
           tail);
   CHECK_REFUSED(Scene::read(SceneFile::parse(

@@ -40,6 +40,13 @@ struct IncompressibleMethodKeys : KeyTable {
           LeftOut{"a tenth of the time in which the fastest node passes an edge, and four tenths "
                   "of the longest stable step at most"},
           "The time that a step takes.", "0.01");
+  Key<std::string> solver =
+      key("solver", one_of("solver", {"multigrid", "cholesky"}),
+          LeftOut{"multigrid on boxes of 1000 cells in the plane and more"},
+          "What the pressures are found by: cycles of multigrid, on boxes in the plane whose counts of cells "
+          "are multiples of four along periodic directions, or sparse factors. In space it is conjugate "
+          "gradients, and the key is left out.",
+          "\"cholesky\"");
   Key<double> tolerance =
       key("tolerance", positive.called("a number from 1e-14 to 1e-6"), 2e-13,
           "How far the volume of a cell may be off, over that volume, at every step.", "1e-12");

@@ -32,8 +32,7 @@ std::vector<Quantity> incompressible_quantities(bool fluid) {
   auto const add = [&](char const* name, char const* meaning, char const* formula, char const* unit) {
     all.push_back({name, Kind::scalar, meaning, formula, unit, "", {}});
   };
-  add("volume_defect",
-      "How far the volume of a cell is from what it was, over it, the largest over all.",
+  add("volume_defect", "How far the volume of a cell is from what it was, over it, the largest over all.",
       "\\max_K|A_K/A_K^0 - 1|", "1");
   add("min_jacobian",
       "The least Jacobian at a corner of a cell, over that of the reference: a run ends before it reaches "

@@ -80,6 +80,16 @@ std::unique_ptr<media::IncompressibleMedium<d>> made(SceneFile const& file, Medi
   if (!(solving.tolerance >= 1e-14 && solving.tolerance <= 1e-6))
     incompressible_method_keys.tolerance.fail(
         file, fmt::format("a number from 1e-14 to 1e-6 is expected, found {}", solving.tolerance));
+  if (auto const by = incompressible_method_keys.solver.find(file)) {
+    solving.by = *by == "multigrid" ? media::PressureBy::multigrid : media::PressureBy::factors;
+    bool const suits = *by == "multigrid" ? media::MultigridPressure::suits(mesh.make()) : d == 2;
+    if (!suits)
+      incompressible_method_keys.solver.fail(
+          file, *by == "multigrid"
+                    ? "multigrid is for boxes in the plane, with two cells at least along each "
+                      "direction and a multiple of four along a periodic one"
+                    : "factors fill up in space: it is left out there");
+  }
   try {
     return std::make_unique<media::IncompressibleMedium<d>>(mesh.make(), std::move(law), start, 1.0,
                                                             loads.sides, loads.loads, solving);
