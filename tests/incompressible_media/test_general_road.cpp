@@ -1,5 +1,5 @@
-// The implementation for large meshes against the general one, from the densities of chapters 6 and 8 by exact
-// derivatives: places and pressures of a block of water, and of one of rubber.
+// The implementation for large meshes against the general one, from the densities of chapters 6 and 8 by
+// exact derivatives: places and pressures of a block of water, and of one of rubber.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/constraints_on_meshes/step_with_multipliers.hpp"

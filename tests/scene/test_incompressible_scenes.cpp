@@ -156,7 +156,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_scene_is_told_at_its_place) {
       "[method]\nsolver = \"multigrid\"\n" +
       tail);
   refused(
-      "[system]\nkind = \"incompressible_fluid\"\nmesh = { lower = [0, 0, 0], upper = [1, 1, 1], cells = [3, 3, 3] }\n"
+      "[system]\nkind = \"incompressible_fluid\"\n"
+      "mesh = { lower = [0, 0, 0], upper = [1, 1, 1], cells = [3, 3, 3] }\n"
       "[method]\nsolver = \"cholesky\"\n" +
       tail);
   refused("[system]\nkind = \"incompressible_fluid\"\nmesh = { lower = [0], upper = [1], cells = [4] }\n" +
