@@ -98,7 +98,7 @@ template <int from, class V, class M>
 }
 /// out = first + a square matrix times a column; `out` is neither column.
 template <class V, class M>
-[[gnu::always_inline]] inline void add_product(V const& first, M const& matrix, V const& by, V& out) {
+[[gnu::always_inline]] inline void multiply_and_add(V const& first, M const& matrix, V const& by, V& out) {
   ColumnSum<V> sum(first, out);
   add_columns<0>(sum, matrix, by);
   sum.store();

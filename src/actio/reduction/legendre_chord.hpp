@@ -110,7 +110,7 @@ class LegendreChord {
   void correct(Coordinates<G, S> const& mu, Coordinates<G, S> const& there, Coordinates<G, S> const& from,
                Coordinates<G, S>& out) const {
     Coordinates<G, S> const changed = mu - there;
-    add_product(from, inverse_, changed, out);
+    multiply_and_add(from, inverse_, changed, out);
   }
   template <class F>
   void differentiate(F const& l, Velocity<G, S> const& xi) {
