@@ -17,18 +17,16 @@ Point on_sphere(Point p) {
 
 /// Moves each node to the mean of its neighbours along edges, again and again.
 void smooth(BodyMesh& mesh, int rounds) {
-  std::vector<std::set<int>> neighbours(mesh.nodes.size());
+  std::set<std::pair<int, int>> edges;  // both ways
   for (auto const& cell : mesh.cells)
     for (int b = 0; b < 4; ++b)
-      for (int k = 0; k < 2; ++k) neighbours[cell[b]].insert(cell[b ^ 1 << k]);
+      for (int k = 0; k < 2; ++k) edges.insert({cell[b], cell[b ^ 1 << k]});
+  std::vector<std::pair<int, int>> const in_a_row(edges.begin(), edges.end());
   for (int round = 0; round < rounds; ++round) {
-    auto const before = mesh.nodes;
-    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-      Point sum{};
-      for (int const other : neighbours[node])
-        for (int a = 0; a < 3; ++a) sum[a] += before[other][a];
-      mesh.nodes[node] = on_sphere(sum);
-    }
+    std::vector<Point> sums(mesh.nodes.size(), Point{});
+    for (auto const& [node, other] : in_a_row)
+      for (int a = 0; a < 3; ++a) sums[node][a] += mesh.nodes[other][a];
+    for (std::size_t node = 0; node < sums.size(); ++node) mesh.nodes[node] = on_sphere(sums[node]);
   }
 }
 

@@ -14,9 +14,9 @@ std::vector<std::string> symmetric_components(int d) {
 }  // namespace
 
 template <int d>
-MediumFields<d> medium_fields() {
+MediumFields<d> medium_fields(int dimension) {
   using At = PointOfMedium<d>;
-  std::string const per_volume = d == 1 ? "/length" : "/length^" + std::to_string(d);
+  std::string const per_volume = dimension == 1 ? "/length" : "/length^" + std::to_string(dimension);
   return {
       {"jacobian", "J, the volume over that of the reference", "1", false,
        [](At const& at, double* out) { *out = at.point.jacobian; }},
@@ -40,25 +40,25 @@ MediumFields<d> medium_fields() {
 }
 
 template <int d>
-MediumFields<d> fields_named(std::vector<std::string> const& names) {
+MediumFields<d> fields_named(std::vector<std::string> const& names, int dimension) {
   MediumFields<d> out;
   for (auto const& name : names)
-    for (auto const& field : medium_fields<d>())
+    for (auto const& field : medium_fields<d>(dimension))
       if (field.name == name) out.push_back(field);
   return out;
 }
 
 /// Along a line.
-template MediumFields<1> medium_fields<1>();
+template MediumFields<1> medium_fields<1>(int);
 /// In the plane.
-template MediumFields<2> medium_fields<2>();
+template MediumFields<2> medium_fields<2>(int);
 /// In space.
-template MediumFields<3> medium_fields<3>();
+template MediumFields<3> medium_fields<3>(int);
 /// \copydoc fields_named
-template MediumFields<1> fields_named<1>(std::vector<std::string> const&);
+template MediumFields<1> fields_named<1>(std::vector<std::string> const&, int);
 /// \copydoc fields_named
-template MediumFields<2> fields_named<2>(std::vector<std::string> const&);
+template MediumFields<2> fields_named<2>(std::vector<std::string> const&, int);
 /// \copydoc fields_named
-template MediumFields<3> fields_named<3>(std::vector<std::string> const&);
+template MediumFields<3> fields_named<3>(std::vector<std::string> const&, int);
 
 }  // namespace actio::scene

@@ -59,11 +59,13 @@ template <int d>
 using MediumFields = std::vector<MediumField<d>>;
 
 /// All that there are, in their order.
+/// @param dimension  of the cells, for units
 template <int d>
-MediumFields<d> medium_fields();
+MediumFields<d> medium_fields(int dimension = d);
 /// Those of these names, which are known, in the order of the names.
+/// \copydetails medium_fields
 template <int d>
-MediumFields<d> fields_named(std::vector<std::string> const& names);
+MediumFields<d> fields_named(std::vector<std::string> const& names, int dimension = d);
 /// How many numbers they have together.
 template <int d>
 std::size_t field_size(MediumFields<d> const& fields) {

@@ -53,10 +53,12 @@ void write_fields(MediumView<d> const& medium, PointOfCell<d> const& point, Medi
 }
 
 /// Means of the fields over cells or around nodes, weighed by reference volume; one after the other for each.
+/// @param multipliers  of the cells where their volumes are kept, at the time of the places; otherwise none
 template <int d>
 std::vector<double> mean_fields(MediumView<d> const& medium,
                                 std::vector<typename MediumCells<d>::Place> const& x,
-                                MediumFields<d> const& asked, bool on_nodes) {
+                                std::vector<double> const& multipliers, MediumFields<d> const& asked,
+                                bool on_nodes) {
   std::size_t const size = field_size(asked);
   MediumCells<d> const& cells = medium.motion->cells();
   std::size_t const count = on_nodes ? cells.nodes() : cells.cells();
@@ -68,9 +70,6 @@ std::vector<double> mean_fields(MediumView<d> const& medium,
   };
   bool const many = cells.points() > 1;
   int const corners = media::corner_count(cells.shape());
-  auto const multipliers = std::ranges::any_of(asked, &MediumField<d>::needs_stress)
-                               ? medium.motion->multipliers()
-                               : std::vector<double>{};
   for_points(medium, x, true, [&](PointOfCell<d> point, auto const& cell) {
     if (!multipliers.empty()) point.multiplier = multipliers[point.cell];
     write_fields(medium, point, asked, here.data());

@@ -49,6 +49,8 @@ class MediumCells {
       for (int k = 0; k < d; ++k) moved[b][k] = x[node][k] - X[k];
     }
   }
+  /// Of a cell: two where those in space are of the unit sphere.
+  int dimension() const { return d == 3 && shape() == media::BodyMesh::Shape::quadrilateral ? 2 : d; }
   /// How many deformation gradients a cell has: at each corner of a box-like one, otherwise one.
   int points() const { return media::is_simplex(shape()) || d == 1 ? 1 : media::corner_count(shape()); }
   /// The corners at both ends of edge k of a point of a cell.
@@ -56,12 +58,14 @@ class MediumCells {
     if (points() == 1) return {0, k + 1};
     return {point & ~(1 << k), point | (1 << k)};
   }
-  /// The edges that meet at a point of a cell, as columns.
+  /// The edges that meet at a point of a cell, as columns; of a cell of the unit sphere the third is the
+  /// normal, which is the place.
   Matrix<double, d, d> edges(Place const (&at)[8], int point) const {
     Matrix<double, d, d> out;
-    for (int k = 0; k < d; ++k) {
-      auto const [low, up] = ends(point, k);
-      for (int i = 0; i < d; ++i) out(i, k) = at[up][i] - at[low][i];
+    for (int k = 0, flat = dimension(); k < d; ++k) {
+      bool const normal = k == flat;
+      auto const [low, up] = normal ? std::array{point, point} : ends(point, k);
+      for (int i = 0; i < d; ++i) out(i, k) = at[up][i] - (normal ? 0 : at[low][i]);
     }
     return out;
   }
@@ -137,6 +141,7 @@ class MediumMotion : public Motion {
   /// The pressure of each cell beyond that of the stored energy, the multiplier of its volume; none where
   /// volumes are not kept.
   virtual std::vector<double> multipliers() const { return {}; }
+  virtual bool has_multipliers() const { return false; }  ///< whether there are any
 
  private:
   virtual void show_after(double time) = 0;  // since the last step; 0: the last step itself

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "program/registry/units.hpp"
 #include "program/medium_output/grid.hpp"
+#include "program/registry/units.hpp"
 
 namespace actio::scene {
 namespace {
@@ -24,9 +24,12 @@ DrawnMesh drawn_mesh(MediumCells<d> const& cells) {
   }
   std::vector<std::int64_t> at_corners(grid.corners());
   for (std::size_t k = 0; k < at_corners.size(); ++k) at_corners[k] = grid.corner(k);
-  if (d > 1)
-    return DrawnMesh::of(d, std::move(points), std::move(nodes), at_corners,
-                         static_cast<std::size_t>(media::corner_count(cells.shape())));
+  if (d > 1) {
+    DrawnMesh out = DrawnMesh::of(cells.dimension(), std::move(points), std::move(nodes), at_corners,
+                                  static_cast<std::size_t>(media::corner_count(cells.shape())));
+    out.dimension = d;
+    return out;
+  }
   auto const [first, last] = std::minmax_element(points.begin(), points.end(),
                                                  [](auto const& a, auto const& b) { return a[0] < b[0]; });
   double const height = 0.08 * ((*last)[0] - (*first)[0]);
@@ -67,7 +70,7 @@ void add_frame(PlayedMedium& played, MediumView<d> const& medium, DrawnMesh cons
     places.push_back(place);
   }
   auto const shown = shown_fields<d>();
-  auto const fields = mean_fields(medium, frame.places, shown, false);
+  auto const fields = mean_fields(medium, frame.places, frame.multipliers, shown, false);
   std::size_t const size = shown.size();
   for (std::size_t i = 0; i < size; ++i) {
     auto& values = played.fields[i].values.emplace_back();

@@ -1,5 +1,5 @@
-// A medium out of its snapshots, as the pictures of a run show it (played_medium.hpp). Places and velocities
-// are read; all fields follow from them.
+// A medium out of its snapshots, as the pictures of a run show it (played_medium.hpp). Places, velocities and
+// the multipliers of volumes that are kept are read; all fields follow from them.
 #pragma once
 
 #include <functional>
@@ -14,6 +14,7 @@ template <int d>
 struct MediumFrame {
   std::vector<std::array<double, d>> places;      ///< of the nodes, length
   std::vector<std::array<double, d>> velocities;  ///< of the nodes, length/time
+  std::vector<double> multipliers;                ///< of the cells, where their volumes are kept
 };
 
 /// What is shown of snapshots at these times.

@@ -11,6 +11,7 @@
 #include "program/medium_output/grid.hpp"
 #include "program/medium_output/playing.hpp"
 #include "program/medium_output/vtu_file.hpp"
+#include "program/output/series_reader.hpp"
 #include "program/registry/units.hpp"
 #include "program/run/checkpoint.hpp"
 
@@ -23,12 +24,16 @@ class MediumSnapshots : public SnapshotWriter {
   using Place = std::array<double, d>;
   MediumSnapshots(SceneFile const& scene, SnapshotRequest const& request, MediumView<d> const& medium)
       : scene_(scene),
-        asked_(fields_named<d>(request.columns)),
+        asked_(fields_named<d>(request.columns, medium.motion->cells().dimension())),
         vtu_(request.in("vtu")),
         hdf5_(request.in("hdf5")),
         medium_(medium) {}
 
-  std::vector<std::string> files(long number) const override { return {snapshot_file(number, ".csv")}; }
+  std::vector<std::string> files(long number) const override {
+    std::vector<std::string> out{snapshot_file(number, ".csv")};
+    if (medium_.motion->has_multipliers()) out.push_back(snapshot_file(number, cells_file));
+    return out;
+  }
   std::vector<std::string> files_in(std::string const& format, long taken) const override {
     std::vector<std::string> out;
     if (format == "hdf5") out.emplace_back(frames_file);
@@ -43,8 +48,8 @@ class MediumSnapshots : public SnapshotWriter {
                  fields = static_cast<double>(field_size(asked_));
     // A number of a table has about 19 characters; zlib leaves of doubles that differ about all, and of what
     // counts corners little.
-    return nodes * (3 * d + fields) * 19 + (vtu_ ? 8 * (nodes * 9 + all * fields) : 0) +
-           (hdf5_ ? 8 * nodes * (2 * d + fields) : 0);
+    return nodes * (3 * d + fields) * 19 + (medium_.motion->has_multipliers() ? 19 * all : 0) +
+           (vtu_ ? 8 * (nodes * 9 + all * fields) : 0) + (hdf5_ ? 8 * nodes * (2 * d + fields) : 0);
   }
 
   void make(std::string const& format, std::string const& folder, std::span<double const> times,
@@ -59,7 +64,10 @@ class MediumSnapshots : public SnapshotWriter {
     // Velocities first: they take more room while they are made.
     auto const v = medium_.motion->velocities();
     auto const x = medium_.motion->places();
-    auto const fields = mean_fields(medium_, x, asked_, true);
+    auto const multipliers = medium_.motion->multipliers();
+    if (medium_.motion->has_multipliers())
+      write_cells(folder + "/" + snapshot_file(number, cells_file), multipliers, durable);
+    auto const fields = mean_fields(medium_, x, multipliers, asked_, true);
     write_table(folder + "/" + snapshot_file(number, ".csv"), x, v, fields, durable);
   }
 
@@ -72,7 +80,7 @@ class MediumSnapshots : public SnapshotWriter {
   std::vector<SnapshotArray> fields() const override {
     auto const v = medium_.motion->velocities();
     auto const x = medium_.motion->places();
-    auto const means = mean_fields(medium_, x, asked_, true);
+    auto const means = mean_fields(medium_, x, medium_.motion->multipliers(), asked_, true);
     auto out = arrays();
     std::size_t const size = field_size(asked_);
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -117,10 +125,24 @@ class MediumSnapshots : public SnapshotWriter {
       for (std::size_t k = 0; k < in_a_row.size(); ++k) out[k / d][k % d] = in_a_row[k];
       return out;
     };
-    return {points(found[0]), points(found[1])};
+    return {points(found[0]), points(found[1]), cells_in(folder, number)};
+  }
+
+  /// What cells have in a snapshot that was written.
+  /// @throws FileError  where they are not as many
+  std::vector<double> cells_in(std::string const& folder, long number) const {
+    std::vector<double> out;
+    if (!medium_.motion->has_multipliers()) return out;
+    std::string const path = folder + "/" + snapshot_file(number, cells_file);
+    auto const reader = read_csv_series(path, {"pressure"});
+    for (std::vector<double> row(1); reader->next(row);) out.push_back(row[0]);
+    if (std::size_t const cells = medium_.motion->cells().cells(); out.size() != cells)
+      throw FileError(fmt::format("{}: has {} cells, where the scene has {}", path, out.size(), cells));
+    return out;
   }
 
   static constexpr std::size_t all = ~std::size_t{0};
+  static constexpr char const* cells_file = ".cells.csv";
   static constexpr char const* series_file = "snapshots/series.pvd";
   /// Those that are there, and made of what their tables hold, stay as they are.
   void make_grids(std::string const& folder, std::span<double const> times, bool durable) const {
@@ -136,7 +158,7 @@ class MediumSnapshots : public SnapshotWriter {
       if (gone && none) continue;  // both were removed
       if (none || (!gone && made < written)) {
         MediumFrame<d> const frame = read(folder, number);
-        write_grid(folder + "/" + grid, frame.places, frame.velocities, times[k], durable);
+        write_grid(folder + "/" + grid, frame, times[k], durable);
       }
       list += pvd_entry(times[k], fs::path(grid).filename().string());
     }
@@ -149,6 +171,12 @@ class MediumSnapshots : public SnapshotWriter {
             {"scene", {scene_.written()}}};
   }
 
+  /// The pressure of each cell that its volume takes.
+  static void write_cells(std::string const& path, std::vector<double> const& multipliers, bool durable) {
+    NumberTable out("pressure");
+    for (double const one : multipliers) out.add(one), out.end_row();
+    write_whole_file(path, out.text(), durable);
+  }
   /// A part of the table at a time is in memory.
   /// @param fields  of each node
   void write_table(std::string const& path, std::vector<Place> const& x, std::vector<Place> const& v,
@@ -192,15 +220,15 @@ class MediumSnapshots : public SnapshotWriter {
     if (d == 2) return {{"XX", 0}, {"YY", 2}, {"XY", 1}};
     return {{"XX", 0}, {"YY", 3}, {"ZZ", 5}, {"XY", 1}, {"YZ", 4}, {"XZ", 2}};
   }
-  void write_grid(std::string const& path, std::vector<Place> const& x, std::vector<Place> const& v,
-                  double time, bool durable) const {
+  void write_grid(std::string const& path, MediumFrame<d> const& frame, double time, bool durable) const {
+    auto const &x = frame.places, &v = frame.velocities;
     auto const& cells = medium_.motion->cells();
     GridPoints<d> points(cells);
     VtuFile file(path, time, points.size(), cells.cells());
     file.point_data("reference", at_points(points, true, [&](auto k) { return cells.reference(k); }), 3);
     file.point_data("velocity", at_points(points, false, [&](auto k) { return v[k]; }), 3);
     auto const size = field_size(asked_);
-    auto const fields = mean_fields(medium_, x, asked_, false);
+    auto const fields = mean_fields(medium_, x, frame.multipliers, asked_, false);
     std::size_t first = 0;
     for (auto const& field : asked_) {
       auto const components = field.components.empty() ? std::vector<Component>{{"", 0}} : stress_in_grid();
@@ -245,7 +273,7 @@ template std::vector<std::string> medium_columns(MediumFields<2> const&);
 /// In space.
 template std::vector<std::string> medium_columns(MediumFields<3> const&);
 
-SnapshotKind medium_snapshots(bool fluid) {
+SnapshotKind medium_snapshots(bool fluid, bool keeps_volumes) {
   SnapshotKind out{"the reference coordinates X Y Z of the nodes, their positions x y z and velocities u v w",
                    {},
                    {{"vtu",
@@ -255,6 +283,9 @@ SnapshotKind medium_snapshots(bool fluid) {
                    "asked for of each frame and node, and reference and cells"};
   for (auto const& field : medium_fields<3>())
     if (!(fluid && field.of_solids)) out.columns.push_back({field.name, field.meaning});
+  if (keeps_volumes)
+    out.always +=
+        ", and snapshots/000000.cells.csv, ... the pressure in each cell by which it keeps its volume";
   return out;
 }
 

@@ -7,8 +7,9 @@
 namespace actio::scene {
 
 /// What they can hold.
-/// @param fluid  a solid has its stress besides
-SnapshotKind medium_snapshots(bool fluid);
+/// @param fluid          a solid has its stress besides
+/// @param keeps_volumes  cells that do have a pressure for it
+SnapshotKind medium_snapshots(bool fluid, bool keeps_volumes = false);
 
 /// The columns of the tables.
 template <int d>

@@ -97,6 +97,8 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"vorticity_sphere", "extrema", {}},
         {"two_bodies", "energy", {third_body, tides}},
         {"two_bodies", "momentum", {third_body}},
+        {"fluid_on_sphere", "energy", {}},
+        {"fluid_on_sphere", "angular_momentum", {}},
         {"barotropic_fluid",
          "circulation",
          {loop_at_a_side, potential_around_a_loop, viscosity, pressure_of_the_jacobian}},

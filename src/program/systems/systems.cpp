@@ -14,6 +14,7 @@
   with(elastic_body)            \
   with(incompressible_fluid)    \
   with(incompressible_body)     \
+  with(fluid_on_sphere)         \
   with(two_bodies)
 // clang-format on
 

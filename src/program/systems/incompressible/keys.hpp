@@ -2,6 +2,7 @@
 // are those of other media.
 #pragma once
 
+#include "actio/incompressible_media/volume_steps.hpp"
 #include "program/systems/media/keys.hpp"
 
 namespace actio::scene {
@@ -48,9 +49,20 @@ struct IncompressibleMethodKeys : KeyTable {
           "gradients, and the key is left out.",
           "\"cholesky\"");
   Key<double> tolerance =
-      key("tolerance", positive.called("a number from 1e-14 to 1e-6"), 2e-13,
+      key("tolerance", positive.called("a number from 1e-14 to 1e-6").in("1"), 2e-13,
           "How far the volume of a cell may be off, over that volume, at every step.", "1e-12");
 };
 inline IncompressibleMethodKeys const incompressible_method_keys{{"method"}};  ///< its keys
+
+/// How the volumes of a step are solved for, as [method] has it.
+/// @throws SceneError  where the tolerance is none
+inline media::VolumeSolving read_volume_solving(SceneFile const& file) {
+  media::VolumeSolving out;
+  out.tolerance = incompressible_method_keys.tolerance.read(file);
+  if (!(out.tolerance >= 1e-14 && out.tolerance <= 1e-6))
+    incompressible_method_keys.tolerance.fail(
+        file, fmt::format("a number from 1e-14 to 1e-6 is expected, found {}", out.tolerance));
+  return out;
+}
 
 }  // namespace actio::scene

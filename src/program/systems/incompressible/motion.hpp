@@ -2,22 +2,25 @@
 #pragma once
 
 #include "actio/incompressible_media/incompressible_medium.hpp"
+#include "actio/incompressible_media/incompressible_sphere.hpp"
 #include "program/medium_output/motion.hpp"
 
 namespace actio::scene {
 
 /// An incompressible medium on a mesh.
-template <int d>
-class IncompressibleSteps final : public MediumMotion<d> {
+/// @tparam Medium  `IncompressibleMedium`, or `IncompressibleSphere`
+template <class Medium>
+class IncompressibleSteps final : public MediumMotion<Medium::N> {
  public:
+  static constexpr int d = Medium::N;     ///< components of a place
   using typename MediumMotion<d>::Place;  ///< a point, or a vector
 
   /// @param medium  ready to be stepped
-  explicit IncompressibleSteps(std::unique_ptr<media::IncompressibleMedium<d>> medium)
+  explicit IncompressibleSteps(std::unique_ptr<Medium> medium)
       : medium_(std::move(medium)), cells_(medium_->mesh()) {}
 
   /// The medium, which its quantities look at.
-  media::IncompressibleMedium<d>& medium() const { return *medium_; }
+  Medium& medium() const { return *medium_; }
 
   void advance(long count) override {
     sound([&] { medium_->step(count); });
@@ -35,11 +38,21 @@ class IncompressibleSteps final : public MediumMotion<d> {
   std::vector<Place> places() const override { return medium_->places(); }
   std::vector<Place> velocities() const override { return medium_->velocities(); }
   double mass(std::size_t node) const override { return medium_->masses()[node]; }
-  media::BodyEnergies energies() const override { return medium_->energies(); }
-  std::vector<double> multipliers() const override { return medium_->pressures(); }
+  media::BodyEnergies energies() const override {
+    if constexpr (requires(Medium& one) { one.energies(); })
+      return medium_->energies();
+    else
+      return {medium_->kinetic_energy(), 0, 0};
+  }
+  bool has_multipliers() const override { return true; }
+  std::vector<double> multipliers() const override {
+    std::vector<double> out;
+    sound([&] { out = medium_->pressures(); });
+    return out;
+  }
 
  private:
-  std::unique_ptr<media::IncompressibleMedium<d>> medium_;
+  std::unique_ptr<Medium> medium_;
   MeshCells<d> cells_;
 
   void show_after(double time) override {
@@ -47,7 +60,7 @@ class IncompressibleSteps final : public MediumMotion<d> {
   }
   /// What cannot go on is told with the time.
   template <class Steps>
-  void sound(Steps const& steps) {
+  void sound(Steps const& steps) const {
     try {
       steps();
     } catch (media::CellFolds const& error) {

@@ -46,23 +46,56 @@ std::vector<Quantity> incompressible_quantities(bool fluid) {
   return all;
 }
 
-template <int d>
-void define_incompressible(QuantityGraph& graph, MediumView<d> const& view,
-                           IncompressibleSteps<d> const& motion, std::vector<MaterialLoop<d>> const& loops) {
-  define_sums<d>(graph, view, loops);
+std::vector<Quantity> quantities_on_sphere() {
+  auto all = incompressible_quantities(true);
+  std::erase_if(
+      all, [](auto const& one) { return one.name == "momentum" || one.name == "pressure_checkerboard"; });
+  auto const tell = [&all](char const* name, char const* meaning, char const* formula) {
+    auto& one = *std::ranges::find(all, name, &Quantity::name);
+    one.meaning = meaning, one.formula = formula;
+  };
+  tell("energy", "The kinetic energy. The steps keep it to the square of the step.",
+       "E = \\sum\\tfrac m2|v|^2");
+  tell(
+      "angular_momentum",
+      "The angular momentum about the centre of the sphere. The steps keep all three components to rounding.",
+      "\\int\\rho\\,\\phi\\times\\dot\\phi");
+  tell("circulation",
+       "The circulation of the velocity along the nodes at the edge of the upper face of the cube that the "
+       "mesh is made from, counterclockwise as seen from outside. Kelvin's theorem holds to the order of the "
+       "scheme.",
+       "\\oint\\dot\\phi\\cdot d\\phi");
+  tell("volume_defect",
+       "How far the area of a cell is from what it was, the largest over all cells, over it.",
+       "\\max_K|A_K/A_K^0 - 1|");
+  return all;
+}
+
+template <class Medium>
+void define_incompressible(QuantityGraph& graph, MediumView<Medium::N> const& view,
+                           IncompressibleSteps<Medium> const& motion,
+                           std::vector<MaterialLoop<Medium::N>> const& loops) {
+  define_sums<Medium::N>(graph, view, loops);
   auto& medium = motion.medium();
   graph.define("volume_defect", {""}, [&medium](auto, double* out) { *out = medium.volume_defect(); });
   graph.define("min_jacobian", {""},
                [&medium](auto, double* out) { *out = std::ranges::min(medium.jacobians()); });
-  graph.define("pressure_checkerboard", {""},
-               [&medium](auto, double* out) { *out = checkerboard<d>(medium); });
+  if constexpr (requires { checkerboard(medium); })
+    graph.define("pressure_checkerboard", {""},
+                 [&medium](auto, double* out) { *out = checkerboard(medium); });
   graph.define("iterations", {""}, [&medium](auto, double* out) { *out = medium.rounds(); });
 }
 /// In the plane.
-template void define_incompressible(QuantityGraph&, MediumView<2> const&, IncompressibleSteps<2> const&,
+template void define_incompressible(QuantityGraph&, MediumView<2> const&,
+                                    IncompressibleSteps<media::IncompressibleMedium<2>> const&,
                                     std::vector<MaterialLoop<2>> const&);
 /// In space.
-template void define_incompressible(QuantityGraph&, MediumView<3> const&, IncompressibleSteps<3> const&,
+template void define_incompressible(QuantityGraph&, MediumView<3> const&,
+                                    IncompressibleSteps<media::IncompressibleMedium<3>> const&,
+                                    std::vector<MaterialLoop<3>> const&);
+/// On the sphere.
+template void define_incompressible(QuantityGraph&, MediumView<3> const&,
+                                    IncompressibleSteps<media::IncompressibleSphere> const&,
                                     std::vector<MaterialLoop<3>> const&);
 
 }  // namespace actio::scene

@@ -18,16 +18,6 @@
 namespace actio::scene {
 namespace {
 
-std::vector<Method> incompressible_methods() {
-  return {
-      {"multisymplectic",
-       {"2"},
-       "The discrete Hamilton principle on space-time with a multiplier in each cell: explicit but for the "
-       "pressures, which are solved for. It keeps the volume of each cell, linear and angular momentum to "
-       "rounding; the energy oscillates with the square of the step.",
-       "claim_10_0_variational_discretisation"}};
-}
-
 /// The memory that it takes, refused before anything of that size is touched: a medium on a mesh, with the
 /// matrix for pressures and its factors. Those of a plane have about 8 n log n entries; measured.
 double checked_memory(SceneFile const& file, MediumMesh const& mesh, Request const& request) {
@@ -75,11 +65,7 @@ std::unique_ptr<media::IncompressibleMedium<d>> made(SceneFile const& file, Medi
                                                      std::shared_ptr<media::StoredEnergy<d> const> law,
                                                      media::IncompressibleStart<d> const& start,
                                                      MediumLoads<d> const& loads) {
-  media::VolumeSolving solving;
-  solving.tolerance = incompressible_method_keys.tolerance.read(file);
-  if (!(solving.tolerance >= 1e-14 && solving.tolerance <= 1e-6))
-    incompressible_method_keys.tolerance.fail(
-        file, fmt::format("a number from 1e-14 to 1e-6 is expected, found {}", solving.tolerance));
+  auto solving = read_volume_solving(file);
   if (auto const by = incompressible_method_keys.solver.find(file)) {
     solving.by = *by == "multigrid" ? media::PressureBy::multigrid : media::PressureBy::factors;
     bool const suits = *by == "multigrid" ? media::MultigridPressure::suits(mesh.make()) : d == 2;
@@ -150,7 +136,8 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
     loading =
         0.8 / 0.25 * frequency_of(loads.in_time, body.nodes, request.schedule.until(), simulation.remarks);
   }
-  auto motion = std::make_unique<IncompressibleSteps<d>>(made<d>(file, mesh, law, begin, loads));
+  auto motion = std::make_unique<IncompressibleSteps<media::IncompressibleMedium<d>>>(
+      made<d>(file, mesh, law, begin, loads));
   auto& medium = motion->medium();
   double const stiffest = medium.largest_frequency(), edge = medium.shortest_edge();
   // Four tenths of the longest stable step, or a tenth of an edge: turns of 0.8 radians.
@@ -173,7 +160,7 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
   simulation.quantities.conserve([&](std::string const& name) {
     return is_conserved(file.section("system").text("kind"), name, features);
   });
-  define_incompressible<d>(simulation.quantities, view, *motion, loops);
+  define_incompressible(simulation.quantities, view, *motion, loops);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_medium(request, view);
   simulation.steps_at_once = 1;
@@ -218,6 +205,16 @@ Simulation prepare_incompressible(Request const& request) {
 
 }  // namespace
 
+std::vector<Method> incompressible_methods() {
+  return {
+      {"multisymplectic",
+       {"2"},
+       "The discrete Hamilton principle on space-time with a multiplier in each cell: explicit but for the "
+       "pressures, which are solved for. It keeps the volume of each cell, linear and angular momentum to "
+       "rounding; the energy oscillates with the square of the step.",
+       "claim_10_0_variational_discretisation"}};
+}
+
 System incompressible_system(bool fluid, std::string name, std::string title, std::string meaning,
                              std::string example) {
   return {std::move(name),
@@ -233,7 +230,7 @@ System incompressible_system(bool fluid, std::string name, std::string title, st
           nullptr,
           {},
           nullptr,
-          medium_snapshots(fluid)};
+          medium_snapshots(fluid, true)};
 }
 
 }  // namespace actio::scene

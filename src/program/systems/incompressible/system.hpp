@@ -6,6 +6,9 @@
 
 namespace actio::scene {
 
+/// How incompressible media are stepped.
+std::vector<Method> incompressible_methods();
+
 /// A system of incompressible media, by its name, title, meaning and example: a fluid, or a body.
 System incompressible_system(bool fluid, std::string name, std::string title, std::string meaning,
                              std::string example);

@@ -95,7 +95,7 @@ using Seen = std::shared_ptr<Observed<d>>;
 double length_of(std::array<double, 3> const& a) { return std::hypot(a[0], a[1], a[2]); }
 
 template <int d>
-void define_momenta(QuantityGraph& graph, Seen<d> const& seen) {
+void define_momentum(QuantityGraph& graph, Seen<d> const& seen) {
   std::vector<std::string> ends{"_x", "_y", "_z"};
   ends.resize(d);
   graph.define(
@@ -111,6 +111,9 @@ void define_momenta(QuantityGraph& graph, Seen<d> const& seen) {
         seen->for_nodes([&](double m, auto const&, auto const& v) { sum += m * length_of(v), mass += m; });
         return seen->unit(sum, mass);
       });
+}
+template <int d>
+void define_angular_momentum(QuantityGraph& graph, Seen<d> const& seen) {
   // On a line there is none: the zero has a column all the same.
   graph.define(
       "angular_momentum",
@@ -269,7 +272,10 @@ namespace {
 template <int d>
 void define_sums(QuantityGraph& graph, Seen<d> const& seen, std::vector<MaterialLoop<d>> const& loops) {
   define_energy<d>(graph, seen);
-  define_momenta<d>(graph, seen);
+  auto const known = graph.known();
+  // On the sphere there is none.
+  if (std::ranges::find(known, "momentum", &Quantity::name) != known.end()) define_momentum<d>(graph, seen);
+  define_angular_momentum<d>(graph, seen);
   define_circulation<d>(graph, seen, loops);
 }
 }  // namespace
