@@ -66,6 +66,11 @@ inline std::vector<Long> const& long_scenes() {
        "900\n[run]\n"
        "until = 1800000\nevery = 3600\n[output]\n"
        "quantities = [\"position\", \"attitude_2\", \"precession\", \"lyapunov\", \"energy\"]\n"},
+      {"fluid_on_sphere",
+       "[system]\nkind = \"fluid_on_sphere\"\nmesh = { cells = 5 }\n[initial]\n"
+       "stream = \"-0.3*z + 0.1*x*y\"\n[method]\nstep = 0.0005\n[run]\nuntil = 1.5\nevery = 0.005\n"
+       "[output]\nquantities = [\"energy\", \"angular_momentum\", \"circulation\", \"iterations\"]\n"
+       "snapshots = [\"pressure\"]\nsnapshot_every = 0.5\n"},
       {"vorticity_sphere",
        "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\n[initial]\n"
        "harmonics = [[2, 1, 0.9, -0.3], [3, 0, -0.5, 0], [4, 3, 0.4, 0.6], [1, 1, 0.2, 0.1]]\n[method]\n"

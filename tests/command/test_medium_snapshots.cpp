@@ -109,6 +109,41 @@ BOOST_AUTO_TEST_CASE(a_table_has_the_nodes_with_what_was_asked) {
   BOOST_TEST(contents(folder / "out/snapshots/times.csv").starts_with("snapshot,t\n0,0\n1,0.1"));
 }
 
+BOOST_AUTO_TEST_CASE(grids_on_the_sphere_have_the_pressures_of_their_own_time) {
+  Folder const folder;
+  std::string const scene =
+      "[system]\nkind = \"fluid_on_sphere\"\nmesh = { cells = 4 }\n[initial]\nstream = \"-z + 0.5*x*y\"\n"
+      "[run]\nuntil = 0.5\nevery = 0.25\n[output]\nquantities = [\"energy\"]\nformats = [\"csv\", \"vtu\"]\n"
+      "snapshots = [\"pressure\", \"jacobian\"]\n";
+  auto const outcome = actio({"run", folder.write("sphere.toml", scene), "--out", folder / "out", "--force"});
+  BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
+  std::vector<double> first;
+  for (std::string const number : {"000000", "000001"}) {
+    std::string const path = folder / "out/snapshots/" + number;
+    Grid const grid(path + ".vtu");
+    Table const nodes = read_csv(path + ".csv");
+    auto const written = read_csv(path + ".cells.csv")["pressure"], shown = grid.array<double>("pressure"),
+               points = grid.array<double>("Points"), jacobians = grid.array<double>("jacobian");
+    BOOST_TEST(grid.points == 98u);
+    BOOST_REQUIRE(grid.cells == 96u);
+    BOOST_REQUIRE(written.size() == 96u);
+    for (unsigned char const type : grid.array<unsigned char>("types")) BOOST_TEST(type == 9);
+    double change = 0;
+    for (std::size_t k = 0; k < 96; ++k) {
+      BOOST_TEST(std::abs(shown[k] - written[k]) <= 1e-14);
+      // The cell keeps its area on the sphere, and that of its edges, which are straight, to their bend.
+      BOOST_TEST(std::abs(jacobians[k] - 1) <= 0.1);
+      if (!first.empty()) change = std::max(change, std::abs(written[k] - first[k]));
+    }
+    BOOST_TEST((first.empty() || change >= 1e-2));
+    first = written;
+    for (std::size_t k = 0; k < 98; ++k) {
+      BOOST_TEST(points[3 * k + 2] == nodes["z"][k]);
+      BOOST_TEST(std::abs(std::hypot(points[3 * k], points[3 * k + 1], points[3 * k + 2]) - 1) <= 1e-14);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_grid_has_the_same_numbers_and_closes_its_seams) {
   Folder const folder;
   run_in(folder, sheared());

@@ -121,7 +121,7 @@ Simulation prepare(Request const& request) {
   try {
     fluid.pressures();
   } catch (Error const& error) {
-    simulation.failure = file.section("method").place("step").text() + ": " + error.what();
+    simulation.failure = file.section("method").place("step").text() + ": step: " + error.what();
   }
   // At rest there is nothing that a drift could be compared with.
   simulation.quantities.conserve(
@@ -171,8 +171,8 @@ mesh = { cells = 8 }
 [initial]
 stream = "-0.5*z + 0.2*x*y"
 [run]
-until = 1
-every = 0.1
+until = 2
+every = 0.2
 [output]
 quantities = ["energy", "angular_momentum", "volume_defect", "min_jacobian"]
 )scene",

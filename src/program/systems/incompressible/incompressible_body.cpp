@@ -11,6 +11,7 @@ mesh = { shape = "box", lower = [-1, -0.5], upper = [1, 0.5], cells = [16, 8] }
 material = { name = "neo_hookean", mu = 1, kappa = 0 }
 [initial]
 velocity = ["1 + 0.3*X - 0.5*Y", "1 + 0.5*X - 0.3*Y"]
+project = true
 [run]
 until = 4
 every = 0.02
