@@ -140,11 +140,14 @@ std::vector<Featured> incompressible_media() {
     std::string const waves = "\"0.1*sin(pi*Y)\", \"0.1*cos(pi*X)\"";
     add({}, "", waves);
     add({periodic_box}, "", "\"0.1*sin(2*pi*Y)\", \"0.1*cos(2*pi*X)\"", ", periodic = [true, true]");
-    add({held_side}, "boundary = { left = \"sliding\" }\n", waves);
+    add({held_side}, "boundary = { left = \"sliding\" }\n", "\"0.1*sin(pi*Y)*X\", \"0.1*(cos(pi*X) - 1)\"");
     add({driven_side, held_side}, "boundary = { left = \"fixed\" }\n", "\"0.3*(1 - X)\", \"0.3*Y\"");
     add({moved_side, held_side}, "load = { motion.left = [\"0.5*sin(t)^2\", \"Y\"] }\n", "\"0\", \"0\"");
     add({potential}, "load = { gravity = \"0.3*y\" }\n", waves);
-    add({traction}, "load = { traction.right = [0.05, 0.1] }\n", waves);
+    // Nothing in a fluid resists a shear.
+    add({traction},
+        fluid ? "load = { traction.right = [0.05, 0] }\n" : "load = { traction.right = [0.05, 0.1] }\n",
+        waves);
     add({pressure_on_a_side}, "load = { pressure.right = \"0.1 + 0.1*sin(5*t)\" }\n", waves);
   }
   return out;
