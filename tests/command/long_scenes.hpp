@@ -67,7 +67,7 @@ inline std::vector<Long> const& long_scenes() {
        "until = 1800000\nevery = 3600\n[output]\n"
        "quantities = [\"position\", \"attitude_2\", \"precession\", \"lyapunov\", \"energy\"]\n"},
       {"fluid_on_sphere",
-       "[system]\nkind = \"fluid_on_sphere\"\nmesh = { cells = 5 }\n[initial]\n"
+       "[system]\nkind = \"fluid_on_sphere\"\nmesh = { cells = 10 }\n[initial]\n"
        "stream = \"-0.3*z + 0.1*x*y\"\n[method]\nstep = 0.0005\n[run]\nuntil = 1.5\nevery = 0.005\n"
        "[output]\nquantities = [\"energy\", \"angular_momentum\", \"circulation\", \"iterations\"]\n"
        "snapshots = [\"pressure\"]\nsnapshot_every = 0.5\n"},

@@ -150,6 +150,11 @@ std::vector<Featured> incompressible_media() {
         waves);
     add({pressure_on_a_side}, "load = { pressure.right = \"0.1 + 0.1*sin(5*t)\" }\n", waves);
   }
+  out.push_back({"fluid_on_sphere",
+                 {},
+                 "[system]\nkind = \"fluid_on_sphere\"\nmesh = { cells = 6 }\n[initial]\n"
+                 "stream = \"-0.3*x + 0.5*z + 0.2*x*y\"\n" +
+                     ending("\"energy\", \"angular_momentum\"", "1", "0.1")});
   return out;
 }
 
