@@ -98,6 +98,36 @@ struct Annulus {
   }
 };
 
+/// A shell 1 <= R <= 2 of rubber with energy mu/2 (|F|^2 - 3), whose surfaces are free, of density 1:
+/// r^3 = R^3 + s(t) (Knowles' sphere).
+struct RubberShell {
+  double mu, s = 0, rate;  // the modulus; s and s'
+
+  /// s'' from the Lagrangian L(s, s') = M(s) s'^2/2 - U(s), M = 4 pi/9 (a^-1/3 - b^-1/3) with a = 1 + s and
+  /// b = 8 + s, U the integral of the energy.
+  double acceleration(double q, double v) const {
+    double const pi = std::numbers::pi, a = 1 + q, b = 8 + q;
+    double const M = 4 * pi / 9 * (1 / std::cbrt(a) - 1 / std::cbrt(b));
+    double const slope = 4 * pi / 27 * (1 / (b * std::cbrt(b)) - 1 / (a * std::cbrt(a)));
+    // dU/ds over Q = R^3 by Simpson's rule: W = mu/2 (x^-4/3 + 2 x^2/3 - 3) with x = 1 + s/Q.
+    int const parts = 400;
+    double pull = 0;
+    for (int k = 0; k <= parts; ++k) {
+      double const Q = 1 + 7.0 * k / parts, x = 1 + q / Q;
+      double const dW = mu / 2 * (-4.0 / 3 * std::pow(x, -7.0 / 3) + 4.0 / 3 * std::pow(x, -1.0 / 3)) / Q;
+      pull += (k == 0 || k == parts ? 1 : k % 2 ? 4 : 2) * dW;
+    }
+    pull *= 4 * pi / 3 * 7.0 / parts / 3;
+    return -(pull + slope * v * v / 2) / M;
+  }
+  /// s after some time.
+  double after(double time) const {
+    return integrated(std::array{s, rate}, time, 400, [this](auto const& y) {
+      return std::array{y[1], acceleration(y[0], y[1])};
+    })[0];
+  }
+};
+
 /// A drop without surface tension that stays an ellipsoid: phi = A(t)X with det A = 1, a geodesic of SL(d) in
 /// the metric of the integral of velocities (Part I). A'' = m A^-T, P = m/2 (1 - |X|^2).
 template <int d>

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "actio/incompressible_media/mesh_volumes.hpp"
 #include "actio/incompressible_media/cell_weight.hpp"
+#include "actio/incompressible_media/mesh_volumes.hpp"
 
 using namespace actio::media;
 

@@ -208,6 +208,43 @@ BOOST_AUTO_TEST_CASE(a_drop_on_the_group_of_matrices_with_determinant_one_is_met
              [](int n) { return drop_error<3>(smooth_round(3, n), 4 * n); });
 }
 
+BOOST_AUTO_TEST_CASE(a_shell_of_rubber_breathes_as_knowles_found) {
+  testing::RubberShell const shell{1, 0, 2};
+  double const time = 1, s = shell.after(time);
+  double before = 0;
+  for (int const n : {3, 6, 12}) {
+    IncompressibleStart<3> start;
+    start.velocity = [&](auto const& X) {
+      double const R = std::hypot(X[0], X[1], X[2]), out = shell.rate / 3 / (R * R * R);
+      return std::array{out * X[0], out * X[1], out * X[2]};
+    };
+    start.project = true;
+    auto const law = stored_energy<3>([](auto const& F) {
+      auto sum = F(0, 0) * F(0, 0);
+      for (int k = 1; k < 9; ++k) sum += F(k % 3, k / 3) * F(k % 3, k / 3);
+      return typename std::decay_t<decltype(F)>::Scalar(0.5 * sum);
+    });
+    long const steps = 8 * n;
+    IncompressibleMedium<3> medium(shell_mesh(1, 2, {n, n}), law, start, time / static_cast<double>(steps));
+    double const off = errors_of(
+                           medium, steps,
+                           [&](std::size_t node) {
+                             auto X = medium.mesh().nodes[node];
+                             double const R = std::hypot(X[0], X[1], X[2]);
+                             for (double& one : X) one *= std::cbrt(1 + s / (R * R * R));
+                             return X;
+                           },
+                           [](std::size_t, auto const&) { return 0.0; })
+                           .place;
+    if (before > 0) {
+      BOOST_TEST_MESSAGE("shell of rubber, " << n << ": places " << off << ", order "
+                                             << std::log2(before / off));
+      BOOST_TEST(std::abs(std::log2(before / off) - 2) <= 0.06);
+    }
+    before = off;
+  }
+}
+
 BOOST_AUTO_TEST_CASE(flows_on_the_sphere_keep_three_angular_momenta) {
   using Point = std::array<double, 3>;
   // A rotation, and psi = x y/2 + 3/10 y z, in one degree l: u = x cross grad psi, p = -|u|^2/2 - l(l+1)/2
