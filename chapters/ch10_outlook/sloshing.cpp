@@ -149,7 +149,9 @@ int main(int argc, char** argv) {
   program.figure("fast", fast, number(fast, 2), "rate of growth with weight at nodes, 16 cells across");
   program.claim(measured(std::abs(off)) < 2e-4, "the frequency is that of gravity waves");
   program.claim(measured(std::abs(order - 2)) < 0.25, "its error is of second order");
-  program.claim(measured(rest) < 1e-12, "water at rest has hydrostatic pressure");
+  // Volumes are off by 2e-13, and h^2 times minus the Laplacian of the pressure is as much at most.
+  double const step = Tank{16, 11}.step(), allowed = 2e-13 * depth * depth / 2 / (step * step);
+  program.claim(measured(rest) < allowed, "water at rest has hydrostatic pressure, as volumes are kept");
   program.claim(measured(cells) < 1e-2, "with weight of cells corners are deformed as by the wave");
   program.claim(measured(slow) > 1, "with weight at nodes shears grow");
   program.claim(measured(fast / slow) > 1, "and faster on finer cells");

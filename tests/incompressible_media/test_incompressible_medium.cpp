@@ -204,7 +204,8 @@ BOOST_AUTO_TEST_CASE(a_tank_sloshes_with_the_frequency_of_gravity_waves) {
   }
 }
 
-// At rest the pressure is hydrostatic, to rounding, and nothing moves.
+// At rest the pressure is hydrostatic and nothing moves, up to what volumes may be off by: 2e-13, and as much
+// is h^2 times minus the Laplacian of the pressure.
 BOOST_AUTO_TEST_CASE(a_heavy_liquid_rests_under_hydrostatic_pressure) {
   Sloshing still;
   still.amplitude = 0;
@@ -219,8 +220,8 @@ BOOST_AUTO_TEST_CASE(a_heavy_liquid_rests_under_hydrostatic_pressure) {
   auto const x = water.places();
   for (std::size_t k = 0; k < x.size(); ++k)
     away = std::max(away, std::hypot(x[k][0] - water.mesh().nodes[k][0], x[k][1] - water.mesh().nodes[k][1]));
-  BOOST_TEST(off <= 1e-12);
-  BOOST_TEST(away <= 1e-12);
+  BOOST_TEST(off <= 2e-13 * still.depth * still.depth / 2 / 1e-4);
+  BOOST_TEST(away <= 1e-10);
 }
 
 // The control: weight at the nodes makes shears grow within seconds, faster on finer meshes, where weight of
