@@ -125,6 +125,13 @@ BOOST_AUTO_TEST_CASE(a_remembered_state_goes_on_bit_for_bit) {
   // Looking ahead of a remembered state changes nothing of it.
   one.look_ahead(0.01);
   BOOST_TEST((one.remember() == other.remember()));
+  // So does one after a change of the step.
+  one.look_ahead(0);
+  one.change_step(0.003, 0.01, 60);
+  auto third = turning(12, 0.01);
+  third.restore(one.remember());
+  one.step(7), third.step(7);
+  BOOST_TEST((one.places() == third.places()));
   auto shorter = other.remember();
   shorter.pop_back();
   CHECK_REFUSED(other.restore(shorter), OutsideDomain);

@@ -58,6 +58,7 @@ class IncompressibleMotion {
     look_ahead(first);
     state_.v = velocities_now(), state_.lag = 0;
     ahead_ = 0, prepared_ = false, known_ = 0, step_ = step, steps_ = made;
+    for (auto& one : pressures_) one.clear();
   }
   /// The time of the last step.
   double time() const { return static_cast<double>(steps_) * step_; }
