@@ -67,12 +67,13 @@ inline std::vector<Long> const& long_scenes() {
        "until = 1800000\nevery = 3600\n[output]\n"
        "quantities = [\"position\", \"attitude_2\", \"precession\", \"lyapunov\", \"energy\"]\n"},
       {"incompressible_fluid, a tank",
-       "[system]\nkind = \"incompressible_fluid\"\nmesh = { lower = [0, 0], upper = [1, 0.7], cells = [20, 14] }\n"
-       "boundary = { left = \"sliding\", right = \"sliding\", bottom = \"sliding\" }\nload = { gravity = "
-       "\"9.81*y\" }\n"
-       "[initial]\nproject = true\nvelocity = [\"-0.05*sin(pi*X)\", \"0.05*pi*Y*cos(pi*X)\"]\n[method]\nstep = "
-       "0.001\n"
-       "[run]\nuntil = 4\nevery = 0.01\n[output]\nquantities = [\"energy\", \"circulation\", \"min_jacobian\"]\n"
+       "[system]\nkind = \"incompressible_fluid\"\n"
+       "mesh = { lower = [0, 0], upper = [1, 0.7], cells = [20, 14] }\n"
+       "boundary = { left = \"sliding\", right = \"sliding\", bottom = \"sliding\" }\n"
+       "load = { gravity = \"9.81*y\" }\n[initial]\nproject = true\n"
+       "velocity = [\"-0.05*sin(pi*X)\", \"0.05*pi*Y*cos(pi*X)\"]\n[method]\nstep = 0.001\n"
+       "[run]\nuntil = 4\nevery = 0.01\n"
+       "[output]\nquantities = [\"energy\", \"circulation\", \"min_jacobian\"]\n"
        "snapshots = [\"pressure\"]\nsnapshot_every = 1\n"},
       {"fluid_on_sphere",
        "[system]\nkind = \"fluid_on_sphere\"\nmesh = { cells = 10 }\n[initial]\n"
