@@ -21,13 +21,21 @@ namespace {
 using Fluid = media::IncompressibleSphere;
 using Point = std::array<double, 3>;
 
-struct SphereMeshKeys : KeyTable {
-  Key<int> cells =
-      key("cells", whole("a whole number from 2 to 128", 2, 128), 16,
-          "How many cells there are along each edge of the cube: six times its square in all.", "8");
-} const mesh_keys{{"system.mesh", LeftOut{"{ cells = 16 }"},
-                   "The cells: those of the faces of a cube, brought to the unit sphere and smoothed.",
-                   "{ cells = 8 }"}};
+struct SphereKeys : KeyTable {
+  AnyKey mesh =
+      key("mesh", "a table", LeftOut{"{ cells = 16 }"},
+          "The cells: those of the faces of a cube, brought to the unit sphere and smoothed. cells: how "
+          "many there are along each edge of the cube, 2 to 128; six times its square in all.",
+          "{ cells = 8 }");
+} const sphere_keys{{"system"}};
+
+/// How many cells there are along an edge; written back where it is left out.
+int read_cells(SceneFile const& file) {
+  SceneTable mesh = sphere_keys.mesh.table(file);
+  mesh.allow({"cells"});
+  if (!mesh.has("cells")) mesh.set("cells", 16L);
+  return static_cast<int>(mesh.integer("cells", 2, 128));
+}
 
 /// The edge of the last face of the cube, around which cells lie to the left.
 MaterialLoop<3> edge_of_upper_face(media::BodyMesh const& mesh, int n) {
@@ -60,7 +68,8 @@ double shortest_edge(media::BodyMesh const& mesh) {
 double bytes_on_sphere(int n, Request const& request) {
   double const cells = 6.0 * n * n;
   bool const hdf5 = request.snapshots && request.snapshots->in("hdf5");
-  return 10.6e6 + (hdf5 ? 11e6 : 0) + cells * (1250 + 50 * std::log2(cells) + (request.snapshots ? 150 : 0));
+  return bytes_of_program + (hdf5 ? 11e6 : 0) +
+         cells * (1250 + 50 * std::log2(cells) + (request.snapshots ? 150 : 0));
 }
 
 /// The memory that it takes, refused before anything of that size is touched.
@@ -101,7 +110,7 @@ double fastest_of(SceneTable const& initial, SphereStart const& start, media::Bo
 Simulation prepare(Request const& request) {
   SceneFile const& file = request.file;
   read_method(file.section("method"), incompressible_methods());
-  int const n = mesh_keys.cells.read(file);
+  int const n = read_cells(file);
   auto const solving = read_volume_solving(file);
   SphereStart const start(file);
   Simulation simulation(quantities_on_sphere());
@@ -161,7 +170,7 @@ System fluid_on_sphere_system() {
           "An ideal fluid of density 1 on the unit sphere, on cells that move with it and keep their areas: "
           "the air of a planet, particle by particle. Its three angular momenta are kept to rounding.",
           "chapter 8",
-          records_of({mesh_keys, sphere_start_records(), method_records()}),
+          records_of({sphere_keys, sphere_start_records(), method_records()}),
           incompressible_methods(),
           quantities_on_sphere(),
           prepare,
@@ -172,7 +181,7 @@ mesh = { cells = 8 }
 stream = "-0.5*z + 0.2*x*y"
 [run]
 until = 2
-every = 0.2
+every = 0.01
 [output]
 quantities = ["energy", "angular_momentum", "volume_defect", "min_jacobian"]
 )scene",

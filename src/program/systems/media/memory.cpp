@@ -129,8 +129,8 @@ double bytes_for_medium(MediumMesh const& mesh, bool fast, Request const& reques
   double const snapshot = request.snapshots ? bytes_of_snapshot(body, *request.snapshots) : 0,
                constants = request.snapshots ? bytes_of_constants(body, *request.snapshots) : 0;
   bool const frames = request.snapshots && request.snapshots->in("hdf5");
-  constexpr double program = 10.6e6, library = 11.0e6;
-  return program + (frames ? library : 0) +
+  constexpr double library = 11.0e6;
+  return bytes_of_program + (frames ? library : 0) +
          (fast ? bytes_on_fast_way(body, mesh, snapshot, constants)
                : bytes_on_plain_way(body, mesh, request, snapshot, constants));
 }

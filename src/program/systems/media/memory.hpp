@@ -10,6 +10,9 @@ namespace actio::scene {
 /// It is for fused steps, which make no lists; steps that do would wait for their pages.
 void keep_large_lists_apart();
 
+/// What the program has without a run, bytes; measured.
+inline constexpr double bytes_of_program = 11.5e6;
+
 /// The memory that a run takes at most, in bytes: what the program has without one, for each node and cell
 /// what is there all the time, and the most that is there besides at one time: while a step is solved, the
 /// state is looked at, a checkpoint or a snapshot is written.
