@@ -12,6 +12,7 @@
 #include "program/systems/incompressible/quantities.hpp"
 #include "program/systems/incompressible/sphere_start.hpp"
 #include "program/systems/incompressible/system.hpp"
+#include "program/systems/media/memory.hpp"
 #include "program/systems/media/points.hpp"
 #include "program/systems/method_input.hpp"
 
