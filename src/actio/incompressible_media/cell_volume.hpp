@@ -6,7 +6,7 @@
 //     double slope[4][2];
 //     double const A = PlaneCell::volume(corners, slope);   // slope[b] is dA/dy_b
 //
-// Corners are numbered as those of a \ref BodyMesh: bit k says "upper along k". Translations of all corners
+// Corners are numbered as those of a mesh of a body: bit k says "upper along k". Translations of all corners
 // and rotations leave a volume as it is, so that the sum of slopes and that of y x slope vanish.
 #pragma once
 

@@ -156,16 +156,17 @@ void require_sound(NinePointMatrix const& m) {
 
 using namespace detail;
 
+/// The lattices, from the finest to the coarsest.
 struct TwoColourMultigrid::Hierarchy {
-  Registers registers = Registers::plain;
-  std::array<int, 2> cells{};
-  std::vector<Level> levels;
-  Coarsest coarsest;
-  double factor = 1;            ///< by which the matrix is multiplied
-  std::size_t pinned = 0;       ///< number of the only cell whose row has a sum, if there is one
-  double pin = 0;               ///< this sum; 0: there is none
-  bool floats = false;          ///< whether constants are in the kernel of the matrix
-  std::ptrdiff_t in_field = 0;  ///< where the cell is in a field
+  Registers registers = Registers::plain;  ///< for which cycles are compiled
+  std::array<int, 2> cells{};              ///< of the box
+  std::vector<Level> levels;               ///< the finest first
+  Coarsest coarsest;                       ///< what is solved by factors
+  double factor = 1;                       ///< by which the matrix is multiplied
+  std::size_t pinned = 0;                  ///< number of the only cell whose row has a sum, if there is one
+  double pin = 0;                          ///< this sum; 0: there is none
+  bool floats = false;                     ///< whether constants are in the kernel of the matrix
+  std::ptrdiff_t in_field = 0;             ///< where the cell is in a field
 };
 
 TwoColourMultigrid::TwoColourMultigrid(Registers registers) : hierarchy_(std::make_unique<Hierarchy>()) {

@@ -38,9 +38,9 @@ class TwoColourMultigrid {
 
   /// Cycles that are compiled for these registers.
   explicit TwoColourMultigrid(Registers registers = best_registers());
-  TwoColourMultigrid(TwoColourMultigrid&&) noexcept;
-  TwoColourMultigrid& operator=(TwoColourMultigrid&&) noexcept;
-  ~TwoColourMultigrid();
+  TwoColourMultigrid(TwoColourMultigrid&&) noexcept;             ///< with its hierarchy
+  TwoColourMultigrid& operator=(TwoColourMultigrid&&) noexcept;  ///< with its hierarchy
+  ~TwoColourMultigrid();                                         ///< with its hierarchy
 
   /// Makes the hierarchy of a matrix, which is not kept.
   ///

@@ -83,8 +83,10 @@ void require_volumes_kept(VolumeSteps<Cell> const& of, std::vector<double> const
 
 /// The way of a step.
 struct StraightWay {
-  std::vector<double> const &from, &to;  ///< places
-  double start, length;                  ///< times
+  std::vector<double> const& from;  ///< places at its start
+  std::vector<double> const& to;    ///< and at its end
+  double start;                     ///< when it begins
+  double length;                    ///< how long it takes
 };
 /// Refuses the end of a way where a corner is inside out, with the time at which it turned.
 /// @param reference  the Jacobians at all corners in the reference

@@ -54,11 +54,11 @@ template MediumFields<1> medium_fields<1>(int);
 template MediumFields<2> medium_fields<2>(int);
 /// In space.
 template MediumFields<3> medium_fields<3>(int);
-/// \copydoc fields_named
+/// Along a line.
 template MediumFields<1> fields_named<1>(std::vector<std::string> const&, int);
-/// \copydoc fields_named
+/// In the plane.
 template MediumFields<2> fields_named<2>(std::vector<std::string> const&, int);
-/// \copydoc fields_named
+/// In space.
 template MediumFields<3> fields_named<3>(std::vector<std::string> const&, int);
 
 }  // namespace actio::scene
