@@ -158,6 +158,22 @@ Folding until_it_folds(int n) {
   return {};
 }
 
+// How far air goes that turns once in the time 2 pi.
+double sphere_until_it_folds(int n) {
+  IncompressibleSphere air(
+      sphere_mesh(n),
+      [](Point const& x) {
+        return Point{-x[1], x[0], 0};
+      },
+      1.0 / (8 * n));
+  try {
+    air.step(48L * n);
+  } catch (CellFolds const& folds) {
+    return folds.time;
+  }
+  return HUGE_VAL;
+}
+
 // 6. The cells at a time, and their pressures as widths of their edges would hide them: the mesh alone.
 std::string picture() {
   auto plot = book::Plot("x", "y").equal().size(520, 520);
@@ -213,6 +229,10 @@ int main(int argc, char** argv) {
   program.claim(measured(turn) < 1e-13, "on the sphere three angular momenta are kept");
   program.claim(measured(sphere.place) > 1.75 && measured(std::abs(sphere.pressure - 2)) < 0.06,
                 "on the whole sphere places have an order above 7/4, pressures 2");
+  double const coarse = sphere_until_it_folds(8), fine = sphere_until_it_folds(16);
+  program.figure("coarse_folds", coarse, number(coarse, 2), "when turning air on 8 cells folds");
+  program.figure("fine_folds", fine, number(fine, 2), "when turning air on 16 cells folds");
+  program.claim(measured(fine / coarse) < 1, "turning air folds the sooner the finer its cells");
   program.claim(latest > 0, "a cell folds in the shear");
   program.headline("order " + number(box.pressure, 3) + " of pressures", box.pressure);
   return program.finish();

@@ -80,9 +80,10 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
       this->cells().gather(this->y(), cell, at), loads += weight_.of_cell(cell, at, nullptr);
     return {this->kinetic_energy(), stores_ ? forces_.stored(this->y()) : 0, loads};
   }
-  /// A bound of the frequencies of small motions now, per time: of what is stored, and of waves that weight
-  /// drives along free sides, whose squares are at most 2 |g| over an edge. Steps longer than two over it are
-  /// not stable.
+  /// An estimate of the largest frequency of small motions now, per time: of what is stored, from below
+  /// within half a per cent, and of waves that weight drives along free sides, whose squares are taken as 2
+  /// |g| over the shortest edge. A test holds that a tank of squares is stable in steps of nine tenths of two
+  /// over it, and not in steps of three over it.
   double largest_frequency() const {
     double const elastic = stores_ ? largest_frequency_of(forces_, held_, this->y()) : 0;
     return std::sqrt(elastic * elastic + 2 * weight_.strength() / shortest_edge());

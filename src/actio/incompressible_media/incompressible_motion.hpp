@@ -39,16 +39,18 @@ class IncompressibleMotion {
   /// \copydetails step
   void look_ahead(double time) {
     if (ahead_ > 0) {
-      state_ = std::move(kept_), ahead_ = 0, prepared_ = false;
+      state_ = std::move(kept_), ahead_ = 0, prepared_ = false, age_ = kept_age_;
       if (volumes_.built.y != kept_built_.y) volumes_.set_slopes(kept_built_), volumes_.rebuild();
     }
     if (!(time > 0)) return;
     State const from{state_.at, velocities_now(), 0};
     kept_built_ = volumes_.built;
+    auto const age = age_;
     auto const pressure = pressure_;
     make(from, time, this->time() + time);
     pressure_ = pressure;
     kept_ = std::move(state_), state_ = std::move(next_), ahead_ = time, prepared_ = false;
+    kept_age_ = age;
   }
   /// One step of another length, and from then on steps of a third one.
   /// @param first  of the one step; zero: there is none
@@ -86,18 +88,6 @@ class IncompressibleMotion {
     for (double& one : out) one -= sum / volume;
     return out;
   }
-  /// The mean of \ref pressures over the cells at each node, by volume: a chessboard in them is not in it.
-  std::vector<double> pressures_at_nodes() {
-    auto const P = pressures();
-    std::vector<double> sum(masses().size(), 0), weight(masses().size(), 0);
-    for (std::size_t cell = 0; cell < P.size(); ++cell)
-      for (int b = 0; b < Cell::corners; ++b) {
-        int const at = volumes_.volumes.node(cell, b);
-        sum[at] += volumes_.kept[cell] * P[cell], weight[at] += volumes_.kept[cell];
-      }
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] /= weight[k];
-    return sum;
-  }
   /// \f$\tfrac12\sum m|v|^2\f$ of \ref velocities.
   double kinetic_energy() {
     double sum = 0;
@@ -106,24 +96,9 @@ class IncompressibleMotion {
     return sum;
   }
   /// \f$\sum mv\f$, mass x length/time: kept to rounding where nothing is held and no load acts.
-  Place momentum() {
-    Place sum{};
-    auto const v = velocities_now();
-    for (std::size_t k = 0; k < v.size(); ++k) sum[k % N] += masses()[k / N] * v[k];
-    return sum;
-  }
+  Place momentum() { return body_now().template momentum<N>(masses()); }
   /// \f$\sum m\,y\times v\f$, mass x area/time; in the plane the third component.
-  std::array<double, 3> angular_momentum() {
-    std::array<double, 3> sum{};
-    auto const v = velocities_now();
-    for (std::size_t k = 0; k < masses().size(); ++k) {
-      double place[3] = {}, rate[3] = {};
-      for (int a = 0; a < N; ++a) place[a] = state_.at.y[k * N + a], rate[a] = v[k * N + a];
-      auto const turn = detail::cross(place, rate);
-      for (int a = 0; a < 3; ++a) sum[a] += masses()[k] * turn[a];
-    }
-    return sum;
-  }
+  std::array<double, 3> angular_momentum() { return body_now().template angular_momentum<N>(masses()); }
   /// The largest modulus of A/A^0 - 1 over all cells.
   double volume_defect() const {
     std::vector<double> r;
@@ -143,16 +118,10 @@ class IncompressibleMotion {
   bool is_closed() const { return volumes_.pinned; }
   /// By how much the projection of the start changed the velocity of a node, at most.
   double projected() const { return projected_; }
-  /// Memory for volumes, solver and states, bytes.
-  std::size_t bytes() const {
-    return volumes_.bytes() +
-           (11 * state_.at.y.size() + 5 * pressure_.size() + reference_jacobians_.size()) * sizeof(double);
-  }
-
   /// The whole state.
   std::vector<double> remember() const {
     State const& last = ahead_ > 0 ? kept_ : state_;
-    std::vector<double> out{static_cast<double>(steps_), static_cast<double>(age_),
+    std::vector<double> out{static_cast<double>(steps_), static_cast<double>(ahead_ > 0 ? kept_age_ : age_),
                             static_cast<double>(known_), last.lag, volumes_.fell_back ? 1.0 : 0.0};
     SharpPlaces const& built = ahead_ > 0 ? kept_built_ : volumes_.built;
     for (auto const* part : {&last.at.y, &last.at.rest, &last.v, &built.y, &built.rest, &pressures_[0],
@@ -259,10 +228,10 @@ class IncompressibleMotion {
   VolumeSolving solving_;
   double step_;
   State state_, next_, kept_;
-  SharpPlaces kept_built_;                       // places of the matrix when it was looked ahead
-  std::vector<double> pressure_, pressures_[3];  // of the step from the state, of the last three
-  long steps_ = 0, known_ = 0, age_ = 0;         // age: steps with one matrix
-  bool prepared_ = false;                        // next_ and pressure_ are those of the next step
+  SharpPlaces kept_built_;                               // places of the matrix when it was looked ahead
+  std::vector<double> pressure_, pressures_[3];          // of the step from the state, of the last three
+  long steps_ = 0, known_ = 0, age_ = 0, kept_age_ = 0;  // age: steps with one matrix
+  bool prepared_ = false;                                // next_ and pressure_ are those of the next step
   double ahead_ = 0, projected_ = 0;
 
   void prepare() {
@@ -310,6 +279,12 @@ class IncompressibleMotion {
     volumes_.set_slopes(state_.at);
     volumes_.project(whole_slopes(), v);
     return v;
+  }
+  /// Places and velocities as sums over a body need them.
+  BodyState body_now() {
+    BodyState out;
+    out.x = state_.at.y, out.v = velocities_now();
+    return out;
   }
   static std::vector<Place> points(std::vector<double> const& in) {
     std::vector<Place> out(in.size() / N);

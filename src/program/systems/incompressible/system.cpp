@@ -12,6 +12,7 @@
 #include "program/systems/incompressible/quantities.hpp"
 #include "program/systems/media/conservation.hpp"
 #include "program/systems/media/examination.hpp"
+#include "program/systems/media/generic_medium.hpp"
 #include "program/systems/media/memory.hpp"
 #include "program/systems/method_input.hpp"
 
@@ -103,22 +104,7 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
   SceneFile const& file = request.file;
   auto loads = read_medium_loads<d>(file, mesh);
   auto features = features_of<d>(file, mesh, loads, material, start->uniform);
-  media::IncompressibleStart<d> begin;
-  begin.density = [start](Place const& X) {
-    double rho = 0;
-    start->density(X, &rho);
-    return rho;
-  };
-  begin.placement = [start](Place const& X) {
-    Place out;
-    start->placement(X, out.data());
-    return out;
-  };
-  begin.velocity = [start](Place const& X) {
-    Place out;
-    start->velocity(X, out.data());
-    return out;
-  };
+  media::IncompressibleStart<d> begin{start_of<d>(start)};
   begin.project = incompressible_start_keys.project.read(file);
   double fastest = 0, loading = 0;
   {

@@ -6,26 +6,6 @@
 namespace actio::scene {
 namespace {
 
-template <int d>
-media::BodyStart<d> start_of(std::shared_ptr<MediumStart> const& start) {
-  using Place = std::array<double, d>;
-  return {[start](Place const& X) {
-            double rho = 0;
-            start->density(X, &rho);
-            return rho;
-          },
-          [start](Place const& X) {
-            Place out;
-            start->placement(X, out.data());
-            return out;
-          },
-          [start](Place const& X) {
-            Place out;
-            start->velocity(X, out.data());
-            return out;
-          }};
-}
-
 /// A medium on a mesh.
 template <int d>
 class MeshMotion final : public MotionOnMesh<d> {
