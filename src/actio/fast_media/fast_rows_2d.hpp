@@ -7,7 +7,7 @@
 
 #include "actio/fast_media/fast_options.hpp"
 #include "actio/fast_media/fast_sweep_2d.hpp"
-#include "actio/fast_media/fast_team.hpp"
+#include "actio/numbers/team.hpp"
 
 namespace actio::media {
 

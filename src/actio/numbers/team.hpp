@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace actio::media::detail {
+namespace actio {
 
 /// Where the members of a team wait for each other. They give the processor away while they wait.
 class Meeting {
@@ -48,4 +48,4 @@ void as_team(int members, Work const& work) {
   work(0, meeting);
 }
 
-}  // namespace actio::media::detail
+}  // namespace actio
