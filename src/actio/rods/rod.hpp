@@ -41,7 +41,7 @@ struct RodEnergies {
 
 /// A rod.
 ///
-/// \snippet rods.cpp rod
+/// \snippet bodies.cpp rod
 /// The scheme has order 2 in step and length of elements. It keeps linear and angular momentum to rounding
 /// where nothing acts from outside; the energy oscillates with the square of the step.
 class Rod {

@@ -244,7 +244,7 @@ std::string RodSteps::failure(RodState const& state, double step, double time) {
                " would do" + at;
     }
   return std::string("rod: ") +
-         (options_.unshearable ? "no contact forces keep stretch and shear, or a section turns too far"
+         (options_.unshearable ? "no contact forces that keep stretch and shear are found"
                                : "places and momenta are finite no more") +
          " after a step of " + show(step) + at;
 }
