@@ -1,8 +1,8 @@
 // The same rod on the general road: its Lagrangian as functions of relative motions of space.
 //
-// As in (3.11) a relative motion leads back, f = (g_a^{k+1})^{-1} g_a^k in time and e = (g_{a+1}^k)^{-1} g_a^k
-// in space. The discrete field equations are (3.11) twice: `euler_poincare_left` of the kinetic action at the
-// steps before and after, plus that of the strain action at the elements on both sides. The steps of
+// As in (3.11) a relative motion leads back, f = (g_a^{k+1})^{-1} g_a^k in time and e = (g_{a+1}^k)^{-1}
+// g_a^k in space. The discrete field equations are (3.11) twice: `euler_poincare_left` of the kinetic action
+// at the steps before and after, plus that of the strain action at the elements on both sides. The steps of
 // rod_steps.hpp solve them, written out.
 #pragma once
 

@@ -44,6 +44,9 @@ RodSteps::RodSteps(RodConstants constants, RodLoads loads, RodOptions const& opt
   auto const size = row_size(state.sections) + first_element;
   forces_ = {zero_rows<3>(size), zero_rows<3>(size), zero_rows<3>(size)};
   excess_ = zero_rows<3>(size);
+  if (options.unshearable)
+    stretches_ = {constants_,
+                  {loads_.start.held != RodEnd::Held::free, loads_.end.held != RodEnd::Held::free}};
 }
 
 void RodSteps::add_load(RodState const& state, bool last, double time) {
@@ -169,11 +172,7 @@ bool RodSteps::advance_unshearable(RodState& state, double step, double time) {
   double const kick = (state.step_before + step) / 2;
   auto const registers = options_.registers;
   Range const all_elements{0, whole_packs(constants_.elements)}, all_sections{0, whole_packs(state.sections)};
-  auto const is = [](RodEnd const& end, RodEnd::Held how) { return end.held == how; };
-  auto const clamped = RodEnd::Held::clamped;
-  std::array<bool, 2> const attitudes{is(loads_.start, clamped), is(loads_.end, clamped)},
-      places{!is(loads_.start, RodEnd::Held::free), !is(loads_.end, RodEnd::Held::free)};
-  if (!stretches_.factor(constants_, state, kick * step, places, attitudes)) return false;
+  if (!stretches_.factor(registers, constants_, state, kick * step)) return false;
   Rows<3>& N = trial_.N;
   N = state.N;
   double farthest = 0;

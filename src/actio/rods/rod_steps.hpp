@@ -4,7 +4,7 @@
 #include "actio/numbers/registers.hpp"
 #include "actio/rods/rod_arrays.hpp"
 #include "actio/rods/rod_ends.hpp"
-#include "actio/rods/unshearable.hpp"
+#include "actio/rods/stretch_matrix.hpp"
 
 namespace actio::rods {
 
