@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "actio/numbers/errors.hpp"
-#include "actio/numbers/team.hpp"
+#include "actio/parallel/team.hpp"
 #include "actio/rods/rod_shape.hpp"
 #include "actio/rods/rod_sweeps.hpp"
 
