@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "program/base/memory.hpp"
+#include "program/base/ranks.hpp"
 #include "program/medium_output/snapshots.hpp"
 #include "program/systems/media/conservation.hpp"
 #include "program/systems/media/crossing.hpp"
