@@ -40,8 +40,9 @@ inline void require_box(SpaceTimeGrid const& grid, NodeBox const& box) {
   if (grid.ring()) return;
   if (box.first_node < 0) refuse("its first node must lie in the grid", box.first_node, 0);
   if (last_node >= grid.nodes) refuse("its last node must lie in the grid", last_node, grid.nodes - 1);
-  for (Index const node : {box.first_node, last_node})
-    if (grid.held(node)) refuse("a node that is held has no field equation; node", node, node);
+  if (grid.held(box.first_node)) refuse("a node that is held has no field equation; first node", 0, 1);
+  if (grid.held(last_node))
+    refuse("a node that is held has no field equation; last node", last_node, grid.nodes - 2);
 }
 
 /// Calls `visit(edge, leaves)` for each edge with one end in the box and the other outside.

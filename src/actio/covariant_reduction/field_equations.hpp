@@ -84,48 +84,50 @@ Momentum<G, S> covariant_euler_poincare(InTime const& l_t, Element<G, S> const& 
 ///
 /// \snippet covariant_reduction.cpp chiral_field
 /// @param field     a GroupField or a RelativeField with one level or more
-/// @param arriving  the body momentum that arrives at each node of the last level from before it; none where
-///                  there is a step before, whose momenta these are then
+/// @param impulses  what each node receives at the last level beside the actions, as its body sees it, energy
+///                  x time: its momentum at the start, which the first step needs; the impulse of a force later
 /// @return          the report of the node that took most evaluations
-/// @throws OutsideDomain  where there are too few nodes, or a field of one level has no momenta
-/// @throws NotConverged, NotFinite  with node and level; Singular: where the action in time is not regular
+/// @throws OutsideDomain  where there are too few nodes, or impulses for some of them or none for a first step
+/// @throws NotConverged, NotFinite  with node and level; Singular: where the action in time is not regular.
+///                        The field is as it was then
 template <class L, class Field>
 Report step_in_time(L const& l, Field& field,
-                    std::vector<Momentum<typename Field::GroupType, typename Field::Scalar>> const& arriving = {}) {
+                    std::vector<Momentum<typename Field::GroupType, typename Field::Scalar>> const& impulses = {}) {
   using Motion = Element<typename Field::GroupType, typename Field::Scalar>;
   auto const grid = field.grid();
   require_grid(grid);
   bool const first = grid.levels < 2;
-  if ((first || !arriving.empty()) && static_cast<Index>(arriving.size()) != grid.nodes)
-    throw OutsideDomain("step_in_time", "the first step needs a momentum for each node",
-                        static_cast<double>(arriving.size()), static_cast<double>(grid.nodes));
+  if ((first || !impulses.empty()) && static_cast<Index>(impulses.size()) != grid.nodes)
+    throw OutsideDomain("step_in_time", "a first step needs a momentum for each node, and impulses are for all",
+                        static_cast<double>(impulses.size()), static_cast<double>(grid.nodes));
   Index const k = grid.levels - 1;
-  auto const at = [&](Index a) {
-    return "step_in_time: node " + std::to_string(a) + ", level " + std::to_string(k);
-  };
-  std::vector<Motion> next;
+  auto const one = identity<typename Field::Scalar>(field.motion({Direction::space, 0, 0}).group);
+  std::vector<Motion> next(static_cast<std::size_t>(grid.nodes), one);
   Report worst;
   for (Index a = 0; a < grid.nodes; ++a) {
-    auto const one = identity<typename Field::Scalar>(field.motion({Direction::space, 0, 0}).group);
-    if (grid.held(a)) {
-      next.push_back(one);
-      continue;
-    }
-    auto momentum = field_equation(l, field, a, k);  // what has arrived: the last level has no edge ahead
-    if (!arriving.empty()) momentum = momentum + arriving[static_cast<std::size_t>(a)];
+    if (grid.held(a)) continue;
+    // What arrives: the last level has no edge ahead.
+    auto momentum = field_equation(l, field, a, k);
+    if (!impulses.empty()) momentum = momentum + impulses[static_cast<std::size_t>(a)];
     auto const action = detail::on_edge(l, {Direction::time, a, k});
+    auto const where = [&] {
+      return "step_in_time: node " + std::to_string(a) + ", level " + std::to_string(k);
+    };
     try {
       auto const found = solve_on_group(momentum_equation_left(action, momentum),
                                         first ? one : Motion(field.motion({Direction::time, a, k - 1})));
-      next.push_back(found.value);
+      next[static_cast<std::size_t>(a)] = found.value;
       if (found.report.evaluations > worst.evaluations) worst = found.report;
     } catch (NotConverged const& failed) {
-      throw NotConverged(at(a), failed.residuals, failed.tolerance);
+      throw NotConverged(where(), failed.residuals, failed.tolerance);
     } catch (NotFinite const&) {
-      throw NotFinite(at(a));
+      throw NotFinite(where());
     }
   }
   field.append(next, [](Motion const& g) { return restore(g); });  // products drift off the group
+  if constexpr (requires { field.levels; })
+    for (Index const a : {Index(0), grid.nodes - 1})
+      if (grid.held(a)) field.levels.back()[a] = field(a, k);
   return worst;
 }
 
