@@ -25,7 +25,8 @@ auto whole_action(L const& l, SpaceTimeGrid const& grid) {
     for (Index k = 0; k < grid.levels; ++k)
       for (Index a = 0; a < n; ++a) {
         auto const& here = q[k * n + a];
-        if (k + 1 < grid.levels) sum += l(GridEdge{Direction::time, a, k}, inverse(q[(k + 1) * n + a]) * here);
+        if (k + 1 < grid.levels)
+          sum += l(GridEdge{Direction::time, a, k}, inverse(q[(k + 1) * n + a]) * here);
         if (a + 1 < n || grid.ring())
           sum += l(GridEdge{Direction::space, a, k}, inverse(q[k * n + (a + 1) % n]) * here);
       }
@@ -56,8 +57,8 @@ Vector<S> residuals(L const& l, Any const& field) {
 }
 /// Moves from node 0 of level 0 to the last node of the last level, in an order that is drawn, with a detour.
 std::vector<GridMove> draw_path(Draw& draw, SpaceTimeGrid const& grid) {
-  std::vector<GridMove> path{{Direction::time, true}, {Direction::space, true}, {Direction::time, false},
-                             {Direction::space, false}};
+  std::vector<GridMove> path{
+      {Direction::time, true}, {Direction::space, true}, {Direction::time, false}, {Direction::space, false}};
   Index right = grid.nodes - 1, later = grid.levels - 1;
   while (right + later > 0) {
     bool const in_time = static_cast<Index>(draw.below(static_cast<std::uint64_t>(right + later))) < later;
@@ -88,9 +89,10 @@ std::vector<SpannedGroup> groups_with_traces() {
 /// Calls `visit(group, l, model)` for a rod in SE(3) and a spin chain, with the group that each has.
 template <class S, class Visit>
 void over_named(Draw& draw, Visit const& visit) {
-  visit(spanned("SO(3)", SO<3>{}),
-        SpinChain<S>{Matrix<S>(draw_matrix<S>(draw, 3, 3) / S(8) + Matrix<S>::Identity(3, 3)), ratio<S>(1, 3)},
-        "spin chain, SO(3)");
+  visit(
+      spanned("SO(3)", SO<3>{}),
+      SpinChain<S>{Matrix<S>(draw_matrix<S>(draw, 3, 3) / S(8) + Matrix<S>::Identity(3, 3)), ratio<S>(1, 3)},
+      "spin chain, SO(3)");
   if (!numbers_grow()) visit(spanned("SE(3)", SE<3>{}), draw_rod<S>(draw), "rod, SE(3)");
 }
 
@@ -121,7 +123,8 @@ STATEMENT(bridge_covariant_euler_poincare,
           field_equation(l, reduced, static_cast<Index>(i) % g.grid().nodes,
                          static_cast<Index>(i) / g.grid().nodes)
               .components;
-    claim.refutes("the body's covectors in the place of those of space", model, Vector<S>(slope - in_body), scale);
+    claim.refutes("the body's covectors in the place of those of space", model, Vector<S>(slope - in_body),
+                  scale);
   };
   over_groups(groups_of_fields<S>(), claim, [&](auto const& group, std::string const& model) {
     for (auto const& [name, ends] : lines) {
@@ -129,7 +132,8 @@ STATEMENT(bridge_covariant_euler_poincare,
       at_any_field(draw_uneven_actions<S>(draw, group, g.grid()), g, model + ", " + name);
     }
 
-    // The same actions on all edges: the line of the equation, and a Lagrangian of which a field is a solution.
+    // The same actions on all edges: the line of the equation, and a Lagrangian of which a field is a
+    // solution.
     auto g = draw_field<S>(draw, group, 3, 3, both_held);
     auto const reduced = relative_motions(g);
     auto const f = [&](Index k) { return reduced.motion({Direction::time, 1, k}); };
@@ -139,9 +143,9 @@ STATEMENT(bridge_covariant_euler_poincare,
     claim.equal("the terms at a node are (3.11) twice", model,
                 field_equation(time_and_space(any, l_s), reduced, 1, 1),
                 covariant_euler_poincare(any, f(0), f(1), l_s, e(0), e(1)), 10);
-    auto const l_t = checks::detail::corrected(
-        any, group, draw,
-        [&](auto const& trial) { return covariant_euler_poincare(trial, f(0), f(1), l_s, e(0), e(1)); });
+    auto const l_t = checks::detail::corrected(any, group, draw, [&](auto const& trial) {
+      return covariant_euler_poincare(trial, f(0), f(1), l_s, e(0), e(1));
+    });
     auto const l = time_and_space(l_t, l_s);
     // Condition: the coefficients of the Lagrangian are found by elimination.
     auto const terms = size_of(left_differential(l_t, f(1))) + size_of(left_differential(l_s, e(1)));
@@ -149,7 +153,8 @@ STATEMENT(bridge_covariant_euler_poincare,
       auto const all = differential(in_one_list(field), whole_action<S>(l, field.grid()));
       return Vector<S>(all.segment(4 * group.dimension(), group.dimension()));
     };
-    claim.zero("a field whose relative motions satisfy (3.11) twice is stationary", model, slope(g), terms, 1000);
+    claim.zero("a field whose relative motions satisfy (3.11) twice is stationary", model, slope(g), terms,
+               1000);
     g.levels[1][1] = element_near(g(1, 1), draw);
     claim.refutes("one that is moved at a node is not", model, slope(g), terms);
     claim.refutes("(3.11) in time alone", model, euler_poincare_left(l_t, f(0), f(1)), terms);
@@ -171,7 +176,8 @@ STATEMENT(bridge_covariant_euler_poincare,
     claim.zero("A^k B^a is a solution of the sigma model", group.name(), residuals<S>(sigma, g), S(4), 10);
     auto other = g;
     for (auto& level : other.levels) level[1] = level[1] * C;
-    claim.refutes("with one node multiplied by C on the right", group.name(), residuals<S>(sigma, other), S(4));
+    claim.refutes("with one node multiplied by C on the right", group.name(), residuals<S>(sigma, other),
+                  S(4));
   }
 }
 
@@ -197,23 +203,25 @@ STATEMENT(bridge_covariant_reconstruction,
     auto const back = reconstruct(reduced, g(0, 0));
     for (Index k = 0; k < 3; ++k)
       for (Index a = 0; a < 3; ++a)
-        claim.zero("the field of its relative motions", model, back(a, k) - g(a, k), S(size_of(g(a, k)) + S(1)),
-                   100);
+        claim.zero("the field of its relative motions", model, back(a, k) - g(a, k),
+                   S(size_of(g(a, k)) + S(1)), 100);
     claim.zero("along a path that is drawn", model,
-               reconstruct_along(reduced, 0, 0, g(0, 0), draw_path(draw, g.grid())) - here, S(size_of(here) + S(1)),
-               100);
+               reconstruct_along(reduced, 0, 0, g(0, 0), draw_path(draw, g.grid())) - here,
+               S(size_of(here) + S(1)), 100);
     // Unique up to h on the left, and no more.
     auto const multiplied = relative_motions(moved);
     claim.zero("relative motions do not change with h g", model,
-               multiplied.motion({Direction::space, 1, 2}) - reduced.motion({Direction::space, 1, 2}), S(1), 100);
-    claim.zero("from another first value the field is h g", model, reconstruct(reduced, h * g(0, 0))(2, 2) - there,
-               S(size_of(there) + S(1)), 100);
+               multiplied.motion({Direction::space, 1, 2}) - reduced.motion({Direction::space, 1, 2}), S(1),
+               100);
+    claim.zero("from another first value the field is h g", model,
+               reconstruct(reduced, h * g(0, 0))(2, 2) - there, S(size_of(there) + S(1)), 100);
     auto turned = g;
     for (auto& level : turned.levels)
       for (auto& value : level) value = value * h;
-    claim.refutes("relative motions of g h", model,
-                  relative_motions(turned).motion({Direction::space, 1, 2}) - reduced.motion({Direction::space, 1, 2}),
-                  S(1));
+    claim.refutes(
+        "relative motions of g h", model,
+        relative_motions(turned).motion({Direction::space, 1, 2}) - reduced.motion({Direction::space, 1, 2}),
+        S(1));
 
     // Conversely: relative motions that are drawn, flat in each cell.
     RelativeField<SpannedGroup, S> drawn{{}, {draw_points<S>(draw, group, 2, ratio<S>(1, 2))}, open_line};
@@ -223,16 +231,17 @@ STATEMENT(bridge_covariant_reconstruction,
       for (Index k = 0; k < 2; ++k)
         for (Index a = 0; a < 2; ++a) {
           GridEdge const edge{direction, a, k + (direction == Direction::space ? 1 : 0)};
-          claim.zero("flat relative motions are those of a field", model, field.motion(edge) - drawn.motion(edge),
-                     S(size_of(drawn.motion(edge)) + S(1)), 100);
+          claim.zero("flat relative motions are those of a field", model,
+                     field.motion(edge) - drawn.motion(edge), S(size_of(drawn.motion(edge)) + S(1)), 100);
         }
     drawn.space[1][1] = element_near(drawn.space[1][1], draw);
     claim.refutes("with one relative motion changed: curvature", model, curvature(drawn, 1, 0) - one, S(1));
-    std::vector<GridMove> const up_first{{Direction::time, true}, {Direction::space, true}, {Direction::space, true}},
+    std::vector<GridMove> const up_first{
+        {Direction::time, true}, {Direction::space, true}, {Direction::space, true}},
         right_first{{Direction::space, true}, {Direction::space, true}, {Direction::time, true}};
-    claim.refutes("and two paths to one node", model,
-                  reconstruct_along(drawn, 0, 0, h, up_first) - reconstruct_along(drawn, 0, 0, h, right_first),
-                  S(1));
+    claim.refutes(
+        "and two paths to one node", model,
+        reconstruct_along(drawn, 0, 0, h, up_first) - reconstruct_along(drawn, 0, 0, h, right_first), S(1));
 
     // A ring.
     auto const circle = relative_motions(draw_field<S>(draw, group, 3, 2, ring));
@@ -244,7 +253,8 @@ STATEMENT(bridge_covariant_reconstruction,
     claim.zero("round a ring", model, round(circle, 1) - one, S(1), 100);
     RelativeField<SpannedGroup, S> gap{{}, {draw_points<S>(draw, group, 3, ratio<S>(1, 2))}, ring};
     gap.append(draw_points<S>(draw, group, 3, ratio<S>(1, 2)));
-    claim.zero("a ring that does not close: its cells are flat", model, curvature(gap, 2, 0) - one, S(1), 100);
+    claim.zero("a ring that does not close: its cells are flat", model, curvature(gap, 2, 0) - one, S(1),
+               100);
     claim.refutes("and it is not of a field", model, round(gap, 1) - one, S(1));
   });
 }
@@ -282,7 +292,8 @@ STATEMENT(bridge_covariant_noether, "the momentum through the boundary of any bo
     for (auto const& [name, ends] : lines) {
       auto const g = draw_field<S>(draw, group, 3, 4, ends);
       // Condition: the actions are found by elimination.
-      sums(with_solution(draw, draw_uneven_actions<S>(draw, group, g.grid()), g), g, model + ", " + name, 1000);
+      sums(with_solution(draw, draw_uneven_actions<S>(draw, group, g.grid()), g), g, model + ", " + name,
+           1000);
     }
   });
   over_named<S>(draw, [&](auto const& group, auto const& l, std::string const& model) {
@@ -326,8 +337,11 @@ STATEMENT(bridge_covariant_form, "the multisymplectic form formula of fields wit
     if (g.ends[0] != End::held) {
       auto const change = linearised_equation(l, g, turn, 1, 1);
       claim.zero("turns of the whole field are first variations", model, change,
-                 S(size_of(left_second_differential([&](auto const& f) { return l(GridEdge{Direction::time, 1, 1}, f); },
-                                                    g.motion({Direction::time, 1, 1}))) +
+                 S(size_of(left_second_differential(
+                       [&](auto const& f) {
+                         return l(GridEdge{Direction::time, 1, 1}, f);
+                       },
+                       g.motion({Direction::time, 1, 1}))) +
                    S(1)),
                  condition);
     }
@@ -340,7 +354,7 @@ STATEMENT(bridge_covariant_form, "the multisymplectic form formula of fields wit
     auto const in_space = [&](auto const& U) {
       return Change<S>{Ad(g(1, 1), U[1][1]), Ad(g(2, 1), U[1][2])};
     };
-    S const form = edge_form(l, reduced, edge, V, W),
+    S const form = edge_form(l, reduced, edge, V, W).sum,
             d_theta = exterior_derivative(theta, g(1, 1), g(2, 1), in_space(V), in_space(W));
     claim.zero("form of an edge: exterior derivative of its one-form", model, S(form - d_theta),
                S(magnitude(form) + S(1)), condition);
@@ -350,7 +364,8 @@ STATEMENT(bridge_covariant_form, "the multisymplectic form formula of fields wit
     for (auto const& [name, ends] : lines) {
       auto const g = draw_field<S>(draw, group, 3, 4, ends);
       // Condition: actions and variations are found by elimination.
-      balances(with_solution(draw, draw_uneven_actions<S>(draw, group, g.grid()), g), g, model + ", " + name, 1e4);
+      balances(with_solution(draw, draw_uneven_actions<S>(draw, group, g.grid()), g), g, model + ", " + name,
+               1e4);
     }
   });
   over_named<S>(draw, [&](auto const& group, auto const& l, std::string const& model) {
@@ -374,8 +389,8 @@ STATEMENT(bridge_covariant_form, "the multisymplectic form formula of fields wit
         V.back().push_back(Ad(inverse(g(a, k)), theta)), wrong.back().push_back(theta);
       }
     }
-    claim.zero("derivatives of A^k B^a are first variations", group.name(), linearised_equation(sigma, g, V, 1, 1),
-               S(16), 100);
+    claim.zero("derivatives of A^k B^a are first variations", group.name(),
+               linearised_equation(sigma, g, V, 1, 1), S(16), 100);
     claim.refutes("translated to the identity on the other side", group.name(),
                   linearised_equation(sigma, g, wrong, 1, 1), S(16), 1e-6);
   }

@@ -21,10 +21,11 @@ BOOST_AUTO_TEST_CASE(a_chiral_field) {
     field.levels[0].push_back(exp(velocity(group, Vector<double, 3>(0, 0, std::sin(0.3 * a)))));
     momenta.push_back(momentum(group, Vector<double, 3>(D * 0.2, 0, 0)));
   }
-  step_in_time(l, field, momenta);                       // the first step, from the momenta
+  step_in_time(l, field, momenta);                      // the first step, from the momenta
   for (int k = 0; k < 20; ++k) step_in_time(l, field);  // the field equation at each node
 
-  auto const balance = noether_balance(l, field, {.first_node = 2, .nodes = 5, .first_level = 3, .levels = 9});
+  auto const balance =
+      noether_balance(l, field, {.first_node = 2, .nodes = 5, .first_level = 3, .levels = 9});
   assert(magnitude(balance.sum.components) < 1e-14 * balance.terms);
   // [chiral_field]
 }

@@ -12,10 +12,11 @@ namespace actio::checks {
 template <class S>
 using Field = GroupField<SpannedGroup, S>;
 
-/// An action for each edge: a base that is the same on all edges of a direction, and a polynomial of the edge.
+/// An action for each edge: a base that is the same on all edges of a direction, and a polynomial of the
+/// edge.
 template <class S, class L>
 struct EdgeActions {
-  L base;                                            ///< (edge, relative motion) -> action
+  L base;                                             ///< (edge, relative motion) -> action
   std::vector<std::vector<GroupPolynomial<S>>> time;  ///< [level][node]; none where there is no correction
   template <class T>
   T operator()(GridEdge const& e, GroupElement<T> const& f) const {
@@ -42,7 +43,8 @@ struct UnevenActions {
 template <class S>
 UnevenActions<S> draw_uneven_actions(Draw& draw, SpannedGroup const& group, SpaceTimeGrid const& grid) {
   UnevenActions<S> l{{}, grid.nodes};
-  for (Index i = 0; i < 2 * grid.nodes * grid.levels; ++i) l.each.push_back(draw_group_polynomial<S>(draw, group));
+  for (Index i = 0; i < 2 * grid.nodes * grid.levels; ++i)
+    l.each.push_back(draw_group_polynomial<S>(draw, group));
   return l;
 }
 
@@ -50,9 +52,9 @@ UnevenActions<S> draw_uneven_actions(Draw& draw, SpannedGroup const& group, Spac
 /// motion in SE(3).
 template <class S>
 struct RodActions {
-  S h, length;           ///< of a step and of an element
-  Vector<S> stiffness;   ///< three for the shear and the stretch, three for bending and torsion
-  Matrix<S> points;      ///< in the body, with a mass below each
+  S h, length;          ///< of a step and of an element
+  Vector<S> stiffness;  ///< three for the shear and the stretch, three for bending and torsion
+  Matrix<S> points;     ///< in the body, with a mass below each
   template <class T>
   T operator()(GridEdge const& e, GroupElement<T> const& f) const {
     // Forwards: (E, eps) is the inverse of f.
@@ -68,11 +70,12 @@ struct RodActions {
     }
     T const scale = T(2) / (T(1) + E(0, 0) + E(1, 1) + E(2, 2));
     Vector<T> const w = Vector<T>{{E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1)}} * scale;
-    Vector<T> const turned{{w[1] * eps[2] - w[2] * eps[1], w[2] * eps[0] - w[0] * eps[2],
-                            w[0] * eps[1] - w[1] * eps[0]}};
+    Vector<T> const turned{
+        {w[1] * eps[2] - w[2] * eps[1], w[2] * eps[0] - w[0] * eps[2], w[0] * eps[1] - w[1] * eps[0]}};
     for (int i = 0; i < 3; ++i) {
       T const gamma = (eps[i] - turned[i] / T(2)) / T(length) - T(i == 0 ? 1 : 0), kappa = w[i] / T(length);
-      sum -= (gamma * gamma * T(stiffness[i]) + kappa * kappa * T(stiffness[3 + i])) * T(S(h * length / S(2)));
+      sum -=
+          (gamma * gamma * T(stiffness[i]) + kappa * kappa * T(stiffness[3 + i])) * T(S(h * length / S(2)));
     }
     return sum;
   }
@@ -109,7 +112,8 @@ template <class S>
 Field<S> draw_field(Draw& draw, SpannedGroup const& group, Index nodes, Index levels,
                     std::array<End, 2> const& ends, std::type_identity_t<S> const& size = ratio<S>(1, 2)) {
   Field<S> g{{}, ends};
-  for (Index k = 0; k < levels; ++k) g.levels.push_back(draw_points<S>(draw, group, static_cast<int>(nodes), size));
+  for (Index k = 0; k < levels; ++k)
+    g.levels.push_back(draw_points<S>(draw, group, static_cast<int>(nodes), size));
   return g;
 }
 /// Where the field equation has to hold.
@@ -145,8 +149,8 @@ EdgeActions<S, L> with_solution(Draw& draw, L const& base, Field<S> const& g) {
     } else {
       Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
       for (int pass = 0; pass < 3; ++pass)
-        p.correction -=
-            transposed * solve_linear(square, Vector<S>(field_equation(l, g, a, k).components), "with_solution");
+        p.correction -= transposed * solve_linear(square, Vector<S>(field_equation(l, g, a, k).components),
+                                                  "with_solution");
     }
   }
   return l;

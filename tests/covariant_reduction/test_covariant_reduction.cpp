@@ -1,4 +1,5 @@
-// Fields with values in a group as a reader steps them: two roads that agree, exact solutions, ends, refusals.
+// Fields with values in a group as a reader steps them: two roads that agree, exact solutions, ends,
+// refusals.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/covariant_reduction/balances.hpp"
@@ -62,7 +63,8 @@ BOOST_AUTO_TEST_CASE(a_held_end_stays_and_a_ring_goes_on_past_its_last_node) {
   BOOST_TEST(distance(line(4, 20), line(4, 0)) > 0.01);
   auto const circle = moving(9, ring, 20);
   BOOST_TEST(distance(circle(-1, 7), circle(8, 7)) == 0);
-  auto const balance = noether_balance(chiral, circle, {.first_node = 6, .nodes = 5, .first_level = 3, .levels = 12});
+  auto const balance =
+      noether_balance(chiral, circle, {.first_node = 6, .nodes = 5, .first_level = 3, .levels = 12});
   BOOST_TEST(magnitude(balance.sum.components) < 64 * eps * balance.terms);
   // All nodes of a ring, or of a line with free ends: nothing leaves but in time.
   for (auto const& field : {circle, moving(9, open_line, 20)}) {
@@ -125,13 +127,16 @@ BOOST_AUTO_TEST_CASE(an_impulse_adds_to_the_momentum_of_the_whole_field) {
 
 BOOST_AUTO_TEST_CASE(fields_that_are_none_are_refused) {
   auto g = moving(4, open_line, 3);
-  GroupField<SU2, double> const one_node{{{g(0, 0)}}, open_line}, half_ring{g.levels, {End::joined, End::free}};
+  GroupField<SU2, double> const one_node{{{g(0, 0)}}, open_line},
+      half_ring{g.levels, {End::joined, End::free}};
   CHECK_REFUSED(relative_motions(one_node), OutsideDomain);
   CHECK_REFUSED(relative_motions(half_ring), OutsideDomain);
   GroupField<SU2, double> still{{g.levels[0]}, open_line};
   CHECK_REFUSED(step_in_time(chiral, still), OutsideDomain);
-  CHECK_REFUSED(step_in_time(chiral, g, std::vector(3, momentum(SU2{}, Vector<double, 3>(0, 0, 0)))), OutsideDomain);
-  CHECK_REFUSED(reconstruct_along(relative_motions(g), 0, 0, g(0, 0), {{Direction::space, true}, {Direction::time, false}}),
+  CHECK_REFUSED(step_in_time(chiral, g, std::vector(3, momentum(SU2{}, Vector<double, 3>(0, 0, 0)))),
+                OutsideDomain);
+  CHECK_REFUSED(reconstruct_along(relative_motions(g), 0, 0, g(0, 0),
+                                  {{Direction::space, true}, {Direction::time, false}}),
                 OutsideDomain);
   FieldVariation<SU2, double> V(1, std::vector(4, velocity(SU2{}, Vector<double, 3>(0, 0, 0))));
   CHECK_REFUSED(step_variation(chiral, g, V), OutsideDomain);

@@ -1,5 +1,5 @@
-// Balances of a field with values in a group: the momentum and the multisymplectic form of its solutions, over
-// the boundary of any box of nodes.
+// Balances of a field with values in a group: the momentum and the multisymplectic form of its solutions,
+// over the boundary of any box of nodes.
 //
 // Both are numbers of edges. An edge that leaves a box counts once, one that enters it counts negatively, and
 // edges inside do not count.
@@ -17,7 +17,7 @@ struct NodeBox {
   Index levels;       ///< how many in time
 };
 
-/// A sum over the edges through a boundary, and how large its terms are.
+/// A sum of differences, over the edges through a boundary or of one edge, and how large its terms are.
 template <class Value, class B>
 struct BoundarySum {
   Value sum;   ///< what leaves less what enters
@@ -56,18 +56,20 @@ void over_boundary(SpaceTimeGrid const& grid, NodeBox const& box, Visit const& v
     for (Index a = box.first_node; a < box.first_node + box.nodes; ++a)
       grid.over_edges_at(a, k, [&](GridEdge const& e, bool leaves) {
         bool const in_time = e.direction == Direction::time;
-        if (!(leaves ? inside(e.node + (in_time ? 0 : 1), e.level + (in_time ? 1 : 0)) : inside(e.node, e.level)))
+        if (!(leaves ? inside(e.node + (in_time ? 0 : 1), e.level + (in_time ? 1 : 0))
+                     : inside(e.node, e.level)))
           visit(e, leaves);
       });
 }
 
-/// The momentum that an edge carries, as space sees it: \f$\mu = -\mathrm{Ad}^*_{g^{-1}}L^*_f\ell'(f)\f$ with g
-/// at its start. With \f$-R^*_f\ell'(f)\f$ and g at its end it is the same, since the action of the edge is
+/// The momentum that an edge carries, as space sees it: \f$\mu = -\mathrm{Ad}^*_{g^{-1}}L^*_f\ell'(f)\f$ with
+/// g at its start. With \f$-R^*_f\ell'(f)\f$ and g at its end it is the same, since the action of the edge is
 /// invariant. In time it is the momentum of a node, and in space minus what the rest of the line does to it
 /// in one step.
 template <class L, Group G, Scalar S>
 Momentum<G, S> edge_momentum(L const& l, GroupField<G, S> const& g, GridEdge const& edge) {
-  return Ad_star(inverse(g(edge.node, edge.level)), -left_differential(detail::on_edge(l, edge), g.motion(edge)));
+  return Ad_star(inverse(g(edge.node, edge.level)),
+                 -left_differential(detail::on_edge(l, edge), g.motion(edge)));
 }
 
 /// What leaves a box of nodes of the momentum in space, less what enters it. It is zero for every box where
@@ -76,7 +78,8 @@ Momentum<G, S> edge_momentum(L const& l, GroupField<G, S> const& g, GridEdge con
 /// \implements{bridge_covariant_noether}
 /// @throws OutsideDomain  where the box has nodes at which there is no field equation
 template <class L, Group G, Scalar S>
-BoundarySum<Momentum<G, S>, Base<S>> noether_balance(L const& l, GroupField<G, S> const& g, NodeBox const& box) {
+BoundarySum<Momentum<G, S>, Base<S>> noether_balance(L const& l, GroupField<G, S> const& g,
+                                                     NodeBox const& box) {
   require_box(g.grid(), box);
   auto const& group = g(0, 0).group;
   BoundarySum<Momentum<G, S>, Base<S>> balance{{group, Coordinates<G, S>::Zero(group.dimension())}};
@@ -101,9 +104,10 @@ using FieldVariation = std::vector<std::vector<Velocity<G, S>>>;
 /// motions alone.
 ///
 /// @param field  a GroupField or a RelativeField
+/// @return       the form, and the magnitudes of its two terms, which are much larger where a step is short
 template <class L, class Field, Group G, Scalar S>
-S edge_form(L const& l, Field const& field, GridEdge const& edge, FieldVariation<G, S> const& V,
-            FieldVariation<G, S> const& W) {
+BoundarySum<S, Base<S>> edge_form(L const& l, Field const& field, GridEdge const& edge,
+                                  FieldVariation<G, S> const& V, FieldVariation<G, S> const& W) {
   bool const in_time = edge.direction == Direction::time;
   auto const start = [&](auto const& U) { return U[edge.level][edge.node].coordinates; };
   auto const end = [&](auto const& U) {
@@ -111,12 +115,13 @@ S edge_form(L const& l, Field const& field, GridEdge const& edge, FieldVariation
   };
   // [covariant_form_of_edge]
   auto const M = left_second_differential(detail::on_edge(l, edge), field.motion(edge));
-  return start(V).dot(M * end(W)) - start(W).dot(M * end(V));
+  S const first = start(V).dot(M * end(W)), second = start(W).dot(M * end(V));
   // [covariant_form_of_edge]
+  return {first - second, magnitude(first) + magnitude(second)};
 }
 
-/// What leaves a box of nodes of the multisymplectic form, less what enters it. It is zero for every box where
-/// the field solves the field equation at the nodes of the box, and V and W its linearisation.
+/// What leaves a box of nodes of the multisymplectic form, less what enters it. It is zero for every box
+/// where the field solves the field equation at the nodes of the box, and V and W its linearisation.
 ///
 /// \implements{bridge_covariant_form}
 /// @throws OutsideDomain  where the box has nodes at which there is no field equation
@@ -127,9 +132,9 @@ BoundarySum<S, Base<S>> form_balance(L const& l, Field const& field, FieldVariat
   BoundarySum<S, Base<S>> balance{S(0)};
   // [bridge_covariant_form]
   over_boundary(field.grid(), box, [&](GridEdge const& edge, bool leaves) {
-    S const omega = edge_form(l, field, edge, V, W);
-    balance.sum += leaves ? omega : -omega;
-    balance.terms += magnitude(omega);
+    auto const omega = edge_form(l, field, edge, V, W);
+    balance.sum += leaves ? omega.sum : -omega.sum;
+    balance.terms += omega.terms;
   });
   // [bridge_covariant_form]
   return balance;
@@ -140,8 +145,8 @@ namespace detail {
 /// A level behind the last one of the variation does not move.
 template <class Field, Group G, Scalar S>
 struct VariedField {
-  Field const& field;              ///< a GroupField or a RelativeField
-  FieldVariation<G, S> const& V;   ///< how it moves
+  Field const& field;             ///< a GroupField or a RelativeField
+  FieldVariation<G, S> const& V;  ///< how it moves
 
   SpaceTimeGrid grid() const { return field.grid(); }
   Element<G, Dual<S>> step(Index a, Index k, S const& sign) const {

@@ -6,8 +6,8 @@
 // twice, once in time and once in space. Both directions have the same rights: a field whose space and time
 // are exchanged satisfies the same equation.
 //
-// A Lagrangian is any callable l(edge, f) over every scalar, f the relative motion; `time_and_space` makes one
-// of an action in time and one in space that are the same on all edges.
+// A Lagrangian is any callable l(edge, f) over every scalar, f the relative motion; `time_and_space` makes
+// one of an action in time and one in space that are the same on all edges.
 #pragma once
 
 #include "actio/covariant_reduction/group_field.hpp"
@@ -34,13 +34,12 @@ auto transposed_lagrangian(L l) {
 namespace detail {
 /// The action of one edge, as a function on the group.
 template <class L>
-auto on_edge(L const& l, GridEdge const& edge) {
-  return [&l, edge](auto const& f) { return l(edge, f); };
-}
+auto on_edge(L const& l, GridEdge const& edge) { return [&l, edge](auto const& f) { return l(edge, f); }; }
 }  // namespace detail
 
 /// The left side of the field equation at a node, a covector at the identity as the node sees it: the
-/// derivative of the sum of all actions by \f$g_a^k\f$ along \f$\delta g = g\,\zeta\f$. At an inner node it is
+/// derivative of the sum of all actions by \f$g_a^k\f$ along \f$\delta g = g\,\zeta\f$. At an inner node it
+/// is
 /// \f[ L^*_f\ell_t'(f_a^k) - R^*_f\ell_t'(f_a^{k-1}) + L^*_e\ell_s'(e_a^k) - R^*_e\ell_s'(e_{a-1}^k) , \f]
 /// at others the terms of the edges that there are.
 ///
@@ -85,20 +84,24 @@ Momentum<G, S> covariant_euler_poincare(InTime const& l_t, Element<G, S> const& 
 /// \snippet covariant_reduction.cpp chiral_field
 /// @param field     a GroupField or a RelativeField with one level or more
 /// @param impulses  what each node receives at the last level beside the actions, as its body sees it, energy
-///                  x time: its momentum at the start, which the first step needs; the impulse of a force later
+///                  x time: its momentum at the start, which the first step needs; the impulse of a force
+///                  later
 /// @return          the report of the node that took most evaluations
-/// @throws OutsideDomain  where there are too few nodes, or impulses for some of them or none for a first step
+/// @throws OutsideDomain  where there are too few nodes, or impulses for some of them or none for a first
+///                        step
 /// @throws NotConverged, NotFinite  with node and level; Singular: where the action in time is not regular.
 ///                        The field is as it was then
 template <class L, class Field>
-Report step_in_time(L const& l, Field& field,
-                    std::vector<Momentum<typename Field::GroupType, typename Field::Scalar>> const& impulses = {}) {
+Report step_in_time(
+    L const& l, Field& field,
+    std::vector<Momentum<typename Field::GroupType, typename Field::Scalar>> const& impulses = {}) {
   using Motion = Element<typename Field::GroupType, typename Field::Scalar>;
   auto const grid = field.grid();
   require_grid(grid);
   bool const first = grid.levels < 2;
   if ((first || !impulses.empty()) && static_cast<Index>(impulses.size()) != grid.nodes)
-    throw OutsideDomain("step_in_time", "a first step needs a momentum for each node, and impulses are for all",
+    throw OutsideDomain("step_in_time",
+                        "a first step needs a momentum for each node, and impulses are for all",
                         static_cast<double>(impulses.size()), static_cast<double>(grid.nodes));
   Index const k = grid.levels - 1;
   auto const one = identity<typename Field::Scalar>(field.motion({Direction::space, 0, 0}).group);

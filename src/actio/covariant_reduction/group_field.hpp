@@ -59,7 +59,8 @@ struct SpaceTimeGrid {
   template <class Visit>
   void over_edges_at(Index node, Index level, Visit const& visit) const {
     auto const one = [&](Direction direction, Index a, Index k, bool leaves) {
-      if (GridEdge const e{direction, wrapped(a), k}; has(ring() ? e : GridEdge{direction, a, k})) visit(e, leaves);
+      if (GridEdge const e{direction, wrapped(a), k}; has(ring() ? e : GridEdge{direction, a, k}))
+        visit(e, leaves);
     };
     one(Direction::time, node, level - 1, false), one(Direction::time, node, level, true);
     one(Direction::space, node - 1, level, false), one(Direction::space, node, level, true);
@@ -88,7 +89,8 @@ struct GroupField {
 
   /// The grid on which the field is given.
   SpaceTimeGrid grid() const {
-    return {levels.empty() ? 0 : static_cast<Index>(levels[0].size()), static_cast<Index>(levels.size()), ends};
+    return {levels.empty() ? 0 : static_cast<Index>(levels[0].size()), static_cast<Index>(levels.size()),
+            ends};
   }
   /// \f$g_a^k\f$; on a ring any a.
   Element<G, S> const& operator()(Index a, Index k) const {
@@ -210,7 +212,8 @@ GroupField<G, S> reconstruct(RelativeField<G, S> const& reduced, Element<G, S> c
   GroupField<G, S> field{{}, reduced.ends};
   field.levels.push_back({g});
   for (Index a = 0; a + 1 < reduced.grid().nodes; ++a)
-    field.levels[0].push_back(reconstruct_left(field.levels[0].back(), reduced.motion({Direction::space, a, 0})));
+    field.levels[0].push_back(
+        reconstruct_left(field.levels[0].back(), reduced.motion({Direction::space, a, 0})));
   for (auto const& f : reduced.time) field.append(f);
   return field;
 }
