@@ -261,8 +261,8 @@ STATEMENT(bridge_covariant_reconstruction,
 
 STATEMENT(bridge_covariant_noether, "the momentum through the boundary of any box of nodes") {
   claim.holds(
-      "For any actions of edges, on lines with free and held ends and on rings, whose boxes may go round. The "
-      "edge carries the same momentum at its two ends, for any field; the sum is zero along solutions.");
+      "For any actions of edges, on lines with free and held ends and on rings, whose boxes may go round. "
+      "An edge carries the same momentum at its two ends, for any field; the sum is zero along solutions.");
   auto const sums = [&](auto const& l, Field<S> g, std::string const& model, double condition) {
     GridEdge const edge{Direction::space, 0, 1};
     auto const action = [&](auto const& f) { return l(edge, f); };
@@ -313,7 +313,7 @@ STATEMENT(bridge_covariant_noether, "the momentum through the boundary of any bo
 
 STATEMENT(bridge_covariant_form, "the multisymplectic form formula of fields with values in a group") {
   claim.holds(
-      "For any actions of edges, on lines with free and held ends and on rings, and any two first variations. "
+      "For any actions of edges, on lines with free and held ends and on rings, and two first variations. "
       "The form of an edge is the exterior derivative of the discrete Lagrange one-form of its two values, "
       "and needs its relative motion alone.");
   auto const balances = [&](auto const& l, Field<S> const& g, std::string const& model, double condition) {
