@@ -64,8 +64,8 @@ void over_boundary(SpaceTimeGrid const& grid, NodeBox const& box, Visit const& v
 
 /// The momentum that an edge carries, as space sees it: \f$\mu = -\mathrm{Ad}^*_{g^{-1}}L^*_f\ell'(f)\f$ with
 /// g at its start. With \f$-R^*_f\ell'(f)\f$ and g at its end it is the same, since the action of the edge is
-/// invariant. In time it is the momentum of a node, and in space minus what the rest of the line does to it
-/// in one step.
+/// invariant. In time it is the momentum of a node, and in space what flows from a node to the next one in
+/// one step.
 template <class L, Group G, Scalar S>
 Momentum<G, S> edge_momentum(L const& l, GroupField<G, S> const& g, GridEdge const& edge) {
   return Ad_star(inverse(g(edge.node, edge.level)),

@@ -58,7 +58,10 @@ auto field_equation(L const& l, Field const& field, Index a, Index k) {
   grid.over_edges_at(a, k, [&](GridEdge const& edge, bool leaves) {
     auto const action = detail::on_edge(l, edge);
     auto const f = field.motion(edge);
-    sum = leaves ? sum + left_differential(action, f) : sum - right_differential(action, f);
+    if (leaves)
+      sum = sum + left_differential(action, f);
+    else
+      sum = sum - right_differential(action, f);
   });
   // [bridge_covariant_euler_poincare]
   return sum;
