@@ -131,6 +131,13 @@ BOOST_AUTO_TEST_CASE(fields_that_are_none_are_refused) {
       half_ring{g.levels, {End::joined, End::free}};
   CHECK_REFUSED(relative_motions(one_node), OutsideDomain);
   CHECK_REFUSED(relative_motions(half_ring), OutsideDomain);
+  CHECK_REFUSED(transposed(moving(4, ring, 2), held), OutsideDomain);
+  auto ragged = g;
+  ragged.levels[1].pop_back();
+  CHECK_REFUSED(noether_balance(chiral, ragged, {1, 1, 1, 1}), OutsideDomain);
+  auto reduced = relative_motions(g);
+  reduced.time.pop_back();
+  CHECK_REFUSED(reconstruct(reduced, g(0, 0)), OutsideDomain);
   GroupField<SU2, double> still{{g.levels[0]}, open_line};
   CHECK_REFUSED(step_in_time(chiral, still), OutsideDomain);
   CHECK_REFUSED(step_in_time(chiral, g, std::vector(3, momentum(SU2{}, Vector<double, 3>(0, 0, 0)))),
@@ -139,6 +146,9 @@ BOOST_AUTO_TEST_CASE(fields_that_are_none_are_refused) {
                                   {{Direction::space, true}, {Direction::time, false}}),
                 OutsideDomain);
   FieldVariation<SU2, double> V(1, std::vector(4, velocity(SU2{}, Vector<double, 3>(0, 0, 0))));
+  CHECK_REFUSED(step_variation(chiral, g, V), OutsideDomain);
+  CHECK_REFUSED(form_balance(chiral, g, V, V, {1, 1, 1, 1}), OutsideDomain);
+  V.push_back({});
   CHECK_REFUSED(step_variation(chiral, g, V), OutsideDomain);
 }
 

@@ -80,6 +80,7 @@ Momentum<G, S> edge_momentum(L const& l, GroupField<G, S> const& g, GridEdge con
 template <class L, Group G, Scalar S>
 BoundarySum<Momentum<G, S>, Base<S>> noether_balance(L const& l, GroupField<G, S> const& g,
                                                      NodeBox const& box) {
+  require_field(g);
   require_box(g.grid(), box);
   auto const& group = g(0, 0).group;
   BoundarySum<Momentum<G, S>, Base<S>> balance{{group, Coordinates<G, S>::Zero(group.dimension())}};
@@ -124,10 +125,14 @@ BoundarySum<S, Base<S>> edge_form(L const& l, Field const& field, GridEdge const
 /// where the field solves the field equation at the nodes of the box, and V and W its linearisation.
 ///
 /// \implements{bridge_covariant_form}
-/// @throws OutsideDomain  where the box has nodes at which there is no field equation
+/// @throws OutsideDomain  where the box has nodes at which there is no field equation, or a variation is not
+///                        one of this field
 template <class L, class Field, Group G, Scalar S>
 BoundarySum<S, Base<S>> form_balance(L const& l, Field const& field, FieldVariation<G, S> const& V,
                                      FieldVariation<G, S> const& W, NodeBox const& box) {
+  require_field(field);
+  for (auto const* variation : {&V, &W})
+    detail::require_rows("form_balance: variation", *variation, field.grid().levels, field.grid().nodes);
   require_box(field.grid(), box);
   BoundarySum<S, Base<S>> balance{S(0)};
   // [bridge_covariant_form]
@@ -190,6 +195,7 @@ void step_variation(L const& l, Field const& field, FieldVariation<G, S>& V) {
   if (k < 1 || k + 2 > grid.levels)
     throw OutsideDomain("step_variation", "two levels at least are needed and fewer than the field has",
                         static_cast<double>(k + 1), static_cast<double>(k < 1 ? 2 : grid.levels - 1));
+  detail::require_rows("step_variation: variation", V, k + 1, grid.nodes);
   std::vector<Velocity<G, S>> next;
   for (Index a = 0; a < grid.nodes; ++a) {
     GridEdge const ahead{Direction::time, a, k};

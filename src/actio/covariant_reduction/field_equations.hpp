@@ -90,8 +90,7 @@ Momentum<G, S> covariant_euler_poincare(InTime const& l_t, Element<G, S> const& 
 ///                  x time: its momentum at the start, which the first step needs; the impulse of a force
 ///                  later
 /// @return          the report of the node that took most evaluations
-/// @throws OutsideDomain  where there are too few nodes, or impulses for some of them or none for a first
-///                        step
+/// @throws OutsideDomain  where this is no field, or impulses are for some nodes or absent at a first step
 /// @throws NotConverged, NotFinite  with node and level; Singular: where the action in time is not regular.
 ///                        The field is as it was then
 template <class L, class Field>
@@ -99,8 +98,8 @@ Report step_in_time(
     L const& l, Field& field,
     std::vector<Momentum<typename Field::GroupType, typename Field::Scalar>> const& impulses = {}) {
   using Motion = Element<typename Field::GroupType, typename Field::Scalar>;
+  require_field(field);
   auto const grid = field.grid();
-  require_grid(grid);
   bool const first = grid.levels < 2;
   if ((first || !impulses.empty()) && static_cast<Index>(impulses.size()) != grid.nodes)
     throw OutsideDomain("step_in_time",

@@ -59,8 +59,7 @@ struct SpaceTimeGrid {
   template <class Visit>
   void over_edges_at(Index node, Index level, Visit const& visit) const {
     auto const one = [&](Direction direction, Index a, Index k, bool leaves) {
-      if (GridEdge const e{direction, wrapped(a), k}; has(ring() ? e : GridEdge{direction, a, k}))
-        visit(e, leaves);
+      if (GridEdge const e{direction, wrapped(a), k}; has(e)) visit(e, leaves);
     };
     one(Direction::time, node, level - 1, false), one(Direction::time, node, level, true);
     one(Direction::space, node - 1, level, false), one(Direction::space, node, level, true);
@@ -94,9 +93,7 @@ struct GroupField {
   }
   /// \f$g_a^k\f$; on a ring any a.
   Element<G, S> const& operator()(Index a, Index k) const {
-    auto const& level = levels[static_cast<std::size_t>(k)];
-    Index const n = static_cast<Index>(level.size());
-    return level[static_cast<std::size_t>(ends[0] == End::joined ? (a % n + n) % n : a)];
+    return levels[static_cast<std::size_t>(k)][static_cast<std::size_t>(grid().wrapped(a))];
   }
   /// The relative motion of an edge: \f$f_a^k = (g_a^{k+1})^{-1}g_a^k\f$ in time, \f$e_a^k =
   /// (g_{a+1}^k)^{-1}g_a^k\f$ in space.
@@ -132,8 +129,7 @@ struct RelativeField {
   /// The relative motion of an edge.
   Element<G, S> const& motion(GridEdge const& e) const {
     auto const& row = (e.direction == Direction::time ? time : space)[static_cast<std::size_t>(e.level)];
-    Index const n = grid().nodes;
-    return row[static_cast<std::size_t>(ends[0] == End::joined ? (e.node % n + n) % n : e.node)];
+    return row[static_cast<std::size_t>(grid().wrapped(e.node))];
   }
   /// Puts a level behind the last one; the cells between are flat: \f$e_a^{k+1} =
   /// f_{a+1}^k\,e_a^k\,(f_a^k)^{-1}\f$.
@@ -146,12 +142,42 @@ struct RelativeField {
   }
 };
 
+namespace detail {
+/// Refuses a table that has not this many rows, or a row that has not this many entries.
+template <class Table>
+void require_rows(char const* where, Table const& table, Index rows, Index each) {
+  auto const number = [](auto x) { return static_cast<double>(x); };
+  if (static_cast<Index>(table.size()) != rows)
+    throw OutsideDomain(where, "levels that are needed", number(table.size()), number(rows));
+  for (auto const& row : table)
+    if (static_cast<Index>(row.size()) != each)
+      throw OutsideDomain(where, "entries that each level needs", number(row.size()), number(each));
+}
+}  // namespace detail
+
+/// Refuses what is no field on a grid: too few nodes, one joined end, levels of different length.
+/// @throws OutsideDomain  with the number that is wrong
+template <Group G, Scalar S>
+void require_field(GroupField<G, S> const& g) {
+  require_grid(g.grid());
+  detail::require_rows("field on a grid", g.levels, g.grid().levels, g.grid().nodes);
+}
+/// The same for relative motions, in time and in space.
+template <Group G, Scalar S>
+void require_field(RelativeField<G, S> const& reduced) {
+  auto const grid = reduced.grid();
+  require_grid(grid);
+  detail::require_rows("relative motions in time", reduced.time, grid.levels - 1, grid.nodes);
+  detail::require_rows("relative motions in space", reduced.space, grid.levels,
+                       static_cast<Index>(reduced.space[0].size()));
+}
+
 /// The relative motions of a field: the quotient by the multiplications \f$g\mapsto hg\f$ of all its values.
-/// @throws OutsideDomain  where there are fewer than two nodes, or one joined end
+/// @throws OutsideDomain  where this is no field (\ref require_field)
 template <Group G, Scalar S>
 RelativeField<G, S> relative_motions(GroupField<G, S> const& g) {
+  require_field(g);
   auto const grid = g.grid();
-  require_grid(grid);
   RelativeField<G, S> reduced{{}, {}, g.ends};
   for (Index k = 0; k < grid.levels; ++k) {
     reduced.space.emplace_back();
@@ -209,6 +235,7 @@ Element<G, S> reconstruct_along(Field const& field, Index a, Index k, Element<G,
 /// first level, and from there in time.
 template <Group G, Scalar S>
 GroupField<G, S> reconstruct(RelativeField<G, S> const& reduced, Element<G, S> const& g) {
+  require_field(reduced);
   GroupField<G, S> field{{}, reduced.ends};
   field.levels.push_back({g});
   for (Index a = 0; a + 1 < reduced.grid().nodes; ++a)
@@ -221,8 +248,11 @@ GroupField<G, S> reconstruct(RelativeField<G, S> const& reduced, Element<G, S> c
 /// The same field with space and time exchanged, on an open line: \f$g_k^a\f$. What steps in time steps then
 /// in space.
 /// @param ends  what the first and the last level of time are
+/// @throws OutsideDomain  where this is no field, or one on a ring
 template <Group G, Scalar S>
 GroupField<G, S> transposed(GroupField<G, S> const& g, std::array<End, 2> ends) {
+  require_field(g);
+  if (g.grid().ring()) throw OutsideDomain("transposed", "an open line is needed; joined ends", 2, 0);
   GroupField<G, S> other{{}, ends};
   other.levels.resize(static_cast<std::size_t>(g.grid().nodes));
   for (auto const& level : g.levels)
