@@ -266,9 +266,9 @@ STATEMENT(bridge_covariant_noether, "the momentum through the boundary of any bo
   auto const sums = [&](auto const& l, Field<S> g, std::string const& model, double condition) {
     GridEdge const edge{Direction::space, 0, 1};
     auto const action = [&](auto const& f) { return l(edge, f); };
-    claim.equal("an edge has one momentum", model, edge_momentum(l, g, edge),
+    claim.equal("an edge has one momentum", model, edge_momentum(l, g, g, edge),
                 Ad_star(inverse(g(1, 1)), -right_differential(action, g.motion(edge))), 10);
-    claim.differs("the momentum at its end, at its start", model, edge_momentum(l, g, edge),
+    claim.differs("the momentum at its end, at its start", model, edge_momentum(l, g, g, edge),
                   Ad_star(inverse(g(0, 1)), -right_differential(action, g.motion(edge))), 1e-6);
     for (int i = 0; i < 3; ++i) {
       auto const balance = noether_balance(l, g, draw_node_box(draw, g.grid()));

@@ -66,32 +66,48 @@ void over_boundary(SpaceTimeGrid const& grid, NodeBox const& box, Visit const& v
 /// g at its start. With \f$-R^*_f\ell'(f)\f$ and g at its end it is the same, since the action of the edge is
 /// invariant. In time it is the momentum of a node, and in space what flows from a node to the next one in
 /// one step.
-template <class L, Group G, Scalar S>
-Momentum<G, S> edge_momentum(L const& l, GroupField<G, S> const& g, GridEdge const& edge) {
+///
+/// @param motions  whose relative motions are taken: a RelativeField, or g itself
+template <class L, class Motions, Group G, Scalar S>
+Momentum<G, S> edge_momentum(L const& l, Motions const& motions, GroupField<G, S> const& g,
+                             GridEdge const& edge) {
   return Ad_star(inverse(g(edge.node, edge.level)),
-                 -left_differential(detail::on_edge(l, edge), g.motion(edge)));
+                 -left_differential(detail::on_edge(l, edge), motions.motion(edge)));
 }
 
 /// What leaves a box of nodes of the momentum in space, less what enters it. It is zero for every box where
 /// the field solves the field equation at the nodes of the box.
 ///
 /// \implements{bridge_covariant_noether}
+/// @param motions  whose relative motions are taken: a RelativeField, or g itself. Where steps are short
+///                 those of g are differences of near values: with a relative motion of the size
+///                 \f$\vartheta\f$ rounding is \f$\epsilon/\vartheta\f$ of a momentum, and that of a
+///                 RelativeField is not
+/// @param g        the field
 /// @throws OutsideDomain  where the box has nodes at which there is no field equation
-template <class L, Group G, Scalar S>
-BoundarySum<Momentum<G, S>, Base<S>> noether_balance(L const& l, GroupField<G, S> const& g,
-                                                     NodeBox const& box) {
+template <class L, class Motions, Group G, Scalar S>
+BoundarySum<Momentum<G, S>, Base<S>> noether_balance(L const& l, Motions const& motions,
+                                                     GroupField<G, S> const& g, NodeBox const& box) {
+  require_field(motions);
   require_field(g);
   require_box(g.grid(), box);
   auto const& group = g(0, 0).group;
   BoundarySum<Momentum<G, S>, Base<S>> balance{{group, Coordinates<G, S>::Zero(group.dimension())}};
   // [bridge_covariant_noether]
   over_boundary(g.grid(), box, [&](GridEdge const& edge, bool leaves) {
-    auto const mu = edge_momentum(l, g, edge);
+    auto const mu = edge_momentum(l, motions, g, edge);
     balance.sum = leaves ? balance.sum + mu : balance.sum - mu;
     balance.terms += magnitude(mu.components);
   });
   // [bridge_covariant_noether]
   return balance;
+}
+
+/// The same with the relative motions of the field itself.
+template <class L, Group G, Scalar S>
+BoundarySum<Momentum<G, S>, Base<S>> noether_balance(L const& l, GroupField<G, S> const& g,
+                                                     NodeBox const& box) {
+  return noether_balance(l, g, g, box);
 }
 
 /// A variation of a field, \f$\zeta_a^k = (g_a^k)^{-1}\delta g_a^k\f$: levels[k][a].
