@@ -63,6 +63,10 @@ void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
   part->add_flag("--quiet", run.quiet, "no progress")->disable_flag_override();
   part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing")
       ->disable_flag_override();
+  part->add_option("--ranks", run.ranks,
+                   "with --dry-run: how much memory each of so many ranks of actio-mpi takes")
+      ->type_name("P")
+      ->check(CLI::Range(1, 1 << 20));
   part->add_flag("--plots", run.plots, "draw pictures and a page to play the motion")
       ->disable_flag_override();
   part->add_flag("--force", run.force,

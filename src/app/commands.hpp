@@ -20,6 +20,7 @@ struct RunArguments {
   std::vector<std::string> set;    ///< KEY=VALUE
   std::vector<std::string> unset;  ///< KEY
   bool quiet = false, dry_run = false, plots = false, force = false;
+  int ranks = 1;  ///< whose memory the plan tells
 };
 int run(RunArguments const& arguments);
 /// What `run` would do with a scene that was read, and what it would leave in the folder `out`.

@@ -135,7 +135,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   constexpr int d = Box::dimension;
   auto const optimised = optimised_of<Box>(mesh, material, *start);
   if (!optimised) return false;
-  simulation.on_ranks = true;
+  simulation.on_ranks = true, simulation.shared_bytes = bytes_of_fused_steps(mesh);
   simulation.bytes = checked_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
   BoxCells<Box> const cells(*fast_box<Box>(mesh));
