@@ -36,6 +36,9 @@ class GeneralisedAlpha {
     }
     if (rod_.clamped) rate_.front().setZero();
     auxiliary_ = rate_;
+    move_.reserve(rate_.size());
+    for (auto const& v : now_.velocity) move_.push_back(step * v);
+    move_before_ = move_;
   }
 
   /// One step.
@@ -46,12 +49,14 @@ class GeneralisedAlpha {
     double const h = step_, to_rate = (1 - alpha_m_) / (h * h * beta_ * (1 - alpha_f_)),
                  to_velocity = gamma_ / (h * beta_);
     RodMotion next = now_;
-    std::vector<Six> rate = rate_, move(sections), before = auxiliary_;
+    std::vector<Six> rate(sections), move = move_, before = auxiliary_;
     for (std::size_t k = 0; k < sections; ++k) {
-      // The accelerations of the last step are the first guess.
-      auxiliary_[k] = (rate_[k] - alpha_m_ * before[k]) / (1 - alpha_m_);
-      next.velocity[k] += h * ((1 - gamma_) * before[k] + gamma_ * auxiliary_[k]);
-      move[k] = h * now_.velocity[k] + h * h * ((0.5 - beta_) * before[k] + beta_ * auxiliary_[k]);
+      // The first guess: sections move on evenly faster. What follows for velocities and accelerations.
+      move[k] += move_[k] - move_before_[k];
+      Six const next_auxiliary =
+          ((move[k] - h * now_.velocity[k]) / (h * h) - (0.5 - beta_) * before[k]) / beta_;
+      next.velocity[k] += h * ((1 - gamma_) * before[k] + gamma_ * next_auxiliary);
+      rate[k] = ((1 - alpha_m_) * next_auxiliary + alpha_m_ * before[k] - alpha_f_ * rate_[k]) / (1 - alpha_f_);
     }
     std::vector<double> sizes;
     do {
@@ -87,7 +92,7 @@ class GeneralisedAlpha {
     SemiDiscreteRod::move(next.shape, move);
     for (std::size_t k = 0; k < sections; ++k)
       auxiliary_[k] = ((1 - alpha_f_) * rate[k] + alpha_f_ * rate_[k] - alpha_m_ * before[k]) / (1 - alpha_m_);
-    now_ = std::move(next), rate_ = std::move(rate), ++steps_;
+    now_ = std::move(next), rate_ = std::move(rate), move_before_ = std::exchange(move_, std::move(move)), ++steps_;
   }
   RodMotion const& now() const { return now_; }         ///< after the last step
   SemiDiscreteRod const& rod() const { return rod_; }   ///< the rod
@@ -120,7 +125,7 @@ class GeneralisedAlpha {
   SemiDiscreteRod rod_;
   RodMotion now_;
   double step_, alpha_m_, alpha_f_, gamma_, beta_;
-  std::vector<Six> rate_, auxiliary_;
+  std::vector<Six> rate_, auxiliary_, move_, move_before_;
   long steps_ = 0, solves_ = 0;
 };
 
