@@ -79,11 +79,13 @@ void waves(book::Program& program) {
                     "frequencies tend to those of Timoshenko's beam with order 2: " + rows.back()[1] + " " +
                         rows.back()[0]);
     }
-  program.table("waves",
-                {"half waves", "branch", "frequency of the beam", "off, 10 elements a half wave", "20", "40",
-                 "frequency, at last", "order"},
-                rows, "Small waves: how far 200 steps lead from the closed form, relative to the amplitude, and the "
-                "frequency against that of the beam.");
+  program.table(
+      "waves",
+      {"half waves", "branch", "frequency of the beam", "off, 10 elements a half wave", "20", "40",
+       "frequency, at last", "order"},
+      rows,
+      "Small waves: how far 200 steps lead from the closed form, relative to the amplitude, and the "
+      "frequency against that of the beam.");
   program.claim(book::measured(farthest) < 1e-9, "waves in steps are those of the closed form");
 }
 

@@ -12,7 +12,7 @@
 // by side, R^3 x SO(3) for a section.
 #pragma once
 
-#include "witness/semi_discrete_rod.hpp"
+#include "witness/rod_motion.hpp"
 
 namespace actio::rods {
 
@@ -56,14 +56,15 @@ class GeneralisedAlpha {
       Six const next_auxiliary =
           ((move[k] - h * now_.velocity[k]) / (h * h) - (0.5 - beta_) * before[k]) / beta_;
       next.velocity[k] += h * ((1 - gamma_) * before[k] + gamma_ * next_auxiliary);
-      rate[k] = ((1 - alpha_m_) * next_auxiliary + alpha_m_ * before[k] - alpha_f_ * rate_[k]) / (1 - alpha_f_);
+      rate[k] =
+          ((1 - alpha_m_) * next_auxiliary + alpha_m_ * before[k] - alpha_f_ * rate_[k]) / (1 - alpha_f_);
     }
     std::vector<double> sizes;
     do {
       next.shape = now_.shape;
       SemiDiscreteRod::move(next.shape, move);
       BlockTridiagonal matrix(sections);
-      auto right = rod_.forces(next.shape, (steps_ + 1) * h, &matrix);
+      auto right = rod_.forces(next.shape, time() + h, &matrix);
       for (std::size_t k = 0; k < sections; ++k) {
         Six const m = rod_.masses(k), &v = next.velocity[k];
         right[k] -= m.cwiseProduct(rate[k]) + whirl(v, m);
@@ -75,7 +76,7 @@ class GeneralisedAlpha {
         matrix.diagonal[k].diagonal() += to_rate * m;
         Eigen::Vector3d const J = m.tail<3>(), w = v.tail<3>(), L = J.cwiseProduct(w);
         matrix.diagonal[k].bottomRightCorner<3, 3>() +=
-            to_velocity * (hat(w) * Eigen::Matrix3d(J.asDiagonal()) - hat(L));
+            to_velocity * (product_with(w) * Eigen::Matrix3d(J.asDiagonal()) - product_with(L));
       }
       rod_.hold(matrix, right);
       auto const by = matrix.solve(right);
@@ -91,21 +92,20 @@ class GeneralisedAlpha {
     next.shape = now_.shape;
     SemiDiscreteRod::move(next.shape, move);
     for (std::size_t k = 0; k < sections; ++k)
-      auxiliary_[k] = ((1 - alpha_f_) * rate[k] + alpha_f_ * rate_[k] - alpha_m_ * before[k]) / (1 - alpha_m_);
-    now_ = std::move(next), rate_ = std::move(rate), move_before_ = std::exchange(move_, std::move(move)), ++steps_;
+      auxiliary_[k] =
+          ((1 - alpha_f_) * rate[k] + alpha_f_ * rate_[k] - alpha_m_ * before[k]) / (1 - alpha_m_);
+    now_ = std::move(next), rate_ = std::move(rate), move_before_ = std::exchange(move_, std::move(move)),
+    ++steps_;
   }
-  RodMotion const& now() const { return now_; }         ///< after the last step
-  SemiDiscreteRod const& rod() const { return rod_; }   ///< the rod
-  double time() const { return steps_ * step_; }        ///< of the last step
-  long solves() const { return solves_; }               ///< systems of linear equations so far
+  RodMotion const& now() const { return now_; }                        ///< after the last step
+  SemiDiscreteRod const& rod() const { return rod_; }                  ///< the rod
+  double time() const { return static_cast<double>(steps_) * step_; }  ///< of the last step
+  long solves() const { return solves_; }                              ///< systems of linear equations so far
   /// Largest correction, in units of length and angle, after which a step is solved: the next one would be
   /// its square.
   static constexpr double tolerance = 1e-7;
 
  private:
-  static Eigen::Matrix3d hat(Eigen::Vector3d const& v) {
-    return SemiDiscreteRod::product_with({v[0], v[1], v[2]});
-  }
   /// \f$\omega\times J\omega\f$.
   static Six whirl(Six const& v, Six const& m) {
     Six out = Six::Zero();
@@ -118,7 +118,7 @@ class GeneralisedAlpha {
     double const angle = psi.norm(), s = angle * angle,
                  one = angle > 1e-3 ? (1 - std::cos(angle)) / s : 0.5 - s / 24,
                  two = angle > 1e-2 ? (angle - std::sin(angle)) / (s * angle) : 1.0 / 6 - s / 120;
-    Eigen::Matrix3d const by = hat(psi);
+    Eigen::Matrix3d const by = product_with(psi);
     return Eigen::Matrix3d::Identity() - one * by + two * by * by;
   }
 

@@ -5,13 +5,13 @@
 //
 //     x = r er + p s ez,      d1 = cos(psi) et + sin(psi) ez,      d2 = -er,      d3 = d1 x d2,
 //
-// all sections have the strains Gamma = R^T (r c et + p ez) and kappa = c R^T ez, and turn by a R^T ez. Forces
-// and moments balance along the radius where
+// all sections have the strains Gamma = R^T (r c et + p ez) and kappa = c R^T ez, and turn by a R^T ez.
+// Forces and moments balance along the radius where
 //
 //     c N_t = rho A a^2 r,        c M_t - (c r N_z - p N_t) = a L_t
 //
-// for N = R C_N (Gamma - Gamma0), M = R C_M kappa and L = a R J R^T ez: the first condition is linear in r and
-// p, the second one quadratic. Of a rod that is straight at rest.
+// for N = R C_N (Gamma - Gamma0), M = R C_M kappa and L = a R J R^T ez: the first condition is linear in r
+// and p, the second one quadratic. Of a rod that is straight at rest.
 //
 // In steps. Cayley's map bends elements about half their angles, so that their strains are those of the
 // continuum with (2/D) tan(c D/2) in place of c; what a section's momenta change by in a step is that of the
@@ -133,8 +133,8 @@ struct PinnedWave {
       mode;            ///< half waves along it
   bool upper;          ///< whether it is of the faster branch
 
-  double element() const { return length / elements; }       ///< D
-  double number() const { return M_PI * mode / length; }     ///< k
+  double element() const { return length / elements; }    ///< D
+  double number() const { return M_PI * mode / length; }  ///< k
   /// \f$\Omega^2\f$ by the formula in steps.
   double squared() const { return RodWaves{section, element()}.bending(3, number())[upper ? 1 : 0]; }
   /// w, in steps h.

@@ -2,7 +2,7 @@
 // still continuous. Other schemes in time start from here.
 //
 // The unknowns of a section are a motion of its place in space and a turn of it about its own axes, six
-// numbers. Derivatives of forces are those of dual numbers.
+// numbers.
 #pragma once
 
 #include <Eigen/Dense>
@@ -10,9 +10,8 @@
 #include <functional>
 #include <vector>
 
-#include "actio/numbers/dual.hpp"
+#include "actio/numbers/errors.hpp"
 #include "actio/rods/rod_shape.hpp"
-#include "witness/reference_solution.hpp"
 
 namespace actio::rods {
 
@@ -62,13 +61,22 @@ inline Four<double> rotation_by(Three<double> const& angle) {
   return {std::cos(half), part * angle[0], part * angle[1], part * angle[2]};
 }
 
+/// As a vector of Eigen.
+inline Eigen::Vector3d vector(Three<double> const& v) { return {v[0], v[1], v[2]}; }
+/// The matrix of \f$v\mapsto m\times v\f$.
+inline Eigen::Matrix3d product_with(Eigen::Vector3d const& m) {
+  Eigen::Matrix3d out;
+  out << 0, -m[2], m[1], m[2], 0, -m[0], -m[1], m[0], 0;
+  return out;
+}
+
 /// The rod. The sections are numbered from its start; the first one may be clamped.
 struct SemiDiscreteRod {
-  RodSection section;                         ///< of every element
-  std::vector<ElementAtRest<double>> rest;    ///< the elements
-  std::vector<double> share;                  ///< length that a section stands for
-  std::function<EndLoad(double)> load;        ///< at a time; null: none
-  bool clamped = false;                       ///< whether the first section stays where it is
+  RodSection section;                       ///< of every element
+  std::vector<ElementAtRest<double>> rest;  ///< the elements
+  std::vector<double> share;                ///< length that a section stands for
+  std::function<EndLoad(double)> load;      ///< at a time; null: none
+  bool clamped = false;                     ///< whether the first section stays where it is
 
   /// @param shape  the rod without stresses, not a ring
   SemiDiscreteRod(RodSection const& of, RodShape const& shape) : section(of), rest(elements_at_rest(shape)) {
@@ -84,56 +92,26 @@ struct SemiDiscreteRod {
     return out;
   }
 
-  /// Forces in space and moments in the axes of the sections at the ends of an element, the first one's first.
-  template <class T>
-  std::array<T, 12> element(std::size_t k, Three<T> const& x0, Four<T> const& q0, Three<T> const& x1,
-                            Four<T> const& q1) const {
-    auto const of = [](Three<double> const& v) { return Three<T>{T(v[0]), T(v[1]), T(v[2])}; };
-    auto const e = RelativePlacement<T>::of(q0, q1, bodies::plus(x1, times(T(-1.0), x0)));
-    auto const strain = element_strain(
-        e, ElementAtRest<T>{T(rest[k].inverse_length), of(rest[k].Gamma), of(rest[k].kappa)});
-    auto const force = element_force(e, times(of(section.stretching), strain.Gamma),
-                                     times(of(section.bending), strain.kappa));
-    Three<T> const f = turned(q0, force.n);
-    return {f[0],  f[1],  f[2],  force.first[0],   force.first[1],   force.first[2],
-            -f[0], -f[1], -f[2], -force.second[0], -force.second[1], -force.second[2]};
-  }
-
-  /// Forces and moments on the sections of a shape at a time.
+  /// Forces on the sections of a shape, in space, and moments, in their axes, at a time.
   /// @param derivative  if given, to it -d(forces)/d(motions and turns of sections) is added
   std::vector<Six> forces(RodShape const& at, double time, BlockTridiagonal* derivative = nullptr) const {
     std::vector<Six> out(at.sections(), Six::Zero());
     for (std::size_t k = 0; k < rest.size(); ++k) {
-      if (!derivative) {
-        auto const both = element<double>(k, at.places[k], at.attitudes[k], at.places[k + 1],
-                                          at.attitudes[k + 1]);
-        for (int i = 0; i < 12; ++i)
-          out[k + static_cast<std::size_t>(i / 6)][i % 6] += both[static_cast<std::size_t>(i)];
-        continue;
-      }
-      using T = Dual<double, 12>;
-      std::array<Three<T>, 2> x;
-      std::array<Four<T>, 2> q;
-      for (std::size_t side = 0; side < 2; ++side) {
-        for (std::size_t i = 0; i < 3; ++i)
-          x[side][i] = at.places[k + side][i], x[side][i].part[6 * side + i] = 1;
-        for (std::size_t i = 0; i < 4; ++i) q[side][i] = at.attitudes[k + side][i];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          Four<double> turn{};
-          turn[axis + 1] = 0.5;
-          turn = bodies::compose(at.attitudes[k + side], turn);
-          for (std::size_t i = 0; i < 4; ++i) q[side][i].part[6 * side + 3 + axis] = turn[i];
-        }
-      }
-      auto const both = element<T>(k, x[0], q[0], x[1], q[1]);
+      auto const e = at.element(k);
+      auto const strain = element_strain(e, rest[k]);
+      auto const N = times(section.stretching, strain.Gamma), M = times(section.bending, strain.kappa);
+      auto const force = element_force(e, N, M);
+      auto const f = vector(turned(at.attitudes[k], force.n));
+      out[k].head<3>() += f, out[k].tail<3>() += vector(force.first);
+      out[k + 1].head<3>() -= f, out[k + 1].tail<3>() -= vector(force.second);
+      if (!derivative) continue;
       SixBySix* const blocks[4] = {&derivative->diagonal[k], &derivative->above[k], &derivative->below[k],
                                    &derivative->diagonal[k + 1]};
-      for (int i = 0; i < 12; ++i) {
-        auto const& force = both[static_cast<std::size_t>(i)];
-        out[k + static_cast<std::size_t>(i / 6)][i % 6] += force.value;
-        for (int j = 0; j < 12; ++j)
-          (*blocks[2 * (i / 6) + j / 6])(i % 6, j % 6) -= force.part[static_cast<std::size_t>(j)];
-      }
+      auto const d = differential(k, e, N, M, vector(force.n), at);
+      for (int side = 0; side < 2; ++side)
+        *blocks[side] -= d.middleCols<6>(6 * side).topRows<6>(),
+            blocks[2 + side]->topRows<3>() += d.middleCols<6>(6 * side).topRows<3>(),
+            blocks[2 + side]->bottomRows<3>() += d.middleCols<6>(6 * side).bottomRows<3>();
     }
     if (load) {
       auto const [force, moment] = load(time);
@@ -141,14 +119,8 @@ struct SemiDiscreteRod {
       for (std::size_t i = 0; i < 3; ++i)
         out.back()[static_cast<Index>(i)] += force[i], out.back()[static_cast<Index>(i) + 3] += m[i];
       // A turn of the section turns the moment back in its axes.
-      if (derivative) derivative->diagonal.back().bottomRightCorner<3, 3>() -= product_with(m);
+      if (derivative) derivative->diagonal.back().bottomRightCorner<3, 3>() -= product_with(vector(m));
     }
-    return out;
-  }
-  /// The matrix of \f$v\mapsto m\times v\f$.
-  static Eigen::Matrix3d product_with(Three<double> const& m) {
-    Eigen::Matrix3d out;
-    out << 0, -m[2], m[1], m[2], 0, -m[0], -m[1], m[0], 0;
     return out;
   }
   /// Takes the unknowns of a clamped section out of the equations.
@@ -160,8 +132,7 @@ struct SemiDiscreteRod {
   static void move(RodShape& shape, std::vector<Six> const& by) {
     for (std::size_t k = 0; k < by.size(); ++k) {
       for (std::size_t i = 0; i < 3; ++i) shape.places[k][i] += by[k][static_cast<Index>(i)];
-      shape.attitudes[k] =
-          bodies::compose(shape.attitudes[k], rotation_by({by[k][3], by[k][4], by[k][5]}));
+      shape.attitudes[k] = bodies::compose(shape.attitudes[k], rotation_by({by[k][3], by[k][4], by[k][5]}));
     }
   }
 
@@ -184,84 +155,42 @@ struct SemiDiscreteRod {
     }
     return shape;
   }
-};
 
-/// A rod at one time, in other schemes.
-struct RodMotion {
-  RodShape shape;             ///< where it is
-  std::vector<Six> velocity;  ///< of places in space, then angular velocities in the axes of the sections
-
-  /// @param of  the rod, at rest
-  static RodMotion at_rest(RodShape const& of) { return {of, std::vector<Six>(of.sections(), Six::Zero())}; }
-  /// Linear momentum, then angular momentum about the origin.
-  Six momentum(SemiDiscreteRod const& rod) const {
-    Six out = Six::Zero();
-    for (std::size_t k = 0; k < velocity.size(); ++k) {
-      Six const p = rod.masses(k).cwiseProduct(velocity[k]);
-      auto const turn = turned(shape.attitudes[k], {p[3], p[4], p[5]});
-      auto const lever = cross(shape.places[k], {p[0], p[1], p[2]});
-      out.head<3>() += p.head<3>();
-      for (std::size_t i = 0; i < 3; ++i) out[static_cast<Index>(i) + 3] += turn[i] + lever[i];
-    }
-    return out;
-  }
-  /// Kinetic and strain energy together.
-  double energy(SemiDiscreteRod const& rod) const {
-    double out = 0;
-    for (std::size_t k = 0; k < velocity.size(); ++k)
-      out += rod.masses(k).cwiseProduct(velocity[k]).dot(velocity[k]) / 2;
-    for (std::size_t k = 0; k < rod.rest.size(); ++k) {
-      auto const strain = element_strain(shape.element(k), rod.rest[k]);
-      out += (bodies::dot(times(rod.section.stretching, strain.Gamma), strain.Gamma) +
-              bodies::dot(times(rod.section.bending, strain.kappa), strain.kappa)) /
-             rod.rest[k].inverse_length / 2;
-    }
-    return out;
-  }
-
-  /// The motion at a later time, by step control near rounding.
-  /// @param relative  as in \ref reference_solution
-  RodMotion later(SemiDiscreteRod const& rod, double from, double to, double relative) const {
-    using Vector = Matrix<double, Dynamic, 1>;
-    auto const unpack = [&](auto const& y) {
-      RodMotion out = *this;
-      for (std::size_t k = 0; k < velocity.size(); ++k) {
-        auto const at = static_cast<Index>(13 * k);
-        for (std::size_t i = 0; i < 3; ++i) out.shape.places[k][i] = y[at + static_cast<Index>(i)];
-        double norm = 0;
-        for (int i = 3; i < 7; ++i) norm += y[at + i] * y[at + i];
-        for (std::size_t i = 0; i < 4; ++i)
-          out.shape.attitudes[k][i] = y[at + 3 + static_cast<Index>(i)] / std::sqrt(norm);
-        for (int i = 0; i < 6; ++i) out.velocity[k][i] = y[at + 7 + i];
-      }
-      return out;
+ private:
+  /// The differential of the force and the moment on the first section of an element, and of the moment on
+  /// the second one with the opposite sign, by motions and turns of the first section, then of the second
+  /// one.
+  Eigen::Matrix<double, 9, 12> differential(std::size_t k, RelativePlacement<double> const& e,
+                                            Three<double> const& N, Three<double> const& M,
+                                            Eigen::Vector3d const& n, RodShape const& at) const {
+    using Matrix3 = Eigen::Matrix3d;
+    Matrix3 const one = Matrix3::Identity(), W = product_with(vector(e.w)), P = product_with(vector(e.eps)),
+                  Nx = product_with(vector(N));
+    Eigen::Vector3d const w = vector(e.w), p = vector(M) - P * vector(N) / 2;
+    auto const turn = [](Four<double> const& q) {
+      return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
     };
-    auto const rate = [&](double time, Vector const& y) {
-      RodMotion const now = unpack(y);
-      auto const forces = rod.forces(now.shape, time);
-      Vector out(y.size());
-      for (std::size_t k = 0; k < forces.size(); ++k) {
-        auto const at = static_cast<Index>(13 * k);
-        Six const &v = now.velocity[k], m = rod.masses(k);
-        Three<double> const w{v[3], v[4], v[5]}, across = cross({m[3] * w[0], m[4] * w[1], m[5] * w[2]}, w);
-        auto const q = bodies::compose(now.shape.attitudes[k], {0, w[0] / 2, w[1] / 2, w[2] / 2});
-        for (int i = 0; i < 3; ++i) {
-          auto const j = static_cast<std::size_t>(i);
-          out[at + i] = v[i], out[at + 7 + i] = forces[k][i] / m[i];
-          out[at + 10 + i] = (forces[k][i + 3] + across[j]) / m[i + 3];
-        }
-        for (int i = 0; i < 4; ++i) out[at + 3 + i] = q[static_cast<std::size_t>(i)];
-      }
-      return out;
-    };
-    Vector y(static_cast<Index>(13 * velocity.size()));
-    for (std::size_t k = 0; k < velocity.size(); ++k) {
-      auto const at = static_cast<Index>(13 * k);
-      for (std::size_t i = 0; i < 3; ++i) y[at + static_cast<Index>(i)] = shape.places[k][i];
-      for (std::size_t i = 0; i < 4; ++i) y[at + 3 + static_cast<Index>(i)] = shape.attitudes[k][i];
-      for (int i = 0; i < 6; ++i) y[at + 7 + i] = velocity[k][i];
-    }
-    return unpack(reference_solution(rate, y, from, to, relative));
+    Matrix3 const R = turn(at.attitudes[k]), E = R.transpose() * turn(at.attitudes[k + 1]);
+    double const by = rest[k].inverse_length;
+    // By w and by eps: of N, of the force, of p = M - eps x N/2.
+    Matrix3 const C = by * Matrix3(vector(section.stretching).asDiagonal()), N_w = C * P / 2,
+                  N_eps = C * (one - W / 2), n_w = (one + W / 2) * N_w - Nx / 2,
+                  n_eps = (one + W / 2) * N_eps,
+                  p_w = by * Matrix3(vector(section.bending).asDiagonal()) - P * N_w / 2,
+                  p_eps = Nx / 2 - P * N_eps / 2;
+    // The moments are T(w) p + eps x n and T(-w) p.
+    Matrix3 const straight = one + w * w.transpose() / 4, bent = product_with(p) / 2,
+                  T_w = (w.dot(p) * one + w * p.transpose()) / 4;
+    Eigen::Matrix<double, 9, 3> by_w, by_eps;
+    by_w << n_w, (straight + W / 2) * p_w + T_w - bent + P * n_w, (straight - W / 2) * p_w + T_w + bent;
+    by_eps << n_eps, (straight + W / 2) * p_eps + P * n_eps - product_with(n), (straight - W / 2) * p_eps;
+    // By motions and turns; then the force in space.
+    Matrix3 const w_turn = straight - W / 2;
+    Eigen::Matrix<double, 9, 12> out;
+    out << -by_eps * R.transpose(), by_eps * P - by_w * w_turn, by_eps * R.transpose(), by_w * (w_turn * E);
+    out.block<3, 3>(0, 3) -= product_with(n);
+    out.topRows<3>() = (R * out.topRows<3>()).eval();
+    return out;
   }
 };
 
