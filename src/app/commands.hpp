@@ -11,6 +11,10 @@ struct Scene;
 
 namespace actio::app {
 
+/// The command: reads its arguments and does what they ask for.
+/// @return  its exit status
+int command(int argc, char** argv);
+
 struct RunArguments {
   std::string scene, out;          ///< out: the scene's name beside it where empty
   std::vector<std::string> set;    ///< KEY=VALUE
