@@ -16,7 +16,7 @@ enum class Fault {
   mean,  // the mean of two rotations in place of Cayley's middle
 };
 
-RodSection section() { return {{60, 25, 20}, {0.5, 0.8, 0.7}, 1.2, {0.06, 0.03, 0.04}}; }
+RodSection thick() { return {{60, 25, 20}, {0.5, 0.8, 0.7}, 1.2, {0.06, 0.03, 0.04}}; }
 
 /// Free ends, first step by half a kick.
 struct Steps {
@@ -29,7 +29,7 @@ struct Steps {
   bool begun = false;
 
   Steps(RodShape const& at_rest, RodStart const& start, Fault what)
-      : section(::section()), rest(elements_at_rest(at_rest)), shape(start.shape), fault(what) {
+      : section(thick()), rest(elements_at_rest(at_rest)), shape(start.shape), fault(what) {
     share.assign(shape.sections(), 0);
     for (std::size_t k = 0; k < rest.size(); ++k)
       for (auto const at : {k, k + 1}) share[at] += 0.5 / rest[k].inverse_length;
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_SUITE(rod_controls)
 
 BOOST_AUTO_TEST_CASE(steps_written_out_once_more_are_those_of_the_library) {
   Steps steps(rest(), thrown(), Fault::none);
-  Rod rod(section(), rest(), thrown(), {}, {.step = 0.01});
+  Rod rod(thick(), rest(), thrown(), {}, {.step = 0.01});
   for (int k = 0; k < 100; ++k) steps.step(0.01);
   rod.step(100);
   auto const frame = rod.frame();
