@@ -1,5 +1,6 @@
 // A rod in space only: sections as rigid bodies, with the elements of src/actio/rods between them, and time
-// still continuous. Other schemes in time start from here.
+// still continuous. Other schemes in time start from here: they have the forces of elements in common with
+// the rods of the library, and nothing of their steps.
 //
 // The unknowns of a section are a motion of its place in space and a turn of it about its own axes, six
 // numbers.
