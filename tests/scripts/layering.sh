@@ -7,7 +7,7 @@
 # its own, whatever that reaches, all of the library and src/book, which draws the pictures of runs; src/app,
 # the command, and src/python, the module for Python, every room and all of the library; src/book no module;
 # src/program/loaded, modules that the program loads, what files of arrays are and all of the library;
-# src/witness, for checks, tests and programs, numbers and groups. Includes that run in a circle are reported
+# src/witness, for checks, tests and programs, numbers, groups and rods. Includes that run in a circle are reported
 # as well; so are imports of the package for Python from one another, and those that do not stand at the top,
 # where they would hide a circle. At the end a violation is planted in a copy, and must be found.
 set -euo pipefail
@@ -27,7 +27,7 @@ violations() (
       print ""
     } END { print "module app USES library" all; print "module python USES library" all }'
     printf 'module program/loaded USES library program/output\n'
-    printf 'module witness USES groups\n'
+    printf 'module witness USES groups rods\n'
     sed -nE 's/^actio_chapter\(([a-z0-9]+)(.*)\)$/chapter \1\2/p' chapters/CMakeLists.txt
     find src chapters -name '*.[hc]pp' | LC_ALL=C sort | xargs -r grep -noE '^ *# *include *"[^"]+"' /dev/null |
       sed -E 's/^([^:]+):([0-9]+):.*"([^"]+)"/include \1 \2 \3/'
