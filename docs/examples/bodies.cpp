@@ -1,4 +1,4 @@
-// Examples of the modules variational, rigid_body, fast_body, two_bodies and bodies.
+// Examples of the modules variational, rigid_body, fast_body, two_bodies, rods and bodies.
 #include "actio/bodies/body_catalogue.hpp"
 #include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 #include "actio/fast_body/any_dimension/natural_chart_n.hpp"
@@ -12,6 +12,7 @@
 #include "actio/rigid_body/heavy_top.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
+#include "actio/rods/rod.hpp"
 #include "actio/two_bodies/two_bodies.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/euler_poincare.hpp"
@@ -234,6 +235,34 @@ BOOST_AUTO_TEST_CASE(from_the_catalogue) {
   assert(apophis.unit == "ratio" && apophis.time == "h");
   assert(std::abs(asteroid.at(24).body_momentum.components.norm() - start.components.norm()) < 1e-14);
   // [read_body]
+}
+
+// ---- rods
+
+BOOST_AUTO_TEST_CASE(rods_in_space) {
+  using namespace actio::rods;
+  // [rod_section]
+  // A wire of steel, 1 mm thick.
+  auto const wire = RodSection::circular(0.5e-3, 2e11, 0.3, 7800);
+  assert(std::abs(wire.mass - 7800 * std::numbers::pi * 0.25e-6) < 1e-15);
+  // [rod_section]
+  // [rod_shape]
+  // Half a circle of it, 30 cm long: bent about the third axis of its sections.
+  double const bend = std::numbers::pi / 0.3;
+  auto const shape = RodShape::of_strains(0.3, 40, {0, 0, 0}, {1, 0, 0, 0},
+                                          [=](double) { return Three<double>{0, 0, bend}; });
+  assert(std::abs(shape.places.back()[1] - 2 / bend) < 1e-3);
+  // [rod_shape]
+  // [rod]
+  // It is straight at rest, and let go: it swings, and momentum stays zero.
+  auto const straight = RodShape::of_strains(0.3, 40, {0, 0, 0}, {1, 0, 0, 0});
+  Rod rod(wire, straight, {shape, {}, {}}, {}, {1e-6, true});
+  double const before = rod.energies(rod.frame()).strain;
+  rod.step(1000);
+  auto const now = rod.energies(rod.frame());
+  assert(std::abs(now.kinetic + now.strain - before) < 1e-3 * before);
+  assert(std::abs(rod.momentum().linear[1]) < 1e-15);
+  // [rod]
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,11 +4,8 @@
 #include <optional>
 
 #include "actio/numbers/errors.hpp"
-#include "actio/numbers/registers.hpp"
-#include "actio/rods/rod_arrays.hpp"
-#include "actio/rods/rod_ends.hpp"
 #include "actio/rods/rod_shape.hpp"
-#include "actio/rods/unshearable.hpp"
+#include "actio/rods/rod_steps.hpp"
 
 namespace actio::rods {
 
@@ -22,14 +19,6 @@ struct RodStart {
   RodShape shape;                               ///< where it is
   std::vector<Three<double>> velocity;          ///< of sections, length/time; empty: at rest
   std::vector<Three<double>> angular_velocity;  ///< of sections, in their axes, 1/time; empty: at rest
-};
-
-/// How a rod is computed.
-struct RodOptions {
-  double step;                             ///< h, time
-  bool unshearable = false;                ///< whether stretch and shear stay at those at rest
-  int threads = 1;                         ///< that share the sections; no bit depends on it
-  Registers registers = best_registers();  ///< for which the sweeps are compiled
 };
 
 /// A rod at one time.
@@ -52,7 +41,7 @@ struct RodEnergies {
 
 /// A rod.
 ///
-/// \snippet rods.cpp rod
+/// \snippet bodies.cpp rod
 /// The scheme has order 2 in step and length of elements. It keeps linear and angular momentum to rounding
 /// where nothing acts from outside; the energy oscillates with the square of the step.
 class Rod {
@@ -73,12 +62,12 @@ class Rod {
   /// @param made  how many of these there are since the start then
   void change_step(double first, double step, long made);
 
-  double time() const { return static_cast<double>(steps_) * options_.step; }  ///< of the last step
+  double time() const { return static_cast<double>(steps_) * step_; }          ///< of the last step
   long steps() const { return steps_; }                                        ///< since the start
-  RodSection const& section() const { return constants_.section; }             ///< of it
-  RodConstants const& constants() const { return constants_; }                 ///< what does not change
+  RodSection const& section() const { return steps_of_.constants().section; }  ///< of it
+  RodConstants const& constants() const { return steps_of_.constants(); }      ///< what does not change
   std::size_t sections() const { return state_.sections; }                     ///< how many
-  std::size_t elements() const { return constants_.elements; }                 ///< how many
+  std::size_t elements() const { return constants().elements; }                ///< how many
   RodFrame
   frame();  ///< as it is now: momenta between those of two steps, as a trial of the next one has them
   RodEnergies energies(RodFrame const& frame) const;        ///< of a frame of it
@@ -92,23 +81,14 @@ class Rod {
   void restore(std::vector<double> const& state);  ///< \copydoc remember
 
  private:
-  /// A step of a state, kicked by the mean of its length and that of the one before.
-  /// @return  whether it was made; if not, the state has no meaning
-  bool advance(RodState& state, double step, double time);
-  bool advance_unshearable(RodState& state, double kick, double step, double time);
-  [[noreturn]] void tell_failure(RodState const& state, double step, double time) const;
-  void add_loads(RodState const& state, double time, RodForces& forces) const;
-  void hold(RodEnd const& end, bool last, RodState const& from, RodForces const& forces, double kick,
-            double step, double time, RodState& to) const;
-  void account(RodState const& from, double kick, double time, RodState& to) const;
   RodState const& now() const { return ahead_ ? *ahead_ : state_; }
+  double time_now() const { return time() + (ahead_ ? ahead_time_ : 0); }
+  /// Steps of one length, or why there are none.
+  void advance(RodState& state, double step, double time);
 
-  RodConstants constants_;
-  RodLoads loads_;
-  RodOptions options_;
-  RodState state_, trial_;
-  RodForces forces_;
-  StretchMatrix stretches_;
+  RodState state_;
+  RodSteps steps_of_;
+  double step_;
   long steps_ = 0;
   std::optional<RodState> ahead_;
   double ahead_time_ = 0;

@@ -10,7 +10,7 @@ using bodies::Three;
 
 /// A section in its principal axes: the first along the rod, the others across it.
 ///
-/// \snippet rods.cpp rod_section
+/// \snippet bodies.cpp rod_section
 struct RodSection {
   Three<double> stretching;  ///< \f$C_N\f$: against stretch and the two shears, EA, GA2, GA3; force
   Three<double> bending;     ///< \f$C_M\f$: against twist and the two bends, GJ, EI2, EI3; force x length^2

@@ -28,7 +28,7 @@ struct RodShape {
 
   /// The shape with these strains in the middle of its elements, put together from its start on.
   ///
-  /// \snippet rods.cpp rod_shape
+  /// \snippet bodies.cpp rod_shape
   /// @param length    of the rod
   /// @param elements  how many, two or more
   /// @param place     of the first section
