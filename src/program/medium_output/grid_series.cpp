@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "program/base/whole_file.hpp"
 #include "program/medium_output/vtu_file.hpp"
 #include "program/registry/snapshots.hpp"
+#include "program/run/checkpoint.hpp"
 
 namespace actio::scene {
 

@@ -43,9 +43,16 @@ struct VelocityKeys : KeyTable {
 StepKeys const rod_step{
     {"method"},
     {"half of the longest that is stable"},
-    "The time that a step takes. By default the longest that divides the times of the rows and is at most half "
-    "of the longest that is stable: the quantity step_limit.",
+    "The time that a step takes. By default the longest that divides the times of the rows and is at most "
+    "half of the longest that is stable: the quantity step_limit.",
     "0.001"};
+
+struct ThreadKeys : KeyTable {
+  Key<int> threads = key("threads", whole("a whole number from 1 to 256", 1, 256), 1,
+                         "How many threads share the sections of a step; no digit depends on it, and it pays "
+                         "from some thousand sections on.",
+                         "2");
+} const thread_keys{{"method"}};
 
 double length_of(Vector const& v) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -61,7 +68,7 @@ rods::RodWaves waves_of(rods::RodSection const& section, rods::RodShape const& r
 
 std::vector<Parameter> rod_parameters() {
   return records_of({rod_shape_parameters(), rod_section_parameters(), rod_load_parameters(), name_keys,
-                     velocity_keys, rod_step, accuracy_keys});
+                     velocity_keys, rod_step, thread_keys, accuracy_keys});
 }
 
 RodScene::RodScene(Request const& request, std::vector<Method> const& methods) {
@@ -103,6 +110,7 @@ void RodScene::read_velocities(SceneFile const& file, SharedNames& shared) {
 
 void RodScene::read_steps(Request const& request) {
   SceneTable const method = request.file.section("method");
+  options.threads = thread_keys.threads.read(method);
   auto const waves = waves_of(section, rest.shape);
   auto const fastest = waves.fastest(options.unshearable);
   longest_step = 2 / fastest.omega;

@@ -14,8 +14,8 @@ using Held = rods::RodEnd::Held;
 using Vector = rods::Three<double>;
 
 std::string const how_held =
-    "\"free\", \"clamped\" (its place and its attitude stay), \"pinned\" (its place stays), or a table for an "
-    "end that is moved: place, three formulas in t; angle, a formula in t, and axis, by which it is turned "
+    "\"free\", \"clamped\" (its place and its attitude stay), \"pinned\" (its place stays), or a table for "
+    "an end that is moved: place, three formulas in t; angle, a formula in t, and axis, by which it is turned "
     "from its attitude at the start. Without angle it is pinned to its place, without place only turned.";
 
 struct BoundaryKeys : KeyTable {

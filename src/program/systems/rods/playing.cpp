@@ -10,8 +10,6 @@ namespace {
 constexpr int sides = 10;
 char const* const names[] = {"bend", "twist", "stretch", "speed"};
 
-double length_of(rods::Three<double> const& v) { return std::hypot(v[0], v[1], v[2]); }
-
 /// The sections at which the tube is drawn.
 std::vector<std::size_t> drawn_sections(rods::RodShape const& rest, std::size_t most_faces) {
   std::size_t const elements = rest.elements(),
@@ -39,8 +37,8 @@ void add_frame(PlayedMedium& played, DrawnRod const& rod,
   for (std::size_t k = 0; k + 1 < drawn.size(); ++k) {
     std::size_t const element = drawn[k];
     auto const [Gamma, kappa] = rods::element_strain(shape.element(element), at_rest[element]);
-    double const here[] = {std::hypot(kappa[1], kappa[2]), kappa[0], Gamma[0],
-                           length_of(posture.velocities[element])};
+    auto const& v = posture.velocities[element];
+    double const here[] = {std::hypot(kappa[1], kappa[2]), kappa[0], Gamma[0], std::hypot(v[0], v[1], v[2])};
     for (std::size_t i = 0; i < 4; ++i)
       values[i]->insert(values[i]->end(), sides, std::isfinite(here[i]) ? here[i] : 0);
   }

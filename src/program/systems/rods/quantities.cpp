@@ -9,7 +9,7 @@ namespace {
 using Vector = rods::Three<double>;
 using Kind = Quantity::Kind;
 
-double length_of(Vector const& v) { return std::hypot(v[0], v[1], v[2]); }
+double modulus(Vector const& v) { return std::hypot(v[0], v[1], v[2]); }
 Vector minus(Vector const& a, Vector const& b) { return rods::plus_times(a, -1.0, b); }
 
 /// Linear and angular momentum of a frame, and the moduli of what they are sums of.
@@ -26,7 +26,7 @@ Momenta momenta_of(RodMotion const& motion) {
     auto const own = rods::turned(frame.attitudes[k], frame.body_momenta[k]);
     out.sum.add(frame.places[k], p);
     out.sum.angular = bodies::plus(out.sum.angular, own);
-    out.linear += length_of(p), out.angular += length_of(frame.places[k]) * length_of(p) + length_of(own);
+    out.linear += modulus(p), out.angular += modulus(frame.places[k]) * modulus(p) + modulus(own);
   }
   return out;
 }
@@ -38,7 +38,7 @@ double noether_balance(RodMotion const& motion) {
   auto const off = [](Vector const& a, Vector const& b, Vector const& c, double size) {
     Vector const gap = minus(minus(a, b), c);
     double const worst = std::max({std::abs(gap[0]), std::abs(gap[1]), std::abs(gap[2])}),
-                 unit = size + length_of(b) + length_of(c);
+                 unit = size + modulus(b) + modulus(c);
     return worst > 0 ? worst / unit : 0;
   };
   return std::max(off(now.linear, from.linear, by.linear, moduli.linear),
@@ -121,8 +121,8 @@ std::vector<Quantity> of_sums() {
        {}},
       {"energy",
        Kind::scalar,
-       "Kinetic energy, strain energy and that of gravity. The steps keep it to the square of the step; loads "
-       "and ends that are moved do work.",
+       "Kinetic energy, strain energy and that of gravity. The steps keep it to the square of the step; "
+       "loads and ends that are moved do work.",
        "E",
        "energy",
        "",
@@ -137,8 +137,9 @@ std::vector<Quantity> of_sums() {
        {}},
       {"noether_balance",
        Kind::scalar,
-       "The largest component of linear and angular momentum less those at the start and what loads, supports "
-       "and gravity have given since, over the sum of the moduli of their parts: zero but for rounding.",
+       "The largest component of linear and angular momentum less those at the start and what loads, "
+       "supports and gravity have given since, over the sum of the moduli of their parts: zero but for "
+       "rounding.",
        "",
        "1",
        "",

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "program/base/number_table.hpp"
-#include "program/base/whole_file.hpp"
 #include "program/medium_output/frames.hpp"
 #include "program/medium_output/grid_series.hpp"
 #include "program/medium_output/vtu_file.hpp"
 #include "program/output/series_reader.hpp"
 #include "program/registry/units.hpp"
+#include "program/run/checkpoint.hpp"
 #include "program/systems/rods/playing.hpp"
 
 namespace actio::scene {
