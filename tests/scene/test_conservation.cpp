@@ -215,6 +215,28 @@ std::vector<Featured> pairs() {
           pair({tides}, "tides = { love = [5, 5], lag = [0.4, 0.4] }\n")};
 }
 
+std::vector<Featured> rods() {
+  auto const rod = [](std::vector<Feature> features, std::string const& more, std::string const& velocity) {
+    return Featured{
+        "rod", std::move(features),
+        "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 20, section = { EA = 90, GA = 40, EI = 1, "
+        "GJ = 1, rA = 1, rI = 0.01 } }\n" +
+            more + "[initial]\nvelocity = [" + velocity + "]\nangular_velocity = [\"0.2\", \"0\", \"0\"]\n" +
+            ending("\"energy\", \"momentum\", \"angular_momentum\"", "2", "0.05")};
+  };
+  std::string const wave = "\"0\", \"0.3*x^2\", \"0.2*(1 - x)^2\"";
+  return {rod({}, "", wave),
+          rod({}, "load = { gravity = [0, 0, 0] }\n", wave),
+          rod({gravity}, "load = { gravity = [0, 0, -1] }\n", wave),
+          rod({held_end}, "boundary = { start = \"clamped\" }\n", wave),
+          rod({held_end}, "boundary = { end = \"pinned\" }\n", wave),
+          rod({moved_end, held_end},
+              "boundary = { start = { place = [\"0\", \"0.1*sin(3*t)\", \"0\"], axis = [0, 0, 1], "
+              "angle = \"0.2*sin(t)^2\" } }\n",
+              wave),
+          rod({end_load}, "load = { end_force = [\"0\", \"0.3\", \"0\"] }\n", wave)};
+}
+
 std::vector<Featured> lagrangians() {
   std::vector<Featured> out;
   for (bool const left : {true, false}) {
@@ -247,7 +269,7 @@ std::vector<Featured> lagrangians() {
 
 std::vector<Featured> scenes() {
   auto out = media();
-  for (auto& more : {incompressible_media(), bodies(), pairs(), lagrangians()})
+  for (auto& more : {incompressible_media(), bodies(), pairs(), rods(), lagrangians()})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

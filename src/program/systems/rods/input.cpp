@@ -25,7 +25,7 @@ struct NameKeys : KeyTable {
       key("definitions", "a table of formulas by names of one's own", LeftOut{"none"},
           "Formulas by whose names those of the rod and each other use them, in the names that these have; "
           "each is used.",
-          "{ ramp = \"t < 1 ? t : 1\" }");
+          "{ bump = \"0.1*exp(-s^2)\" }");
 } const name_keys{{"system"}};
 
 struct VelocityKeys : KeyTable {
@@ -37,7 +37,7 @@ struct VelocityKeys : KeyTable {
   AnyKey angular_velocity =
       key("angular_velocity", "three texts, each a formula in x, y, z, s", LeftOut{"[0, 0, 0]"},
           "The angular velocity at the start of the section at the distance s, in space.",
-          "[\"0\", \"0\", \"0.5\"]", "1/time");
+          "[\"0\", \"0\", \"0.5\"]");
 } const velocity_keys{{"initial"}};
 
 StepKeys const rod_step{
@@ -67,8 +67,8 @@ rods::RodWaves waves_of(rods::RodSection const& section, rods::RodShape const& r
 }  // namespace
 
 std::vector<Parameter> rod_parameters() {
-  return records_of({rod_shape_parameters(), rod_section_parameters(), rod_load_parameters(), name_keys,
-                     velocity_keys, rod_step, thread_keys, accuracy_keys});
+  return records_of({rod_shape_parameters(), rod_load_parameters(), name_keys, velocity_keys, rod_step,
+                     thread_keys, accuracy_keys});
 }
 
 RodScene::RodScene(Request const& request, std::vector<Method> const& methods) {

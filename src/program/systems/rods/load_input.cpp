@@ -15,8 +15,8 @@ using Vector = rods::Three<double>;
 
 std::string const how_held =
     "\"free\", \"clamped\" (its place and its attitude stay), \"pinned\" (its place stays), or a table for "
-    "an end that is moved: place, three formulas in t; angle, a formula in t, and axis, by which it is turned "
-    "from its attitude at the start. Without angle it is pinned to its place, without place only turned.";
+    "an end that is moved: place, three formulas in t; angle, a formula in t, and axis, by which it is "
+    "turned from its attitude at the start. Without angle it is pinned to its place, without place only turned.";
 
 struct BoundaryKeys : KeyTable {
   AnyKey start =
@@ -31,23 +31,22 @@ struct BoundaryKeys : KeyTable {
 struct LoadKeys : KeyTable {
   Key<Eigen::Vector3d> gravity = key("gravity", vector.in("length/time^2"), LeftOut{"none"},
                                      "The acceleration by gravity.", "[0, 0, -9.81]");
-  AnyKey start_force = key("start_force", "three texts, each a formula in t", LeftOut{"none"},
-                           "The force on the start of the rod; its place is free.",
-                           "[\"0\", \"t < 1 ? 2 : 0\", \"0\"]", "mass length/time^2");
+  AnyKey start_force =
+      key("start_force", "three texts, each a formula in t", LeftOut{"none"},
+          "The force on the start of the rod; its place is free.", "[\"0\", \"t < 1 ? 2 : 0\", \"0\"]");
   AnyKey end_force = key("end_force", "three texts, each a formula in t", LeftOut{"none"},
-                         "The force on the end of the rod; its place is free.", "[\"0\", \"0\", \"-0.1\"]",
-                         "mass length/time^2");
-  AnyKey start_moment = key("start_moment", "three texts, each a formula in t", LeftOut{"none"},
-                            "The moment on the start of the rod; its attitude is free.",
-                            "[\"0\", \"0\", \"0.1*sin(t)\"]", "mass length^2/time^2");
-  AnyKey end_moment = key("end_moment", "three texts, each a formula in t", LeftOut{"none"},
-                          "The moment on the end of the rod; its attitude is free.",
-                          "[\"0\", \"0\", \"0.1\"]", "mass length^2/time^2");
+                         "The force on the end of the rod; its place is free.", "[\"0\", \"0\", \"-0.1\"]");
+  AnyKey start_moment =
+      key("start_moment", "three texts, each a formula in t", LeftOut{"none"},
+          "The moment on the start of the rod; its attitude is free.", "[\"0\", \"0\", \"0.1*sin(t)\"]");
+  AnyKey end_moment =
+      key("end_moment", "three texts, each a formula in t", LeftOut{"none"},
+          "The moment on the end of the rod; its attitude is free.", "[\"0\", \"0\", \"0.1\"]");
   AnyKey frame =
       key("frame", "a text, or a table with force and moment", LeftOut{"\"space\""},
           "In which axes forces and moments are given: \"space\", or \"body\", those of the section they act "
           "on, so that they turn with it; for both, or for each.",
-          "{ force = \"space\", moment = \"body\" }", "", {"space", "body"});
+          "{ force = \"space\", moment = \"body\" }");
 } const load_keys{{"system.load", LeftOut{"none"}, "What acts on the rod from outside.",
                    "{ gravity = [0, 0, -9.81] }", "a table"}};
 

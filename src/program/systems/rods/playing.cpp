@@ -7,13 +7,13 @@
 namespace actio::scene {
 namespace {
 
-constexpr int sides = 10;
+constexpr int sides = 10, of_cap = (sides - 2) / 2;  // faces around an element, and over an end
 char const* const names[] = {"bend", "twist", "stretch", "speed"};
 
 /// The sections at which the tube is drawn.
 std::vector<std::size_t> drawn_sections(rods::RodShape const& rest, std::size_t most_faces) {
   std::size_t const elements = rest.elements(),
-                    parts = std::clamp<std::size_t>(most_faces / sides, 1, elements);
+                    parts = std::clamp<std::size_t>(most_faces / sides - 1, 1, elements);
   std::vector<std::size_t> out;
   for (std::size_t k = 0; k <= parts; ++k) out.push_back(k * elements / parts % rest.sections());
   return out;
@@ -42,6 +42,11 @@ void add_frame(PlayedMedium& played, DrawnRod const& rod,
     for (std::size_t i = 0; i < 4; ++i)
       values[i]->insert(values[i]->end(), sides, std::isfinite(here[i]) ? here[i] : 0);
   }
+  if (rod.rest.closed) return;
+  for (auto* const one : values) {
+    double const first = one->front(), last = one->back();
+    one->insert(one->end(), of_cap, first), one->insert(one->end(), of_cap, last);
+  }
 }
 
 }  // namespace
@@ -61,6 +66,13 @@ std::shared_ptr<PlayedMedium const> play_rod(DrawnRod const& rod, std::span<doub
       played->faces.push_back({here + side, here + next, here + sides + next, here + sides + side});
       if (side == 0) played->outline.push_back({here, here + sides});
     }
+  if (!rod.rest.closed)
+    for (int const at : {0, static_cast<int>(drawn.size() - 1) * sides})
+      for (int k = 1; k + 2 < sides; k += 2) {
+        std::array<int, 4> face{at, at + k, at + k + 1, at + k + 2};
+        if (at == 0) std::reverse(face.begin(), face.end());
+        played->faces.push_back(face);
+      }
   auto const at_rest = rods::elements_at_rest(rod.rest);
   auto const& [along, across, other] = rod.section.inertia;
   double const radius = std::clamp(2 * std::sqrt(std::min(across, other) / rod.section.mass),

@@ -10,7 +10,5 @@ namespace actio::scene {
 /// @param unshearable  whether stretch and shear are ruled out, so that nothing resists them
 /// @throws SceneError  where a number is missing or wrong
 rods::RodSection read_rod_section(SceneTable const& rod, bool unshearable);
-/// The records of its keys.
-std::vector<Parameter> rod_section_parameters();
 
 }  // namespace actio::scene

@@ -15,7 +15,7 @@ namespace {
 using Vector = rods::Three<double>;
 
 struct RodKeys : KeyTable {
-  Key<double> length = key("length", positive.in("length"), LeftOut{"that of the curve"},
+  Key<double> length = key("length", positive.in("length"), LeftOut{"or system.rod.curve"},
                            "The length of the rod at rest; with curve it is that of the curve.", "1");
   Key<int> elements = key("elements", whole("a whole number from 2 to 1000000", 2, 1000000), 32,
                           "How many elements it has, each between two sections.", "32");
@@ -24,48 +24,64 @@ struct RodKeys : KeyTable {
           "What the rod cannot do: with \"unshearable\" it neither stretches nor shears, as a slender rod "
           "nearly does, and steps may be as much longer as it is slender.",
           "\"unshearable\"");
-  Key<Eigen::Vector3d> origin = key("origin", vector.in("length"), LeftOut{"[0, 0, 0]"},
+  Key<Eigen::Vector3d> origin = key("origin", vector.in("length"), LeftOut{"or system.rod.curve; [0, 0, 0]"},
                                     "Where its start is; not with curve.", "[0, 0, 0]");
-  Key<Eigen::Vector3d> axis = key("axis", vector.called("three numbers, not all zero"), LeftOut{"[1, 0, 0]"},
-                                  "The direction of its start; not with curve.", "[1, 0, 0]");
+  Key<Eigen::Vector3d> axis =
+      key("axis", vector.called("three components, not all zero"), LeftOut{"or system.rod.curve; [1, 0, 0]"},
+          "The direction of its start; not with curve.", "[1, 0, 0]");
   Key<Eigen::Vector3d> across =
-      key("across", vector.called("three numbers, not all zero"),
+      key("across", vector.called("three components, not all zero"),
           LeftOut{"[0, 1, 0], or the next axis of space that is farther from the rod"},
           "A direction that the second axis of the first section is near.", "[0, 1, 0]");
-  AnyKey curve = key("curve", "three texts, each a formula in s", LeftOut{"a straight rod, or curvature"},
-                     "The curve along which the rod lies at rest, for s from 0 to 1; smooth. Sections are at "
-                     "equal distances along it, and their axes turn about it no more than they must.",
-                     "[\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"s/2\"]");
+  AnyKey curve =
+      key("curve", "three texts, each a formula in s",
+          LeftOut{"or system.rod.length or system.rod.origin or system.rod.axis or system.rod.curvature"},
+          "The curve along which the rod lies at rest, for s from 0 to 1; smooth. Sections are at "
+          "equal distances along it, and their axes turn about it no more than they must.",
+          "[\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"s/2\"]");
   Key<bool> closed = key("closed", truth, false,
-                         "Whether the curve ends where it begins, so that the rod is a ring.", "true");
+                         "Whether the curve ends where it begins, so that the rod is a ring.", "false");
   AnyKey curvature =
-      key("curvature", "three texts, each a formula in s", LeftOut{"a straight rod, or curve"},
+      key("curvature", "three texts, each a formula in s", LeftOut{"or system.rod.curve; none"},
           "Twist and bends about the second and the third axis, by length, that the rod has at rest at the "
           "distance s from its start.",
-          "[\"0\", \"0\", \"1\"]", "1/length");
+          "[\"0\", \"0\", \"1\"]");
+  AnyKey section = key(
+      "section", "a table with radius, young, poisson and density; or with EA, GA, EI, GJ, rA and rI", needed,
+      "The cross-section, in axes of which the first points along the rod and the others across it. Of a "
+      "disc of a solid: radius, Young's modulus, Poisson's ratio, mass per volume, and shear, the part of "
+      "the area that resists shear, 1 where it is left out. Of any: what resists stretch, EA, shear, GA and GA3, "
+      "bending about the second axis and the third, EI and EI3, and twist, GJ; the mass per length, rA; the "
+      "moments of inertia per length, rI, rI3 and, about the first axis, rJ. GA3, EI3 and rI3 are as GA, EI "
+      "and rI where they are left out, and rJ is rI + rI3. An unshearable rod has no EA and GA.",
+      "{ radius = 0.02, young = 1e6, poisson = 0.5, density = 1100 }");
 } const rod_keys{{"system.rod", needed, "The rod: its shape at rest, its section, how many elements it has.",
                   "{ length = 1, elements = 32, section = { radius = 0.01, young = 1e6, poisson = 0.5, "
                   "density = 1100 } }"}};
 
 struct StartShapeKeys : KeyTable {
-  AnyKey curve = key("curve", "three texts, each a formula in s", LeftOut{"the shape at rest"},
-                     "The curve along which the rod lies at the start, as system.rod.curve; what its "
-                     "elements are longer than at rest they are stretched by.",
-                     "[\"s\", \"0.1*s^2\", \"0\"]");
-  AnyKey curvature = key("curvature", "three texts, each a formula in s", LeftOut{"that at rest"},
-                         "Twist and bends at the start at the distance s along the rod, by length.",
-                         "[\"0\", \"0\", \"0.5\"]", "1/length");
-  AnyKey stretch = key("stretch", "three texts, each a formula in s", LeftOut{"that at rest"},
-                       "Gamma at the start at the distance s along the rod: the first number is its length "
-                       "over that at rest, the others are shears.",
-                       "[\"1.1\", \"0\", \"0\"]", "1");
-  Key<Eigen::Vector3d> origin = key("origin", vector.in("length"), LeftOut{"that at rest"},
+  AnyKey curve =
+      key("curve", "three texts, each a formula in s",
+          LeftOut{"or initial.origin or initial.axis or initial.curvature or initial.stretch; at rest"},
+          "The curve along which the rod lies at the start, as system.rod.curve; what its "
+          "elements are longer than at rest they are stretched by.",
+          "[\"s\", \"0.1*s^2\", \"0\"]");
+  AnyKey curvature = key(
+      "curvature", "three texts, each a formula in s", LeftOut{"or initial.curve; that at rest"},
+      "Twist and bends at the start at the distance s along the rod, by length.", "[\"0\", \"0\", \"0.5\"]");
+  AnyKey stretch =
+      key("stretch", "three texts, each a formula in s", LeftOut{"or initial.curve; that at rest"},
+          "Gamma at the start at the distance s along the rod: the first number is its length "
+          "over that at rest, the others are shears.",
+          "[\"1.1\", \"0\", \"0\"]");
+  Key<Eigen::Vector3d> origin = key("origin", vector.in("length"), LeftOut{"or initial.curve; that at rest"},
                                     "Where the start of the rod is at the start.", "[0, 0, 0]");
-  Key<Eigen::Vector3d> axis = key("axis", vector.called("three numbers, not all zero"),
-                                  LeftOut{"that at rest"}, "The direction of its start.", "[0, 0, 1]");
-  Key<Eigen::Vector3d> across =
-      key("across", vector.called("three numbers, not all zero"), LeftOut{"that at rest"},
-          "A direction that the second axis of the first section is near.", "[0, 1, 0]");
+  Key<Eigen::Vector3d> axis =
+      key("axis", vector.called("three components, not all zero"), LeftOut{"or initial.curve; that at rest"},
+          "The direction of its start.", "[0, 0, 1]");
+  Key<Eigen::Vector3d> across = key(
+      "across", vector.called("three components, not all zero"), LeftOut{"or initial.curve; that at rest"},
+      "A direction that the second axis of the first section is near.", "[0, 1, 0]");
 } const start_keys{{"initial"}};
 
 Vector three(Eigen::Vector3d const& v) { return {v[0], v[1], v[2]}; }
