@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
       bool const rod = system["name"] == "rod";
       if (rod && key["key"] == "system.parameters") values["initial.velocity"] = "[\"0\", \"r*s\", \"0\"]";
       if (rod && key["key"] == "system.definitions") values["initial.velocity"] = "[\"0\", \"bump\", \"0\"]";
-      if (table_of(key["key"]) == "system.load") values.erase("system.boundary.start");
+      if (table_of(key["key"]) == "system.load") values.erase("system.boundary");
       if (!rod && key["key"] == "system.definitions")
         values["system.lagrangian"] = "\"(w^2 + v1^2 + side)/2\"";
       if (key["key"] == "method.conserve") add_conserving(values, system["name"]);

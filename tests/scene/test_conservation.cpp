@@ -221,20 +221,22 @@ std::vector<Featured> rods() {
         "rod", std::move(features),
         "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 20, section = { EA = 90, GA = 40, EI = 1, "
         "GJ = 1, rA = 1, rI = 0.01 } }\n" +
-            more + "[initial]\nvelocity = [" + velocity + "]\nangular_velocity = [\"0.2\", \"0\", \"0\"]\n" +
+            more + "[initial]\nvelocity = [" + velocity +
+            "]\nangular_velocity = [\"0.2*s^2*(1 - s)^2\", \"0\", \"0\"]\n" +
             ending("\"energy\", \"momentum\", \"angular_momentum\"", "2", "0.05")};
   };
-  std::string const wave = "\"0\", \"0.3*x^2\", \"0.2*(1 - x)^2\"";
-  return {rod({}, "", wave),
-          rod({}, "load = { gravity = [0, 0, 0] }\n", wave),
-          rod({gravity}, "load = { gravity = [0, 0, -1] }\n", wave),
-          rod({held_end}, "boundary = { start = \"clamped\" }\n", wave),
-          rod({held_end}, "boundary = { end = \"pinned\" }\n", wave),
+  // At rest where an end is held.
+  std::string const at_start = "\"0\", \"0.3*x^2\", \"0.2*x^3\"",
+                    at_end = "\"0\", \"0.3*(1 - x)^2\", \"0.2*(1 - x)^3\"";
+  return {rod({}, "", at_start),
+          rod({gravity}, "load = { gravity = [0, 0, -1] }\n", at_start),
+          rod({held_end}, "boundary = { start = \"clamped\" }\n", at_start),
+          rod({held_end}, "boundary = { end = \"pinned\" }\n", at_end),
           rod({moved_end, held_end},
-              "boundary = { start = { place = [\"0\", \"0.1*sin(3*t)\", \"0\"], axis = [0, 0, 1], "
+              "boundary = { start = { place = [\"0\", \"0.1*sin(t)^2\", \"0\"], axis = [0, 0, 1], "
               "angle = \"0.2*sin(t)^2\" } }\n",
-              wave),
-          rod({end_load}, "load = { end_force = [\"0\", \"0.3\", \"0\"] }\n", wave)};
+              at_start),
+          rod({end_load}, "load = { end_force = [\"0\", \"0.3\", \"0\"] }\n", at_start)};
 }
 
 std::vector<Featured> lagrangians() {

@@ -32,7 +32,7 @@ struct Rows {
     return out;
   }
 };
-Rows rows_of(SceneFile file) {
+Rows rows_in(SceneFile file) {
   Scene scene = Scene::read(std::move(file));
   Rows out{scene.simulation.quantities.columns(), {}, scene.simulation.remarks, {}, {}};
   RunOptions options;
@@ -45,7 +45,7 @@ Rows rows_of(SceneFile file) {
   return out;
 }
 Rows rows_of(std::string const& name, std::vector<std::string> const& overrides) {
-  return rows_of(SceneFile::read(ACTIO_DATA "/scenes/" + name + ".toml", overrides));
+  return rows_in(SceneFile::read(ACTIO_DATA "/scenes/" + name + ".toml", overrides));
 }
 
 std::string const plain =
@@ -57,7 +57,10 @@ std::string const section = "section = { EA = 90, GA = 40, EI = 1, GJ = 1, rA = 
 std::string said(std::string const& line, std::string const& instead) {
   return refusal(changed(plain, line, instead), "rod.toml");
 }
-std::string with(std::string const& more) { return said("[run]\n", more + "[run]\n"); }
+std::string with_lines(std::string const& scene, std::string const& more) {
+  return changed(scene, "[run]\n", more + "[run]\n");
+}
+std::string with(std::string const& more) { return refusal(with_lines(plain, more), "rod.toml"); }
 
 }  // namespace
 
@@ -134,7 +137,7 @@ BOOST_AUTO_TEST_CASE(an_end_is_moved_as_its_formulas_say) {
 
 BOOST_AUTO_TEST_CASE(sections_are_at_equal_distances_along_a_curve) {
   // A parabola by a parameter that is not its length.
-  auto const rows = rows_of(SceneFile::parse(
+  auto const rows = rows_in(SceneFile::parse(
       changed(changed(plain, "length = 1\n", "curve = [\"2*s^2 + s\", \"(2*s^2 + s)^2\", \"0\"]\n"),
               "[output]\n", "[output]\nsnapshots = [\"stretch\", \"curvature\"]\n"),
       "rod.toml"));
@@ -153,7 +156,7 @@ BOOST_AUTO_TEST_CASE(sections_are_at_equal_distances_along_a_curve) {
 }
 
 BOOST_AUTO_TEST_CASE(a_shape_by_its_strains_is_the_circle_that_they_say) {
-  auto const rows = rows_of(SceneFile::parse(
+  auto const rows = rows_in(SceneFile::parse(
       changed(changed(plain, "elements = 8\n", "elements = 64\ncurvature = [\"0\", \"0\", \"pi/2\"]\n"),
               "\"energy\"", "\"energy\", \"end_place\""),
       "rod.toml"));
@@ -165,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_shape_by_its_strains_is_the_circle_that_they_say) {
 
 BOOST_AUTO_TEST_CASE(what_a_rod_cannot_be_is_refused_at_its_key) {
   check_said(said("EA = 90", "EA = 0"),
-             "rod.toml:6:13: EA: a number > 0 is expected, found 0; constraint = "
+             "rod.toml:6:18: EA: a number > 0 is expected, found 0; constraint = "
              "\"unshearable\" is for rods that neither stretch nor shear");
   check_said(said("GA = 40", "GA = -1"), "GA: a number > 0 is expected, found -1");
   check_said(said("EI = 1,", "EI = 0,"), "EI");
@@ -193,7 +196,7 @@ BOOST_AUTO_TEST_CASE(what_a_rod_cannot_be_is_refused_at_its_key) {
 }
 
 BOOST_AUTO_TEST_CASE(an_element_that_turns_by_more_than_sixty_degrees_is_remarked_on) {
-  auto const rows = rows_of(SceneFile::parse(
+  auto const rows = rows_in(SceneFile::parse(
       changed(plain, "length = 1\n", "length = 1\ncurvature = [\"0\", \"0\", \"10\"]\n"), "rod.toml"));
   // 2 atan(10/16) = 64 degrees
   BOOST_REQUIRE(rows.remarks.size() == 1u);
@@ -221,20 +224,23 @@ BOOST_AUTO_TEST_CASE(supports_and_loads_that_exclude_each_other_are_refused_at_t
   check_said(said("length = 1\n", "curve = [\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"0\"]\nclosed = true\n"), "");
   std::string const ring =
       changed(plain, "length = 1\n", "curve = [\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"0\"]\nclosed = true\n");
-  check_said(
-      refusal(changed(ring, "[run]\n", "[system.load]\nend_force = [\"0\", \"0\", \"1\"]\n[run]\n"), "r"),
-      "a ring has no ends");
-  check_said(refusal(changed(ring, "[run]\n", "[system.boundary]\nstart = \"pinned\"\n[run]\n"), "r"),
+  check_said(refusal(with_lines(ring, "[system.load]\nend_force = [\"0\", \"0\", \"1\"]\n"), "r"),
              "a ring has no ends");
+  check_said(refusal(with_lines(ring, "[system.boundary]\nstart = \"pinned\"\n"), "r"), "a ring has no ends");
 }
 
 BOOST_AUTO_TEST_CASE(a_step_beyond_the_limit_is_refused_with_what_binds_it) {
-  // 2 sqrt(rI/GA) = 0.0316 is the least of the bounds.
-  std::string const told = with("[method]\nstep = 0.05\n");
-  check_said(told, "step: steps of 0.05 are not stable, bound by waves of");
-  check_said(told, "the longest that would do is 0.0");
-  check_said(with("[method]\nstep = 0.025\n"), "");
-  BOOST_TEST(with("[method]\nstep = 0.025\n").empty());
+  std::string const told = with("[method]\nstep = 0.025\n");
+  check_said(told, "step: steps of 0.025 are not stable, bound by waves of bending and shear");
+  check_said(told, "the longest that would do is 0.0125");
+  BOOST_TEST(with("[method]\nstep = 0.01\n").empty());
+  // That of a slender rod is bound by 2 sqrt(rI/GA), and the constraint takes that away.
+  std::string const slender =
+      changed(changed(with_lines(plain, "[method]\nstep = 0.01\n"), "rI = 0.01", "rI = 1e-5"), "EI = 1,",
+              "EI = 0.01,");
+  check_said(
+      refusal(changed(slender, "GJ = 1,", "GJ = 0.005,"), "r"),
+      "shear that turns the sections, 2 sqrt(rI/GA); with constraint = \"unshearable\" those up to 0.00");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,18 +13,17 @@ namespace {
 using Held = rods::RodEnd::Held;
 using Vector = rods::Three<double>;
 
-std::string const how_held =
-    "\"free\", \"clamped\" (its place and its attitude stay), \"pinned\" (its place stays), or a table for "
-    "an end that is moved: place, three formulas in t; angle, a formula in t, and axis, by which it is "
-    "turned from its attitude at the start. Without angle it is pinned to its place, without place only turned.";
+std::string const forms = "\"free\", \"clamped\" or \"pinned\", or a table with place, axis and angle",
+                  meaning =
+                      " of the rod is held: a clamped end keeps its place and its attitude, and a pinned "
+                      "one its place. An end that is moved is a table: place, three formulas in t; angle, "
+                      "a formula in t, and axis, by which it is turned from its attitude at the start. "
+                      "Without angle it is pinned to its place, without place only turned.";
 
 struct BoundaryKeys : KeyTable {
-  AnyKey start =
-      key("start", "a text, or a table with place, axis and angle", LeftOut{"\"free\""},
-          "How the start of the rod is held: " + how_held, "\"clamped\"", "", {"free", "clamped", "pinned"});
-  AnyKey end = key("end", "a text, or a table with place, axis and angle", LeftOut{"\"free\""},
-                   "How the end of the rod is held, as start.", "{ place = [\"1\", \"0.1*sin(t)\", \"0\"] }",
-                   "", {"free", "clamped", "pinned"});
+  AnyKey start = key("start", forms, LeftOut{"\"free\""}, "How the start" + meaning, "\"clamped\"");
+  AnyKey end = key("end", forms, LeftOut{"\"free\""}, "How the end" + meaning,
+                   "{ place = [\"1\", \"0.1*sin(t)\", \"0\"] }");
 } const boundary_keys{{"system.boundary", LeftOut{"both ends are free"}, "How the ends of the rod are held.",
                        "{ start = \"clamped\" }", "a table with start and end"}};
 

@@ -87,9 +87,9 @@ System rod_system() {
       methods(),
       rod_quantities(),
       prepare,
-      "[system]\nkind = \"rod\"\n[system.rod]\nlength = 1\nelements = 20\n"
-      "section = { radius = 0.02, young = 1e6, poisson = 0.5, density = 1100 }\n"
-      "[system.boundary]\nstart = \"clamped\"\n[system.load]\ngravity = [0, 0, -9.81]\n"
+      "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 20, section = { radius = 0.02, young = 1e6, "
+      "poisson = 0.5, density = 1100 } }\nboundary = { start = \"clamped\" }\n"
+      "load = { gravity = [0, 0, -9.81] }\n"
       "[run]\nuntil = 1\nevery = 0.01\n[output]\n"
       "quantities = [\"end_place\", \"energy\", \"noether_balance\"]\n"};
   out.snapshots = rod_snapshots();

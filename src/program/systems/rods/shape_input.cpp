@@ -19,11 +19,13 @@ struct RodKeys : KeyTable {
                            "The length of the rod at rest; with curve it is that of the curve.", "1");
   Key<int> elements = key("elements", whole("a whole number from 2 to 1000000", 2, 1000000), 32,
                           "How many elements it has, each between two sections.", "32");
-  Key<std::string> constraint =
-      key("constraint", one_of("constraint", {"none", "unshearable"}), "none",
-          "What the rod cannot do: with \"unshearable\" it neither stretches nor shears, as a slender rod "
-          "nearly does, and steps may be as much longer as it is slender.",
-          "\"unshearable\"");
+  Key<std::string> constraint = key(
+      "constraint",
+      Pattern<std::string>{"\"none\" or \"unshearable\"", one_of("constraint", {"none", "unshearable"}).read},
+      "none",
+      "What the rod cannot do: with \"unshearable\" it neither stretches nor shears, as a slender rod "
+      "nearly does, and steps may be as much longer as it is slender.",
+      "\"unshearable\"");
   Key<Eigen::Vector3d> origin = key("origin", vector.in("length"), LeftOut{"or system.rod.curve; [0, 0, 0]"},
                                     "Where its start is; not with curve.", "[0, 0, 0]");
   Key<Eigen::Vector3d> axis =
@@ -33,12 +35,12 @@ struct RodKeys : KeyTable {
       key("across", vector.called("three components, not all zero"),
           LeftOut{"[0, 1, 0], or the next axis of space that is farther from the rod"},
           "A direction that the second axis of the first section is near.", "[0, 1, 0]");
-  AnyKey curve =
-      key("curve", "three texts, each a formula in s",
-          LeftOut{"or system.rod.length or system.rod.origin or system.rod.axis or system.rod.curvature"},
-          "The curve along which the rod lies at rest, for s from 0 to 1; smooth. Sections are at "
-          "equal distances along it, and their axes turn about it no more than they must.",
-          "[\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"s/2\"]");
+  AnyKey curve = key("curve", "three texts, each a formula in s",
+                     LeftOut{"or system.rod.length or system.rod.origin or system.rod.axis or "
+                             "system.rod.curvature"},
+                     "The curve along which the rod lies at rest, for s from 0 to 1; smooth. Sections are at "
+                     "equal distances along it, and their axes turn about it no more than they must.",
+                     "[\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"s/2\"]");
   Key<bool> closed = key("closed", truth, false,
                          "Whether the curve ends where it begins, so that the rod is a ring.", "false");
   AnyKey curvature =
@@ -55,9 +57,12 @@ struct RodKeys : KeyTable {
       "moments of inertia per length, rI, rI3 and, about the first axis, rJ. GA3, EI3 and rI3 are as GA, EI "
       "and rI where they are left out, and rJ is rI + rI3. An unshearable rod has no EA and GA.",
       "{ radius = 0.02, young = 1e6, poisson = 0.5, density = 1100 }");
-} const rod_keys{{"system.rod", needed, "The rod: its shape at rest, its section, how many elements it has.",
-                  "{ length = 1, elements = 32, section = { radius = 0.01, young = 1e6, poisson = 0.5, "
-                  "density = 1100 } }"}};
+} const rod_keys{
+    {"system.rod", needed,
+     "The rod. Its shape at rest: length, or curve; origin, axis and across; curvature, or closed. What it is: "
+     "section, elements and constraint.",
+     "{ length = 1, elements = 32, section = { radius = 0.01, young = 1e6, poisson = 0.5, "
+     "density = 1100 } }"}};
 
 struct StartShapeKeys : KeyTable {
   AnyKey curve =
