@@ -87,8 +87,8 @@ inline std::vector<Long> const& long_scenes() {
        "every = 0.5\n[output]\nquantities = [\"end_place\", \"energy\", \"noether_balance\"]\n"
        "snapshots = [\"contact_force\"]\nsnapshot_every = 50\n"},
       {"rod, unshearable",
-       "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 30, constraint = \"unshearable\", section = { "
-       "EI = 0.1, GJ = 0.1, rA = 1, rI = 1e-3 } }\nboundary = { start = \"pinned\" }\n"
+       "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 30, constraint = \"unshearable\", section "
+       "= { EI = 0.1, GJ = 0.1, rA = 1, rI = 1e-3 } }\nboundary = { start = \"pinned\" }\n"
        "load = { gravity = [0, 0, -1] }\n[run]\nuntil = 100\nevery = 0.5\n[output]\n"
        "quantities = [\"end_place\", \"energy\", \"constraint_residual\"]\n"},
       {"vorticity_sphere",

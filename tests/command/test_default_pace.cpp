@@ -32,7 +32,7 @@ Scene const scenes[] = {
      "position = [2, 0, 0]\nvelocity = [0, 0.7, 0]\n",
      "\"separation\""},
     {"rod",
-     "rod = { length = 1, elements = 8, section = { EA = 1, GA = 1, EI = 0.1, GJ = 0.1, rA = 1, rI = 0.1 } }\n"
+     "rod = { length = 1, elements = 8, section = { EA = 1, GA = 1, EI = 1, GJ = 1, rA = 1, rI = 0.1 } }\n"
      "[initial]\nvelocity = [\"0\", \"0.1*x^2\", \"0\"]\n",
      "\"energy\""},
     {"barotropic_fluid",

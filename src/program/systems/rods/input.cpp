@@ -33,7 +33,7 @@ struct VelocityKeys : KeyTable {
       key("velocity", "three texts, each a formula in x, y, z, s", LeftOut{"[0, 0, 0]"},
           "The velocity at the start of the section at x, y, z, at the distance s along the rod; "
           "an end that is held moves as its support does.",
-          "[\"-0.5*y\", \"0.5*x\", \"0\"]", "length/time");
+          "[\"-0.5*y\", \"0.5*x\", \"0\"]");
   AnyKey angular_velocity =
       key("angular_velocity", "three texts, each a formula in x, y, z, s", LeftOut{"[0, 0, 0]"},
           "The angular velocity at the start of the section at the distance s, in space.",

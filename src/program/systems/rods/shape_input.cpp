@@ -52,15 +52,15 @@ struct RodKeys : KeyTable {
       "section", "a table with radius, young, poisson and density; or with EA, GA, EI, GJ, rA and rI", needed,
       "The cross-section, in axes of which the first points along the rod and the others across it. Of a "
       "disc of a solid: radius, Young's modulus, Poisson's ratio, mass per volume, and shear, the part of "
-      "the area that resists shear, 1 where it is left out. Of any: what resists stretch, EA, shear, GA and GA3, "
-      "bending about the second axis and the third, EI and EI3, and twist, GJ; the mass per length, rA; the "
-      "moments of inertia per length, rI, rI3 and, about the first axis, rJ. GA3, EI3 and rI3 are as GA, EI "
-      "and rI where they are left out, and rJ is rI + rI3. An unshearable rod has no EA and GA.",
+      "the area that resists shear, 1 where it is left out. Of any: what resists stretch, EA, shear, GA and "
+      "GA3, bending about the second axis and the third, EI and EI3, and twist, GJ; the mass per length, rA; "
+      "the moments of inertia per length, rI, rI3 and, about the first axis, rJ. GA3, EI3 and rI3 are as GA, "
+      "EI and rI where they are left out, and rJ is rI + rI3. An unshearable rod has no EA and GA.",
       "{ radius = 0.02, young = 1e6, poisson = 0.5, density = 1100 }");
 } const rod_keys{
     {"system.rod", needed,
-     "The rod. Its shape at rest: length, or curve; origin, axis and across; curvature, or closed. What it is: "
-     "section, elements and constraint.",
+     "The rod. Its shape at rest: length, or curve; origin, axis and across; curvature, or closed. What it "
+     "is: section, elements and constraint.",
      "{ length = 1, elements = 32, section = { radius = 0.01, young = 1e6, poisson = 0.5, "
      "density = 1100 } }"}};
 
