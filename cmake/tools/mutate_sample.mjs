@@ -349,7 +349,7 @@ function makeCopy() {
   if (!fs.existsSync(header) || fs.readFileSync(header, 'utf8') !== switchHeader) fs.writeFileSync(header, switchHeader);
 }
 
-const testPrograms = ['any_group', 'book', 'constraints', 'continuum', 'fast_body', 'formula', 'groupoid', 'groups', 'incompressible', 'jets', 'multisymplectic', 'noether', 'nonholonomic', 'numbers', 'reduction', 'rigid_body', 'scene', 'two_bodies', 'variational', 'vorticity', 'witness'].map(n => `test_${n}`);
+const testPrograms = ['any_group', 'book', 'constraints', 'continuum', 'covariant_reduction', 'fast_body', 'formula', 'groupoid', 'groups', 'incompressible', 'jets', 'multisymplectic', 'noether', 'nonholonomic', 'numbers', 'reduction', 'rigid_body', 'scene', 'two_bodies', 'variational', 'vorticity', 'witness'].map(n => `test_${n}`);
 const chapters = () => [...new Set(fs.readdirSync(path.join(root, 'proofs_checks')).map(n => /^(ch\d\d|bridge)_.*\.cpp$/.exec(n)?.[1]).filter(Boolean))].map(c => `checks_${c}`);
 
 /// Builds, and returns the errors' numbers that the compiler objects to; null where all is well.

@@ -7,6 +7,7 @@
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "actio/meshes/gmsh_mesh.hpp"
+#include "actio/parallel/thread_ranks.hpp"
 #include "actio/stored_energy/stored_energies.hpp"
 
 #include "example.hpp"
@@ -60,6 +61,29 @@ BOOST_AUTO_TEST_CASE(a_sheet_of_rubber) {
   box.left_right = {Side::fixed, Side::sliding};  // held at the left, sliding along the right
   assert(box.count() == 13 * 9 && box.nodes(0) == 13 && std::abs(box.measure() - 0.01) < 1e-16);
   // [fast_box_2d]
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_on_three_ranks) {
+  // [media_on_ranks]
+  // The same sheet on one rank, and on three, which are threads here.
+  auto const placed = [](auto const& X) { return std::array{1.3 * X[0], X[1]}; };
+  auto const at_rest = [](auto const&) { return std::array{0.0, 0.0}; };
+  FastBox2d const box{{12, 8}, {0.1, 0.1}};
+  auto const rubber = neo_hookean(2, 1);
+  FastMedium2d alone(rubber, box, 0.02, 1, placed, at_rest);
+  alone.step(100);
+  on_thread_ranks(3, [&](Ranks& ranks) {
+    FastOptions options;
+    options.ranks = &ranks;
+    if (ranks.rank() > 0)
+      return serve_media(
+          ranks, [&](std::string const&, double step) { return medium_part(rubber, box, step, options); });
+    FastMedium2d shared(rubber, box, 0.02, 1, placed, at_rest, options);
+    shared.step(100);
+    assert((shared.places() == alone.places()));
+    take_leave(ranks);
+  });
+  // [media_on_ranks]
 }
 
 BOOST_AUTO_TEST_CASE(a_block_of_rubber) {

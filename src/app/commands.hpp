@@ -11,11 +11,16 @@ struct Scene;
 
 namespace actio::app {
 
+/// The command: reads its arguments and does what they ask for.
+/// @return  its exit status
+int command(int argc, char** argv);
+
 struct RunArguments {
   std::string scene, out;          ///< out: the scene's name beside it where empty
   std::vector<std::string> set;    ///< KEY=VALUE
   std::vector<std::string> unset;  ///< KEY
   bool quiet = false, dry_run = false, plots = false, force = false;
+  int ranks = 1;  ///< whose memory the plan tells
 };
 int run(RunArguments const& arguments);
 /// What `run` would do with a scene that was read, and what it would leave in the folder `out`.

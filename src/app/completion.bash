@@ -10,7 +10,7 @@ _actio_reply() { # WORD
 
 _actio_options() { # PART
   case $1 in
-    run) echo "--out --set --unset --quiet --dry-run --plots --force --help" ;;
+    run) echo "--out --set --unset --quiet --dry-run --ranks --plots --force --help" ;;
     resume) echo "--until --step --jobs --plots --quiet --help" ;;
     export) echo "--formats --quiet --help" ;;
     plot) echo "--quiet --help" ;;

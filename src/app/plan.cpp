@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "app/estimate.hpp"
 #include "app/text.hpp"
+#include "program/base/memory.hpp"
 #include "program/base/printable.hpp"
 #include "program/base/progress.hpp"
 #include "program/registry/scene.hpp"
@@ -119,6 +120,20 @@ void tell_disk(Scene const& scene, Estimate const& taken, std::string const& out
                                taken.snapshots > 0 ? ", or fewer snapshots (output.snapshot_every)," : ""));
 }
 
+/// Ranks share what is stepped; what is looked at and written is all on rank 0.
+void tell_memory(Scene const& scene, int ranks) {
+  auto const& [bytes, shared] = std::tie(scene.simulation.bytes, scene.simulation.shared_bytes);
+  if (ranks > 1 && !scene.simulation.on_ranks)
+    throw SceneError({scene.file.name()}, "this scene is not shared among ranks; actio run takes it on one");
+  if (!(bytes > 0)) return;
+  if (ranks == 1) return tell("memory", "at most about " + size_text(bytes));
+  tell("memory",
+       fmt::format("at most about {} on rank 0, which has all nodes when rows are written, and {} on each of "
+                   "the others, beside what MPI takes",
+                   size_text(bytes - shared * (1 - 1.0 / ranks)),
+                   size_text(bytes_of_program + shared / ranks)));
+}
+
 }  // namespace
 
 int plan(Scene& scene, RunArguments const& arguments, std::string const& out) {
@@ -132,7 +147,7 @@ int plan(Scene& scene, RunArguments const& arguments, std::string const& out) {
   for (auto const& remark : scene.simulation.remarks) tell("remark", remark);
   Estimate const taken = estimate(scene);
   tell("time", time_of(taken));
-  if (scene.simulation.bytes > 0) tell("memory", "at most about " + size_text(scene.simulation.bytes));
+  tell_memory(scene, arguments.ranks);
   tell("folder", out);
   tell("files", files_of(scene, arguments, taken));
   tell_disk(scene, taken, out);

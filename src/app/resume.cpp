@@ -74,6 +74,7 @@ int resume(ResumeArguments const& arguments) {
   if (begun) finish_change_of_step(folder.path()), refuse_changed_inputs(folder.path());
   Scene scene = Scene::read(SceneFile::read(folder / "scene.toml"));
   if (!arguments.until.empty()) scene = extended(scene, folder.path(), time_of("--until", arguments.until));
+  refuse_on_ranks(scene);
   scene.plots = scene.plots || arguments.plots;
   if (begun && run_is_finished(scene, folder.path()))
     return after_the_end(scene, folder.path(), arguments.quiet);

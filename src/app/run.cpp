@@ -26,6 +26,7 @@ int run(RunArguments const& arguments) {
   open_standard_streams();
   Scene scene =
       Scene::read(scene_of(arguments.scene, overrides(arguments.set, arguments.unset, arguments.plots)));
+  refuse_on_ranks(scene);
   std::string const out =
       arguments.out.empty() ? folder_beside(arguments.scene, arguments.dry_run) : arguments.out;
   if (arguments.dry_run) {

@@ -5,6 +5,7 @@
 #include "app/draw.hpp"
 #include "app/text.hpp"
 #include "program/base/progress.hpp"
+#include "program/base/ranks.hpp"
 
 namespace actio::app {
 
@@ -40,6 +41,15 @@ std::string way_on(Scene const& scene, RunFolder const& folder, RunReport const&
 }
 
 }  // namespace
+
+void refuse_on_ranks(Scene const& scene) {
+  if (on_several_ranks() && !scene.simulation.on_ranks)
+    throw SceneError(
+        {scene.file.name()},
+        fmt::format("this scene is not shared among {} ranks: gases and solids on boxes with the steps "
+                    "of the library are; actio run takes it on one",
+                    shared_ranks()->size()));
+}
 
 int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet, Scene* before_change) {
   RunOptions options;

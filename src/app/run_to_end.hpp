@@ -6,6 +6,10 @@
 
 namespace actio::app {
 
+/// Refuses a scene that several ranks cannot share, where there are several.
+/// @throws SceneError
+void refuse_on_ranks(scene::Scene const& scene);
+
 /// Runs, or goes on; remarks and complaints go to standard error, a closing line to standard output.
 /// @param before  the scene with the steps up to the checkpoint, where they had another length
 /// @return the exit status

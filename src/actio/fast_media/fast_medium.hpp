@@ -9,6 +9,7 @@
 #include "actio/fast_media/fast_forces.hpp"
 #include "actio/fast_media/fast_inversion.hpp"
 #include "actio/fast_media/fast_options.hpp"
+#include "actio/fast_media/nodes_on_ranks.hpp"
 
 namespace actio::media {
 
@@ -84,7 +85,7 @@ class FastMedium {
     // To half a step before the start.
     add_kick(v, x, -dt / 2);
     nodes_.put(x, v);
-    kept_ = nodes_.state();
+    nodes_.keep();
   }
 
   /// So many steps on.
@@ -96,7 +97,7 @@ class FastMedium {
                           0);
     ahead_.reset();
     while (count > 0) {
-      if (steps_ - kept_at_ >= between_copies) kept_ = nodes_.state(), kept_at_ = steps_;
+      if (steps_ - kept_at_ >= between_copies) nodes_.keep(), kept_at_ = steps_;
       long const some = std::min(count, kept_at_ + between_copies - steps_);
       bool const sound = nodes_.advance(some);
       steps_ += some, count -= some;
@@ -129,7 +130,7 @@ class FastMedium {
   /// How many steps a pass over the nodes makes.
   int levels() const { return nodes_.levels(); }
   /// Memory for states and copies, bytes.
-  std::size_t bytes() const { return nodes_.bytes() + kept_.capacity() * sizeof(Register); }
+  std::size_t bytes() const { return nodes_.bytes(); }
 
   /// Places of the nodes, the first direction fastest; length.
   std::vector<Point> places() const { return ahead_ ? points(ahead_->first) : places_of_last_step(); }
@@ -162,7 +163,7 @@ class FastMedium {
     });
     refuse_inverted(x);
     nodes_.put(x, v), ahead_.reset();
-    steps_ = kept_at_ = state.steps, kept_ = nodes_.state();
+    steps_ = kept_at_ = state.steps, nodes_.keep();
   }
 
   /// Linear momentum, mass x length/time. With free or periodic sides it is conserved to rounding.
@@ -205,7 +206,6 @@ class FastMedium {
  private:
   using Cell = detail::CellOf<Medium, Box>;
   using Nodes = detail::NodesOf<Medium, Box>;
-  using Register = typename Nodes::Register;
   using Vector = detail::VectorOf<Box, double>;
   static constexpr long between_copies = 512;  // a copy costs about a step
 
@@ -289,14 +289,14 @@ class FastMedium {
   /// Goes back to the copy, and from there step by step to where a cell turns inside out.
   void find_inversion() {
     long const end = steps_;
-    nodes_.restore(kept_), steps_ = kept_at_;
+    nodes_.restore(), steps_ = kept_at_;
     while (steps_ < end) {
-      kept_ = nodes_.state(), kept_at_ = steps_;
+      nodes_.keep(), kept_at_ = steps_;
       bool const sound = nodes_.advance(1);
       ++steps_;
       if (sound && nodes_.examine()) continue;
       auto const [cell, jacobian] = worst_cell(nodes_.read(false));
-      nodes_.restore(kept_), steps_ = kept_at_;
+      nodes_.restore(), steps_ = kept_at_;
       throw CellInverts(cell, jacobian, steps_ + 1, dt_, least_jacobian(cell, nodes_.read(false)),
                         largest_step());
     }
@@ -306,10 +306,18 @@ class FastMedium {
   Box box_;
   Cell cell_;
   double dt_, density_;
-  Nodes nodes_;
-  std::vector<Register> kept_;
+  detail::NodesOnRanks<Nodes> nodes_;
   std::optional<std::pair<std::vector<Vector>, std::vector<Vector>>> ahead_;  // places and velocities
   long steps_ = 0, kept_at_ = 0;
 };
+
+/// The part of a medium on a rank other than the first, for \ref serve_media: of the same medium, box and
+/// options as the \ref FastMedium of rank 0.
+template <class Medium, class Box>
+std::unique_ptr<MediumPart> medium_part(Medium const& medium, Box const& box, double dt,
+                                        FastOptions const& options) {
+  return std::make_unique<detail::PartOf<detail::NodesOf<Medium, Box>>>(
+      box, detail::cell_on(medium, box.spacing), dt, options);
+}
 
 }  // namespace actio::media

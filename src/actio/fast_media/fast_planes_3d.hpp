@@ -7,7 +7,7 @@
 
 #include "actio/fast_media/fast_options.hpp"
 #include "actio/fast_media/fast_sweep_3d.hpp"
-#include "actio/numbers/team.hpp"
+#include "actio/parallel/team.hpp"
 
 namespace actio::media::detail {
 
@@ -25,55 +25,44 @@ class FusedPlanes3d {
         strips_(box),
         rows_(box.nodes(1)),
         planes_(box.nodes(2)),
+        halo_(options.ranks, planes_, box.periodic(2), 1),
         packs_(static_cast<std::size_t>(strips_.packs)),
         // Rows that are a multiple of a page apart would be in each other's way.
         stride_(2 * packs_ + (strips_.packs % 8 == 0 ? 1 : 0)),
-        state_(stride_ * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(planes_), zero()) {
+        state_(stride_ * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(halo_.stored()), zero()) {
     prepare(options);
   }
 
-  /// All of the state, for copies.
-  std::vector<Register> const& state() const { return state_; }
-  /// Back to a copy.
-  void restore(std::vector<Register> const& copy) { state_ = copy; }
+  /// Keeps a copy of the state.
+  void keep() { kept_ = state_; }
+  /// Back to the copy.
+  void restore() { state_ = kept_; }
   /// How many steps a pass makes.
   int levels() const { return 1; }
   /// Memory, bytes.
   std::size_t bytes() const {
-    std::size_t sum = state_.capacity() + seam_.capacity();
+    std::size_t sum = state_.capacity() + kept_.capacity() + seam_.capacity();
     for (auto const& band : bands_)
       sum += band.below.capacity() + band.above.capacity() + band.room.capacity();
     return sum * sizeof(Register);
   }
 
-  /// Sets places, and velocities half a step back, of the nodes row by row.
+  /// Sets places, and velocities half a step back, of the nodes row by row; given on rank 0.
   void put(std::vector<Space<double>> const& x, std::vector<Space<double>> const& v) {
-    int const n = box_.nodes(0);
-    std::size_t k = 0;
-    for (int line = 0; line < rows_ * planes_; ++line, k += static_cast<std::size_t>(n))
-      for (int i = 0; i <= box_.cells[0]; ++i) {
-        bool const round = i == n;
-        std::size_t const at = k + static_cast<std::size_t>(round ? 0 : i);
-        int const s = strips_.pack(i), lane = strips_.lane(i);
-        Register* const row = state_.data() + static_cast<std::size_t>(line) * stride_;
-        Register &place = row[s], &rate = row[strips_.packs + s];
-        auto const shift = round ? box_.shift(0) : Space<double>{0, 0, 0};
-        place.x.lane[lane] = x[at].x + shift.x, rate.x.lane[lane] = v[at].x;
-        place.y.lane[lane] = x[at].y + shift.y, rate.y.lane[lane] = v[at].y;
-        place.z.lane[lane] = x[at].z + shift.z, rate.z.lane[lane] = v[at].z;
-      }
+    if (halo_.alone()) return put_own(x, v);
+    std::vector<Space<double>> mine(own_nodes()), rates(mine.size());
+    halo_.ranks().scatter(bytes_of(x), bytes_of(mine));
+    halo_.ranks().scatter(bytes_of(v), bytes_of(rates));
+    put_own(mine, rates);
+    halo_.exchange(state_);
   }
-  /// Places of the nodes row by row, or their velocities.
+  /// Places of the nodes row by row, or their velocities; on rank 0.
   std::vector<Space<double>> read(bool velocity) const {
-    std::vector<Space<double>> out;
-    out.reserve(static_cast<std::size_t>(box_.count()));
-    for (int line = 0; line < rows_ * planes_; ++line)
-      for (int i = 0; i < box_.nodes(0); ++i) {
-        int const s = strips_.pack(i) + (velocity ? strips_.packs : 0), lane = strips_.lane(i);
-        Register const& r = state_[static_cast<std::size_t>(line) * stride_ + static_cast<std::size_t>(s)];
-        out.push_back({r.x.lane[lane], r.y.lane[lane], r.z.lane[lane]});
-      }
-    return out;
+    auto const mine = read_own(velocity);
+    if (halo_.alone()) return mine;
+    std::vector<Space<double>> all(halo_.ranks().rank() == 0 ? static_cast<std::size_t>(box_.count()) : 0);
+    halo_.ranks().gather(bytes_of(mine), bytes_of(all));
+    return all;
   }
   /// So many steps on. @return whether no Jacobian was seen that is negative
   bool advance(long count) {
@@ -81,23 +70,29 @@ class FusedPlanes3d {
     as_team(static_cast<int>(bands_.size()), [&](int b, Meeting& meeting) {
       Band& band = bands_[static_cast<std::size_t>(b)];
       for (long done = 0; done < count; ++done) {
+        if (!halo_.alone()) {
+          if (b == 0) halo_.exchange(state_);
+          meeting.wait();
+        }
         copy_neighbours(band);
         meeting.wait();
         sweep(band);
         meeting.wait();
       }
     });
-    bool sound = true;
-    for (auto const& band : bands_) sound = sound && !any_sign(band.signs);
-    return sound;
+    bool bad = false;
+    for (auto const& band : bands_) bad = bad || any_sign(band.signs);
+    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
   }
   /// Whether all cells of the state have positive Jacobians.
-  bool examine() const {
+  bool examine() {
+    halo_.exchange(state_);
     // Rows and planes a period further are made once more.
-    int const across = box_.cells[1] + 1, planes = box_.cells[2] + 1;
+    int const across = box_.cells[1] + 1, from = halo_.own().from,
+              to = std::min(halo_.own().to + 1, box_.cells[2] + 1);
     std::vector<std::vector<Register>> further;
     std::vector<Register const*> rows;
-    for (int k = 0; k < planes; ++k)
+    for (int k = from; k < to; ++k)
       for (int j = 0; j < across; ++j) {
         Register const* const row = plane(k == planes_ ? 0 : k) + row_offset(j == rows_ ? 0 : j);
         rows.push_back(row);
@@ -109,9 +104,10 @@ class FusedPlanes3d {
         for (std::size_t s = 0; s < packs_; ++s) further.back()[s] = row[s] + registers(by);
         rows.back() = further.back().data();
       }
-    Examination3d examination{strips_, rows.data(), across, planes};
+    Examination3d examination{strips_, rows.data(), across, to - from};
     run_with(registers_, examination);
-    return !any(examination.bad);
+    bool const bad = any(examination.bad);
+    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
   }
 
  private:
@@ -128,9 +124,43 @@ class FusedPlanes3d {
   static Register zero() { return {Quad(0), Quad(0), Quad(0)}; }
   static Register registers(Space<double> const& a) { return {Quad(a.x), Quad(a.y), Quad(a.z)}; }
   std::size_t row_offset(int j) const { return static_cast<std::size_t>(j) * stride_; }
-  Register* plane(int k) { return state_.data() + static_cast<std::size_t>(k) * row_offset(rows_); }
-  Register const* plane(int k) const {
-    return state_.data() + static_cast<std::size_t>(k) * row_offset(rows_);
+  Register* plane(int k) { return state_.data() + halo_.local(k) * row_offset(rows_); }
+  Register const* plane(int k) const { return state_.data() + halo_.local(k) * row_offset(rows_); }
+  Register const* line(int number) const { return plane(number / rows_) + row_offset(number % rows_); }
+  Register* line(int number) { return plane(number / rows_) + row_offset(number % rows_); }
+  std::size_t own_nodes() const {
+    return static_cast<std::size_t>(halo_.own().count()) * static_cast<std::size_t>(rows_) *
+           static_cast<std::size_t>(box_.nodes(0));
+  }
+
+  /// Of the planes of this rank alone.
+  void put_own(std::vector<Space<double>> const& x, std::vector<Space<double>> const& v) {
+    int const n = box_.nodes(0);
+    std::size_t k = 0;
+    for (int number = rows_ * halo_.own().from; number < rows_ * halo_.own().to;
+         ++number, k += static_cast<std::size_t>(n))
+      for (int i = 0; i <= box_.cells[0]; ++i) {
+        bool const round = i == n;
+        std::size_t const at = k + static_cast<std::size_t>(round ? 0 : i);
+        int const s = strips_.pack(i), lane = strips_.lane(i);
+        Register* const row = line(number);
+        Register &place = row[s], &rate = row[strips_.packs + s];
+        auto const shift = round ? box_.shift(0) : Space<double>{0, 0, 0};
+        place.x.lane[lane] = x[at].x + shift.x, rate.x.lane[lane] = v[at].x;
+        place.y.lane[lane] = x[at].y + shift.y, rate.y.lane[lane] = v[at].y;
+        place.z.lane[lane] = x[at].z + shift.z, rate.z.lane[lane] = v[at].z;
+      }
+  }
+  std::vector<Space<double>> read_own(bool velocity) const {
+    std::vector<Space<double>> out;
+    out.reserve(own_nodes());
+    for (int number = rows_ * halo_.own().from; number < rows_ * halo_.own().to; ++number)
+      for (int i = 0; i < box_.nodes(0); ++i) {
+        Register const& r = line(number)[strips_.pack(i) + (velocity ? strips_.packs : 0)];
+        int const lane = strips_.lane(i);
+        out.push_back({r.x.lane[lane], r.y.lane[lane], r.z.lane[lane]});
+      }
+    return out;
   }
   bool round() const { return box_.periodic(2); }
 
@@ -143,12 +173,13 @@ class FusedPlanes3d {
       row_shares_.push_back({box_.moves(1, j, 0) ? share : 0, box_.moves(1, j, 1) ? share : 0,
                              box_.moves(1, j, 2) ? share : 0});
     }
-    int const bands = std::clamp(options.threads, 1, planes_);
+    auto const own = halo_.own();
+    int const bands = std::clamp(options.threads, 1, own.count());
     bands_.resize(static_cast<std::size_t>(bands));
     for (int b = 0; b < bands; ++b) {
       Band& band = bands_[static_cast<std::size_t>(b)];
-      band.from = static_cast<int>(static_cast<long>(planes_) * b / bands);
-      band.to = static_cast<int>(static_cast<long>(planes_) * (b + 1) / bands);
+      auto const part = RowRange::of(own.count(), b, bands);
+      band.from = own.from + part.from, band.to = own.from + part.to;
       if (round() || band.from > 0) band.below.assign(places, zero());
       if (band.to < planes_) band.above.assign(places, zero());
       band.room.assign(places + 6 * packs_, zero());
@@ -183,7 +214,9 @@ class FusedPlanes3d {
   void copy_neighbours(Band& band) {
     if (!band.below.empty()) copy_places((band.from + planes_ - 1) % planes_, band.below);
     if (!band.above.empty()) copy_places(band.to, band.above);
-    if (band.from == 0 && round()) {
+    // The band with plane 0, or without that the one below it.
+    bool const first = band.from == 0, last = band.to == planes_ && halo_.own().from > 0;
+    if ((first || last) && round()) {
       copy_places(0, seam_);
       Register const by = registers(box_.shift(2));
       for (Register& place : seam_) place = place + by;
@@ -196,10 +229,11 @@ class FusedPlanes3d {
   double dt_;
   Registers registers_;
   Strips strips_;
-  int rows_, planes_;   // of nodes in a plane, and planes
+  int rows_, planes_;  // of nodes in a plane, and planes
+  HaloRows halo_;
   std::size_t packs_;   // registers of a row
   std::size_t stride_;  // from row to row
-  std::vector<Register> state_;
+  std::vector<Register> state_, kept_;
   std::vector<Register> seam_;  // the places of the first plane, a period further
   std::vector<Space<double>> row_shares_;
   std::vector<Band> bands_;

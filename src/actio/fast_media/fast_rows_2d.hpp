@@ -7,7 +7,7 @@
 
 #include "actio/fast_media/fast_options.hpp"
 #include "actio/fast_media/fast_sweep_2d.hpp"
-#include "actio/numbers/team.hpp"
+#include "actio/parallel/team.hpp"
 
 namespace actio::media {
 
@@ -27,66 +27,62 @@ class FusedRows2d {
         strips_(box),
         // Rows that are a multiple of a page apart would be in each other's way.
         stride_(2 * static_cast<std::size_t>(strips_.packs) + (strips_.packs % 16 == 0 ? 2 : 0)),
-        state_(stride_ * static_cast<std::size_t>(box.nodes(1)), {Quad(0), Quad(0)}) {
+        levels_(levels_of(box, strips_, options)),
+        halo_(options.ranks, box.nodes(1), box.periodic(1), levels_),
+        state_(stride_ * static_cast<std::size_t>(halo_.stored()), {Quad(0), Quad(0)}) {
     prepare(options);
   }
 
-  /// All of the state, for copies.
-  std::vector<Register> const& state() const { return state_; }
-  /// Back to a copy.
-  void restore(std::vector<Register> const& copy) { state_ = copy; }
+  /// Keeps a copy of the state.
+  void keep() { kept_ = state_; }
+  /// Back to the copy.
+  void restore() { state_ = kept_; }
   /// How many steps a pass makes.
   int levels() const { return levels_; }
   /// Memory, bytes.
   std::size_t bytes() const {
-    std::size_t sum = state_.capacity();
+    std::size_t sum = state_.capacity() + kept_.capacity();
     for (auto const& band : bands_) sum += band.copies.capacity() + band.forces.capacity();
     return sum * sizeof(Register);
   }
 
-  /// Sets places, and velocities half a step back, of the nodes row by row.
+  /// Sets places, and velocities half a step back, of the nodes row by row; given on rank 0.
   void put(std::vector<Plane<double>> const& x, std::vector<Plane<double>> const& v) {
-    int const n = box_.nodes(0);
-    for (int j = 0; j < box_.nodes(1); ++j)
-      for (int i = 0; i <= box_.cells[0]; ++i) {
-        bool const round = i == n;
-        auto const k = static_cast<std::size_t>(j) * static_cast<std::size_t>(n) +
-                       static_cast<std::size_t>(round ? 0 : i);
-        int const s = strips_.pack(i), lane = strips_.lane(i);
-        Register &place = row(static_cast<std::size_t>(j))[s],
-                 &rate = row(static_cast<std::size_t>(j))[strips_.packs + s];
-        place.x.lane[lane] = x[k].x + (round ? box_.shift(0).x : 0);
-        place.y.lane[lane] = x[k].y + (round ? box_.shift(0).y : 0);
-        rate.x.lane[lane] = v[k].x, rate.y.lane[lane] = v[k].y;
-      }
+    if (halo_.alone()) return put_own(x, v);
+    std::vector<Plane<double>> mine(own_nodes()), rates(mine.size());
+    halo_.ranks().scatter(bytes_of(x), bytes_of(mine));
+    halo_.ranks().scatter(bytes_of(v), bytes_of(rates));
+    put_own(mine, rates);
+    halo_.exchange(state_);
   }
-  /// Places of the nodes row by row, or their velocities.
+  /// Places of the nodes row by row, or their velocities; on rank 0.
   std::vector<Plane<double>> read(bool velocity) const {
-    std::vector<Plane<double>> out;
-    out.reserve(static_cast<std::size_t>(box_.count()));
-    for (int j = 0; j < box_.nodes(1); ++j)
-      for (int i = 0; i < box_.nodes(0); ++i) {
-        Register const& r =
-            row(static_cast<std::size_t>(j))[strips_.pack(i) + (velocity ? strips_.packs : 0)];
-        out.push_back({r.x.lane[strips_.lane(i)], r.y.lane[strips_.lane(i)]});
-      }
-    return out;
+    auto const mine = read_own(velocity);
+    if (halo_.alone()) return mine;
+    std::vector<Plane<double>> all(halo_.ranks().rank() == 0 ? static_cast<std::size_t>(box_.count()) : 0);
+    halo_.ranks().gather(bytes_of(mine), bytes_of(all));
+    return all;
   }
   /// So many steps on. @return whether no Jacobian was seen that is negative
   bool advance(long count);
   /// Whether all cells of the state have positive Jacobians.
-  bool examine() const {
+  bool examine() {
+    halo_.exchange(state_);
+    auto const own = halo_.own();
     std::vector<Register const*> rows;
-    for (int j = 0; j < box_.nodes(1); ++j) rows.push_back(row(static_cast<std::size_t>(j)));
+    for (int j = own.from; j < own.to; ++j) rows.push_back(row(j));
     std::vector<Register> above;
-    if (box_.periodic(1)) {
+    if (own.to < box_.nodes(1)) {
+      rows.push_back(row(own.to));
+    } else if (box_.periodic(1)) {
       Quad const x(box_.shift(1).x), y(box_.shift(1).y);
       for (int s = 0; s < strips_.packs; ++s) above.push_back({row(0)[s].x + x, row(0)[s].y + y});
       rows.push_back(above.data());
     }
     Examination2d examination{strips_, rows.data(), static_cast<int>(rows.size())};
     run_with(registers_, examination);
-    return !any(examination.bad);
+    bool const bad = any(examination.bad);
+    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
   }
 
  private:
@@ -101,22 +97,55 @@ class FusedRows2d {
     alignas(32) Quad::Bits signs;
   };
 
-  Register* row(std::size_t j) { return state_.data() + j * stride_; }
-  Register const* row(std::size_t j) const { return state_.data() + j * stride_; }
+  Register* row(int j) { return state_.data() + halo_.local(j) * stride_; }
+  Register const* row(int j) const { return state_.data() + halo_.local(j) * stride_; }
+  std::size_t own_nodes() const {
+    return static_cast<std::size_t>(halo_.own().count()) * static_cast<std::size_t>(box_.nodes(0));
+  }
 
-  /// Bands, levels and room for them.
+  /// Of the rows of this rank alone.
+  void put_own(std::vector<Plane<double>> const& x, std::vector<Plane<double>> const& v) {
+    int const n = box_.nodes(0), first = halo_.own().from;
+    for (int j = first; j < halo_.own().to; ++j)
+      for (int i = 0; i <= box_.cells[0]; ++i) {
+        bool const round = i == n;
+        auto const k = static_cast<std::size_t>(j - first) * static_cast<std::size_t>(n) +
+                       static_cast<std::size_t>(round ? 0 : i);
+        int const s = strips_.pack(i), lane = strips_.lane(i);
+        Register &place = row(j)[s], &rate = row(j)[strips_.packs + s];
+        place.x.lane[lane] = x[k].x + (round ? box_.shift(0).x : 0);
+        place.y.lane[lane] = x[k].y + (round ? box_.shift(0).y : 0);
+        rate.x.lane[lane] = v[k].x, rate.y.lane[lane] = v[k].y;
+      }
+  }
+  std::vector<Plane<double>> read_own(bool velocity) const {
+    std::vector<Plane<double>> out;
+    out.reserve(own_nodes());
+    for (int j = halo_.own().from; j < halo_.own().to; ++j)
+      for (int i = 0; i < box_.nodes(0); ++i) {
+        Register const& r = row(j)[strips_.pack(i) + (velocity ? strips_.packs : 0)];
+        out.push_back({r.x.lane[strips_.lane(i)], r.y.lane[strips_.lane(i)]});
+      }
+    return out;
+  }
+
+  /// How many steps a pass makes: the rows of all levels together fit into half of a second cache of a
+  /// megabyte; and copies are of rows of the next rank alone.
+  static int levels_of(FastBox2d const& box, Strips const& strips, FastOptions const& options) {
+    double const row_bytes = 192.0 * strips.packs;
+    int const wanted = options.levels > 0 ? std::min(options.levels, 64)
+                                          : std::clamp(static_cast<int>(500000 / row_bytes), 1, 8);
+    return std::min(wanted, std::max(1, HaloRows::widest(options.ranks, box.nodes(1))));
+  }
+  /// Bands and room for them.
   void prepare(FastOptions const& options) {
-    int const rows = box_.nodes(1);
-    // The rows of all levels together fit into half of a second cache of a megabyte.
-    double const row_bytes = 192.0 * strips_.packs;
-    levels_ = options.levels > 0 ? options.levels : std::clamp(static_cast<int>(500000 / row_bytes), 1, 8);
-    levels_ = std::min(levels_, 64);
-    int const bands = std::clamp(options.threads, 1, rows);
+    auto const own = halo_.own();
+    int const bands = std::clamp(options.threads, 1, own.count());
     bands_.resize(static_cast<std::size_t>(bands));
     for (int b = 0; b < bands; ++b) {
       Band& band = bands_[static_cast<std::size_t>(b)];
-      band.from = static_cast<int>(static_cast<long>(rows) * b / bands);
-      band.to = static_cast<int>(static_cast<long>(rows) * (b + 1) / bands);
+      auto const part = RowRange::of(own.count(), b, bands);
+      band.from = own.from + part.from, band.to = own.from + part.to;
       band.copies.assign(2 * static_cast<std::size_t>(levels_) * stride_, {Quad(0), Quad(0)});
       band.forces.assign(static_cast<std::size_t>(levels_ * strips_.packs), {Quad(0), Quad(0)});
       band.lifted.assign(static_cast<std::size_t>(strips_.packs), {Quad(0), Quad(0)});
@@ -133,7 +162,7 @@ class FusedRows2d {
     Register* copy = band.copies.data();
     for (int j = band.low; j < band.high; ++j) {
       int const k = (j % rows + rows) % rows;
-      Register* at = row(static_cast<std::size_t>(k));
+      Register* at = row(k);
       if (j < band.from || j >= band.to) {
         std::copy_n(at, 2 * strips_.packs, copy);
         at = copy, copy += stride_;
@@ -156,8 +185,9 @@ class FusedRows2d {
   Registers registers_;
   Strips strips_;
   std::size_t stride_;
-  int levels_ = 1;
-  std::vector<Register> state_;
+  int levels_;
+  HaloRows halo_;
+  std::vector<Register> state_, kept_;
   std::vector<Band> bands_;
 };
 
@@ -168,6 +198,10 @@ bool FusedRows2d<Cell>::advance(long count) {
     Band& band = bands_[static_cast<std::size_t>(b)];
     for (long done = 0; done < count;) {
       int const levels = static_cast<int>(std::min<long>(levels_, count - done));
+      if (!halo_.alone()) {
+        if (b == 0) halo_.exchange(state_);
+        meeting.wait();
+      }
       take_rows(band, levels);
       meeting.wait();
       bool const round = box_.periodic(1);
@@ -190,9 +224,9 @@ bool FusedRows2d<Cell>::advance(long count) {
       meeting.wait();
     }
   });
-  bool sound = true;
-  for (auto const& band : bands_) sound = sound && !any_sign(band.signs);
-  return sound;
+  bool bad = false;
+  for (auto const& band : bands_) bad = bad || any_sign(band.signs);
+  return !(halo_.alone() ? bad : halo_.ranks().any(bad));
 }
 
 }  // namespace detail

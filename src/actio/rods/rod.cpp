@@ -10,8 +10,6 @@ namespace {
 
 using bodies::plus;
 
-Three<double> minus(Three<double> const& a, Three<double> const& b) { return plus_times(a, -1.0, b); }
-
 bool all_finite(RodState const& state) {
   for (auto const* const rows : {&state.x, &state.v, &state.M})
     for (auto const& row : *rows)
@@ -154,13 +152,13 @@ RodFrame Rod::frame() {
     auto const q = vector_at(state.q, k);
     auto const v = vector_at(state.v, k), M = vector_at(state.M, k);
     out.places.push_back(vector_at(state.x, k)), out.attitudes.push_back(q);
-    out.velocities.push_back(plus_times(v, part, minus(vector_at(next.v, k), v)));
+    out.velocities.push_back(plus_times(v, part, difference(vector_at(next.v, k), v)));
     auto const leaving = bodies::turned_back(q, turned(vector_at(next.q, k), vector_at(next.M, k)));
-    out.body_momenta.push_back(plus_times(M, part, minus(leaving, M)));
+    out.body_momenta.push_back(plus_times(M, part, difference(leaving, M)));
   }
   for (std::size_t k = 0; k < elements(); ++k) {
     std::size_t const after = k + 1 == sections ? 0 : k + 1;
-    auto const dx = minus(out.places[after], out.places[k]);
+    auto const dx = difference(out.places[after], out.places[k]);
     ElementAtRest<double> const rest{constants().inverse_length[k], vector_at(constants().Gamma, k),
                                      vector_at(constants().kappa, k)};
     out.strains.push_back(
@@ -168,8 +166,8 @@ RodFrame Rod::frame() {
     auto const f = vector_at(steps_of_.forces().f, first_element + k);
     out.contact_force.push_back(f);
     out.contact_moment.push_back(
-        minus(turned(out.attitudes[k], vector_at(steps_of_.forces().first, first_element + k)),
-              cross(times(0.5, dx), f)));
+        difference(turned(out.attitudes[k], vector_at(steps_of_.forces().first, first_element + k)),
+                   cross(times(0.5, dx), f)));
   }
   return out;
 }

@@ -41,6 +41,11 @@ template <class T>
 [[gnu::always_inline]] inline Three<T> times(T const& c, Three<T> const& a) {
   return {c * a[0], c * a[1], c * a[2]};
 }
+/// a - b.
+template <class T>
+[[gnu::always_inline]] inline Three<T> difference(Three<T> const& a, Three<T> const& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 /// The inverse of a unit quaternion.
 template <class T>
 [[gnu::always_inline]] inline Four<T> inverse_turn(Four<T> const& q) { return {q[0], -q[1], -q[2], -q[3]}; }
@@ -112,8 +117,8 @@ struct ElementStrain {
 template <class T>
 [[gnu::always_inline]] inline ElementStrain<T> element_strain(RelativePlacement<T> const& e,
                                                               ElementAtRest<T> const& rest) {
-  return {bodies::plus(times(rest.inverse_length, e.stretch()), times(T(-1.0), rest.Gamma)),
-          bodies::plus(times(rest.inverse_length, e.w), times(T(-1.0), rest.kappa))};
+  return {difference(times(rest.inverse_length, e.stretch()), rest.Gamma),
+          difference(times(rest.inverse_length, e.w), rest.kappa)};
 }
 
 }  // namespace actio::rods

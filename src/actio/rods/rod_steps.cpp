@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "actio/numbers/errors.hpp"
-#include "actio/numbers/team.hpp"
+#include "actio/parallel/team.hpp"
 #include "actio/rods/rod_shape.hpp"
 #include "actio/rods/rod_sweeps.hpp"
 
@@ -12,8 +12,6 @@ namespace actio::rods {
 namespace {
 
 using bodies::plus;
-
-Three<double> minus(Three<double> const& a, Three<double> const& b) { return plus_times(a, -1.0, b); }
 
 Impulse sum(Impulse const& a, Impulse const& b) {
   return {plus(a.linear, b.linear), plus(a.angular, b.angular)};
@@ -98,10 +96,10 @@ Impulse RodSteps::hold(bool last, RodState const& from, double kick, double step
   auto const x = vector_at(from.x, k);
   auto const q = vector_at(from.q, k);
   Placement const next = end.motion ? end.motion(time + step) : Placement{x, q};
-  Three<double> const v = times(1 / step, minus(next.place, x));
-  Three<double> const pull = minus(vector_at(forces_.f, at), vector_at(forces_.f, at - 1));
-  Three<double> reaction = times(mass, minus(v, vector_at(from.v, k)));
-  reaction = minus(reaction, times(kick, plus(pull, times(mass, constants_.acceleration))));
+  Three<double> const v = times(1 / step, difference(next.place, x));
+  Three<double> const pull = difference(vector_at(forces_.f, at), vector_at(forces_.f, at - 1));
+  Three<double> reaction = times(mass, difference(v, vector_at(from.v, k)));
+  reaction = difference(reaction, times(kick, plus(pull, times(mass, constants_.acceleration))));
   out.add(x, reaction);
   put_vector(to.x, k, next.place), put_vector(to.v, k, v);
   if (end.held == RodEnd::Held::pinned) return out;
@@ -111,10 +109,11 @@ Impulse RodSteps::hold(bool last, RodState const& from, double kick, double step
   Three<double> const axis{e[1], e[2], e[3]},
       y = times(2 * share / step, times(constants_.section.inertia, axis)), straight = times(e[0], y),
       across = cross(axis, y);
-  Three<double> const moment = minus(vector_at(forces_.first, at), vector_at(forces_.second, at - 1));
-  Three<double> const turn = minus(minus(plus(straight, across), vector_at(from.M, k)), times(kick, moment));
+  Three<double> const moment = difference(vector_at(forces_.first, at), vector_at(forces_.second, at - 1));
+  Three<double> const turn =
+      difference(difference(plus(straight, across), vector_at(from.M, k)), times(kick, moment));
   out.angular = plus(out.angular, turned(q, turn));
-  put_vector(to.M, k, minus(straight, across)), put_vector(to.q, k, next.attitude);
+  put_vector(to.M, k, difference(straight, across)), put_vector(to.q, k, next.attitude);
   return out;
 }
 
@@ -218,8 +217,9 @@ std::string RodSteps::failure(RodState const& state, double step, double time) {
   std::string const at = "; the state is that at t = " + show(time);
   for (std::size_t k = 0; k < constants_.elements; ++k) {
     std::size_t const after = k + 1 == state.sections ? 0 : k + 1;
-    auto const e = RelativePlacement<double>::of(vector_at(state.q, k), vector_at(state.q, after),
-                                                 minus(vector_at(state.x, after), vector_at(state.x, k)));
+    auto const e =
+        RelativePlacement<double>::of(vector_at(state.q, k), vector_at(state.q, after),
+                                      difference(vector_at(state.x, after), vector_at(state.x, k)));
     if (double const turn = std::sqrt(bodies::dot(e.w, e.w)); !(turn <= largest_turn))
       return "rod: element " + std::to_string(k) + " turns by " + show(2 * std::atan(turn / 2)) +
              " radians, bound " + show(2 * std::atan(largest_turn / 2)) +

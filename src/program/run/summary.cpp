@@ -2,6 +2,7 @@
 // its error is.
 #include <nlohmann/json.hpp>
 
+#include "program/base/ranks.hpp"
 #include "program/run/run.hpp"
 
 namespace actio::scene {
@@ -22,6 +23,8 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
   if (report.ending != Ending::file_failed) out["rows"] = report.rows;
   if (scene.snapshots) out["snapshots"] = report.snapshots;
   out["wall_seconds"] = report.seconds;
+  if (!report.hash.empty()) out["hash"] = report.hash;
+  if (on_several_ranks()) out["ranks"] = shared_ranks()->size();
   out["evaluations"] = Json::object();
   out["skipped"] = Json::array();
   for (auto const& count : scene.simulation.quantities.counts()) {

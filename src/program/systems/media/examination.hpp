@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "program/systems/media/loads.hpp"
 #include "program/medium_output/motion.hpp"
+#include "program/systems/media/loads.hpp"
 
 namespace actio::scene {
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "actio/fast_media/fast_medium.hpp"
+#include "program/base/ranks.hpp"
 #include "program/systems/media/laws.hpp"
 #include "program/systems/media/optimised_medium.hpp"
 #include "program/systems/media/watch.hpp"
@@ -34,6 +35,19 @@ double longest_step_of(Medium const& medium, Box const& box,
   return 2 / actio::media::detail::largest_frequency(box, cell, places);
 }
 
+/// How a medium on a box is computed. Whatever the number of threads and ranks, bits are the same: a large
+/// body takes those that there are.
+/// @param scene  as a text, for the other ranks
+template <class Box>
+media::FastOptions fast_options(Box const& box, std::string const& scene) {
+  media::FastOptions out;
+  int const ranks = on_several_ranks() ? shared_ranks()->size() : 1;
+  if (box.count() > (Box::dimension == 2 ? 100000 : 30000))
+    out.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / ranks);
+  out.ranks = shared_ranks(), out.told = scene;
+  return out;
+}
+
 /// A medium on a box in the plane or in space.
 template <class Medium, class Box>
 class FastMotion final : public MediumMotion<Box::dimension> {
@@ -43,14 +57,17 @@ class FastMotion final : public MediumMotion<Box::dimension> {
 
   /// From the start.
   /// @param longest  the longest stable step there
+  /// @param scene    as a text, for the other ranks
   FastMotion(Medium const& medium, Box const& box, double density, double step, double longest,
-             MediumStart const& start)
+             MediumStart const& start, std::string const& scene)
       : cells_(box),
+        scene_(scene),
         density_(density),
         law_(medium),
         watch_(
             step, 128, requires { typename FluidLaw<Medium>::type; }),
-        medium_(medium, box, step, density, at(start.placement), at(start.velocity), options(box)) {
+        medium_(medium, box, step, density, at(start.placement), at(start.velocity),
+                fast_options(box, scene)) {
     watch_.begin(step, *this, longest);
   }
 
@@ -128,7 +145,8 @@ class FastMotion final : public MediumMotion<Box::dimension> {
     };
     auto place = in_order(x), velocity = in_order(v);
     auto const next = [](auto& of) { return [&of](Place const& X) { return of(X); }; };
-    return {law_, cells_.box(), step, density_, next(place), next(velocity), options(cells_.box())};
+    return {
+        law_, cells_.box(), step, density_, next(place), next(velocity), fast_options(cells_.box(), scene_)};
   }
   static auto at(PlaceFormula const& formula) {
     return [&formula](Place const& X) {
@@ -137,15 +155,9 @@ class FastMotion final : public MediumMotion<Box::dimension> {
       return out;
     };
   }
-  /// Whatever the number of threads, bits are the same: a large body takes those that there are.
-  static media::FastOptions options(Box const& box) {
-    media::FastOptions out;
-    if (box.count() > (d == 2 ? 100000 : 30000))
-      out.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    return out;
-  }
 
   BoxCells<Box> cells_;
+  std::string scene_;
   double density_;
   Medium law_;
   StepWatch<d> watch_;
@@ -164,9 +176,12 @@ class OptimisedMediumOf final : public OptimisedMedium<Box::dimension> {
   double longest_step(std::vector<std::array<double, d>> const& x) const override {
     return longest_step_of(medium_, box_, x);
   }
-  std::unique_ptr<MediumMotion<d>> motion(double step, double longest,
-                                          std::shared_ptr<MediumStart> start) const override {
-    return std::make_unique<FastMotion<Medium, Box>>(medium_, box_, density_, step, longest, *start);
+  std::unique_ptr<MediumMotion<d>> motion(double step, double longest, std::shared_ptr<MediumStart> start,
+                                          std::string const& scene) const override {
+    return std::make_unique<FastMotion<Medium, Box>>(medium_, box_, density_, step, longest, *start, scene);
+  }
+  std::unique_ptr<media::MediumPart> part(double step) const override {
+    return media::medium_part(medium_, box_, step, fast_options(box_, ""));
   }
 
  private:

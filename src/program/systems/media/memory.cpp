@@ -76,8 +76,6 @@ double bytes_of_constants(Counted const& body, SnapshotRequest const& snapshots)
 
 /// Fused steps: places and velocities in registers of four, their copy.
 double bytes_on_fast_way(Counted const& body, MediumMesh const& mesh, double snapshot, double constants) {
-  double const row = mesh.cells[0] + !mesh.periodic[0], packs = (mesh.cells[0] + 4) / 4,
-               padded = (8 * packs + (std::fmod(packs, 8) == 0 ? 4 : 0)) / (2 * row);
   // Velocities half a step later take the forces and the places besides. Lists that are not kept apart leave
   // gaps behind, into which larger ones do not fit.
   double const gap = body.vector < least_list_apart ? body.vector : 0;
@@ -85,7 +83,7 @@ double bytes_on_fast_way(Counted const& body, MediumMesh const& mesh, double sna
   double const kept = std::max(body.observed, 2.0);
   double const besides = std::max(
       {3 * body.vector + 2.5 * gap, snapshot + 2.5 * gap, constants - kept * body.vector + 2.5 * gap});
-  return (4 * padded + kept) * body.vector + besides;
+  return bytes_of_fused_steps(mesh) + kept * body.vector + besides;
 }
 
 /// Plain steps: the mesh, the points of its cells with their inverse edges, states, forces, copies.
@@ -122,6 +120,12 @@ void keep_large_lists_apart() {
 #ifdef M_MMAP_THRESHOLD
   ::mallopt(M_MMAP_THRESHOLD, least_list_apart);
 #endif
+}
+
+double bytes_of_fused_steps(MediumMesh const& mesh) {
+  double const row = mesh.cells[0] + !mesh.periodic[0], packs = (mesh.cells[0] + 4) / 4,
+               padded = (8 * packs + (std::fmod(packs, 8) == 0 ? 4 : 0)) / (2 * row);
+  return 4 * padded * 8 * mesh.dimension * static_cast<double>(mesh.node_count());
 }
 
 double bytes_for_medium(MediumMesh const& mesh, bool fast, Request const& request) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "actio/fast_media/fast_box_3d.hpp"
+#include "actio/fast_media/nodes_on_ranks.hpp"
 #include "program/medium_output/motion.hpp"
 #include "program/systems/media/input.hpp"
 #include "program/systems/media/material.hpp"
@@ -104,8 +105,12 @@ class OptimisedMedium {
   virtual double longest_step(std::vector<std::array<double, d>> const& x) const = 0;
   /// The motion from the start.
   /// @param longest  what \ref longest_step is there
+  /// @param scene    as a text, for the other ranks
   virtual std::unique_ptr<MediumMotion<d>> motion(double step, double longest,
-                                                  std::shared_ptr<MediumStart> start) const = 0;
+                                                  std::shared_ptr<MediumStart> start,
+                                                  std::string const& scene) const = 0;
+  /// The part of it on this rank, which is not the first.
+  virtual std::unique_ptr<media::MediumPart> part(double step) const = 0;
 };
 /// Of a material in the plane. Null where the optimised implementation does not know it.
 std::unique_ptr<OptimisedMedium<2>> optimised_medium(Material const& material, media::FastBox2d const& box,

@@ -1,8 +1,8 @@
 // What can be told of a medium of a scene.
 #pragma once
 
-#include "program/registry/system.hpp"
 #include "program/medium_output/fields.hpp"
+#include "program/registry/system.hpp"
 #include "program/systems/media/loops.hpp"
 
 namespace actio::scene {

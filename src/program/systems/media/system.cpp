@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "program/base/memory.hpp"
+#include "program/base/ranks.hpp"
 #include "program/medium_output/snapshots.hpp"
 #include "program/systems/media/conservation.hpp"
 #include "program/systems/media/crossing.hpp"
@@ -101,21 +102,44 @@ void tell_driven_sides(Simulation& simulation, std::set<Feature>& features, Medi
   }
 }
 
+/// The medium of fused steps on a box; null where there are none for it.
+template <class Box>
+std::unique_ptr<OptimisedMedium<Box::dimension>> optimised_of(MediumMesh const& mesh,
+                                                              Material const& material,
+                                                              MediumStart const& start) {
+  auto const box = fast_box<Box>(mesh);
+  if (!box) return nullptr;
+  double rho = 0;
+  start.density(std::array<double, Box::dimension>{}, &rho);
+  return optimised_medium(material, *box, rho);
+}
+
+/// That each rank has two rows, or planes, at least.
+template <class Box>
+void require_rows(SceneFile const& file, Box const& box) {
+  constexpr int last = Box::dimension - 1;
+  if (on_several_ranks() && shared_ranks()->size() > box.nodes(last) / 2)
+    medium_keys.mesh.table(file).fail(
+        "cells",
+        fmt::format("cells: {} {} of nodes are shared among {} ranks, and each has two at least; at most "
+                    "{} ranks are of use",
+                    box.nodes(last), last == 1 ? "rows" : "planes", shared_ranks()->size(),
+                    box.nodes(last) / 2));
+}
+
 /// By fused steps, where the scene is one for them.
 /// @return whether it is
 template <class Box>
 bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh const& mesh,
                   Material const& material, std::shared_ptr<MediumStart> const& start) {
   constexpr int d = Box::dimension;
-  auto const box = fast_box<Box>(mesh);
-  if (!box) return false;
-  double rho = 0;
-  start->density(std::array<double, d>{}, &rho);
-  auto const optimised = optimised_medium(material, *box, rho);
+  auto const optimised = optimised_of<Box>(mesh, material, *start);
   if (!optimised) return false;
+  simulation.on_ranks = true, simulation.shared_bytes = bytes_of_fused_steps(mesh);
   simulation.bytes = checked_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
-  BoxCells<Box> const cells(*box);
+  BoxCells<Box> const cells(*fast_box<Box>(mesh));
+  require_rows<Box>(request.file, *fast_box<Box>(mesh));
   // Places of the start are let go of before there is a motion.
   auto begin = examined_start<d>(request.file, *start, cells, mesh);
   MediumLoads<d> const loads = read_medium_loads<d>(request.file, mesh);
@@ -130,7 +154,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   simulation.shortcuts.emplace_back(
       fmt::format("a box of equal cells of one density in {} without loads: fused steps",
                   d == 2 ? "the plane" : "space"));
-  finish<d>(simulation, request, optimised->motion(simulation.step, longest, start),
+  finish<d>(simulation, request, optimised->motion(simulation.step, longest, start, request.file.written()),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh,
             (d == 2 ? 1 : 5) * mesh.cell_count(), {loads, std::move(features)});
   return true;
@@ -236,6 +260,16 @@ Simulation prepare_medium(Request const& request) {
 }
 
 }  // namespace
+
+std::unique_ptr<media::MediumPart> part_of_medium(std::string const& scene, double step) {
+  SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
+  bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
+  MediumMesh const mesh = read_medium_mesh(file);
+  Material const material = read_material(file.section("system"), fluid, mesh.dimension);
+  auto const start = read_medium_start(file, mesh.dimension);
+  if (mesh.dimension == 2) return optimised_of<media::FastBox2d>(mesh, material, start)->part(step);
+  return optimised_of<media::FastBox3d>(mesh, material, start)->part(step);
+}
 
 System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
                      std::string example) {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "program/systems/media/method.hpp"
 #include "program/medium_output/motion.hpp"
+#include "program/systems/media/method.hpp"
 
 namespace actio::scene {
 

@@ -1,9 +1,12 @@
-// actio-mpi: `actio sweep` on many machines.
+// actio-mpi: `actio run`, `actio resume` and `actio sweep` on many machines.
 //
+//     mpirun -n 16 actio-mpi run neo_hookean_block
+//     mpirun -n 16 actio-mpi resume neo_hookean_block
 //     mpirun -n 16 actio-mpi apophis.toml --over method.step=0.1,0.2,0.5
 //     mpirun -n 16 actio-mpi --resume apophis
 //
-// Each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has
+// A run is that of rank 0, which writes its files and speaks; the others step their parts of its medium. Of a
+// sweep, each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has
 // finished another, so that none waits for slow ones. What a member tells goes to rank 0, which writes the
 // table. Members run in other processes (SweepCrew) that were made before MPI began and know nothing of it.
 #include <mpi.h>
@@ -12,10 +15,14 @@
 #include <chrono>
 #include <thread>
 
+#include "app/commands.hpp"
+#include "app/mpi_ranks.hpp"
 #include "app/sweep_arguments.hpp"
 #include "program/base/interrupt.hpp"
 #include "program/base/progress.hpp"
+#include "program/base/ranks.hpp"
 #include "program/sweep/run.hpp"
+#include "program/systems/media/system.hpp"
 
 using namespace actio;
 using namespace actio::scene;
@@ -136,9 +143,39 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
   return status;
 }
 
+/// A run, or what goes on with one, on all ranks.
+int run_on_ranks(int argc, char** argv) {
+  // Threads beside the one that speaks to other ranks make no calls of MPI.
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
+  int status = 0;
+  {
+    app::MpiRanks ranks;
+    shared_ranks() = &ranks;
+    if (ranks.rank() == 0) {
+      status = app::command(argc, argv);
+      if (ranks.size() > 1) media::take_leave(ranks);
+    } else {
+      // Rank 0 says when to end; where it is gone, mpirun ends this process.
+      listen_for_interrupts();
+      try {
+        media::serve_media(ranks, part_of_medium);
+      } catch (std::exception const& error) {
+        say(stderr, "rank " + std::to_string(ranks.rank()) + ": " + error.what() + "\n");
+        MPI_Abort(MPI_COMM_WORLD, 3);
+      }
+    }
+    shared_ranks() = nullptr;
+  }
+  MPI_Finalize();
+  return status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (std::string const part = argc > 1 ? argv[1] : ""; part == "run" || part == "resume")
+    return run_on_ranks(argc, argv);
   open_standard_streams();
   app::SweepArguments arguments;
   if (auto const status = app::read_sweep_arguments(

@@ -1,0 +1,96 @@
+// Media on boxes on several ranks: the same bits as on one.
+#include <boost/test/unit_test.hpp>
+
+#include "actio/fast_media/fast_medium_2d.hpp"
+#include "actio/fast_media/fast_medium_3d.hpp"
+#include "actio/parallel/thread_ranks.hpp"
+
+using namespace actio;
+using namespace actio::media;
+
+namespace {
+
+/// Places and velocities after some steps, with a state that was taken on the way and gone on from.
+template <class Medium, class Box, class Placement, class Velocity>
+auto run(Medium const& medium, Box const& box, double dt, Placement const& placement,
+         Velocity const& velocity, FastOptions const& options) {
+  FastMedium<Medium, Box> made(medium, box, dt, 1.2, placement, velocity, options);
+  made.step(7);
+  auto const state = made.state();
+  made.step(3);
+  made.look_ahead(dt / 3);
+  FastMedium<Medium, Box> other(medium, box, dt, 1.2, placement, velocity, options);
+  other.go_on_from(state);
+  other.step(20);
+  auto out = other.state();
+  out.places.push_back(made.places().back());
+  return out;
+}
+
+template <class Medium, class Box, class Placement, class Velocity>
+void check_ranks(Medium const& medium, Box const& box, double dt, Placement const& placement,
+                 Velocity const& velocity) {
+  auto const alone = run(medium, box, dt, placement, velocity, {});
+  for (int const ranks : {1, 2, 3, 4, 7})
+    for (int const threads : {1, 2})
+      for (int const levels : {1, 3}) {
+        decltype(run(medium, box, dt, placement, velocity, {})) together;
+        on_thread_ranks(ranks, [&](Ranks& here) {
+          FastOptions options;
+          options.threads = threads, options.levels = levels, options.ranks = &here;
+          if (here.rank() > 0)
+            return serve_media(here, [&](std::string const&, double step) {
+              return medium_part(medium, box, step, options);
+            });
+          together = run(medium, box, dt, placement, velocity, options);
+          if (ranks > 1) take_leave(here);
+        });
+        BOOST_TEST((alone.places == together.places));
+        BOOST_TEST((alone.velocities == together.velocities));
+      }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(media_on_ranks)
+
+BOOST_AUTO_TEST_CASE(in_the_plane) {
+  auto const place = [](std::array<double, 2> const& X) {
+    return std::array<double, 2>{X[0] + 0.02 * std::sin(3 * X[1]), X[1] + 0.03 * std::cos(2 * X[0])};
+  };
+  auto const rate = [](std::array<double, 2> const& X) {
+    return std::array<double, 2>{0.1 * std::sin(5 * X[1]), -0.2 * X[0] * X[1]};
+  };
+  auto const solid = neo_hookean(1, 1);
+  check_ranks(solid, FastBox2d{{13, 17}, {0.1, 0.08}}, 0.01, place, rate);
+  FastBox2d walls{{9, 15}, {0.1, 0.08}};
+  walls.below_above = {Side::fixed, Side::sliding}, walls.left_right = {Side::sliding, Side::free};
+  check_ranks(solid, walls, 0.01, place, rate);
+  FastBox2d around{{12, 16}, {0.1, 0.1}};
+  around.below_above = {Side::periodic, Side::periodic};
+  auto const wave = [](std::array<double, 2> const& X) {
+    double const k = 2 * 3.14159265358979323846 / 1.6;
+    return std::array<double, 2>{X[0] + 0.02 * std::sin(k * X[1]), X[1] + 0.01 * std::cos(k * X[1])};
+  };
+  check_ranks(solid, around, 0.01, wave, rate);
+}
+
+BOOST_AUTO_TEST_CASE(in_space) {
+  auto const place = [](std::array<double, 3> const& X) {
+    return std::array<double, 3>{X[0] + 0.02 * std::sin(3 * X[1]), X[1] + 0.02 * std::cos(2 * X[2]), X[2]};
+  };
+  auto const rate = [](std::array<double, 3> const& X) {
+    return std::array<double, 3>{0.1 * std::sin(5 * X[2]), -0.2 * X[0] * X[1], 0.1};
+  };
+  auto const solid = neo_hookean(1, 1);
+  check_ranks(solid, FastBox3d{{5, 4, 9}, {0.1, 0.1, 0.1}}, 0.01, place, rate);
+  FastBox3d around{{4, 5, 8}, {0.1, 0.1, 0.1}};
+  around.ends(2) = {Side::periodic, Side::periodic}, around.ends(1) = {Side::fixed, Side::free};
+  auto const wave = [](std::array<double, 3> const& X) {
+    double const k = 2 * 3.14159265358979323846 / 0.8;
+    return std::array<double, 3>{X[0] + 0.02 * std::sin(k * X[2]), X[1], X[2]};
+  };
+  check_ranks(solid, around, 0.01, wave, rate);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
