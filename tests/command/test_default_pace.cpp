@@ -31,6 +31,10 @@ Scene const scenes[] = {
      "G = 1\nprimary = { sphere = 0.5, mass = 1 }\nsecondary = { sphere = 0.1, mass = 0.1 }\n[initial]\n"
      "position = [2, 0, 0]\nvelocity = [0, 0.7, 0]\n",
      "\"separation\""},
+    {"rod",
+     "rod = { length = 1, elements = 8, section = { EA = 1, GA = 1, EI = 1, GJ = 1, rA = 1, rI = 0.1 } }\n"
+     "[initial]\nvelocity = [\"0\", \"0.1*x^2\", \"0\"]\n",
+     "\"energy\""},
     {"barotropic_fluid",
      "mesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [4, 4], periodic = [true, true] }\n"
      "material = { name = \"polytropic_gas\", K = 1, gamma = 2 }\n[initial]\n"

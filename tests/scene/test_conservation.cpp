@@ -215,6 +215,30 @@ std::vector<Featured> pairs() {
           pair({tides}, "tides = { love = [5, 5], lag = [0.4, 0.4] }\n")};
 }
 
+std::vector<Featured> rods() {
+  auto const rod = [](std::vector<Feature> features, std::string const& more, std::string const& velocity) {
+    return Featured{
+        "rod", std::move(features),
+        "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 20, section = { EA = 90, GA = 40, EI = 1, "
+        "GJ = 1, rA = 1, rI = 0.01 } }\n" +
+            more + "[initial]\nvelocity = [" + velocity +
+            "]\nangular_velocity = [\"0.2*s^2*(1 - s)^2\", \"0\", \"0\"]\n" +
+            ending("\"energy\", \"momentum\", \"angular_momentum\"", "2", "0.05")};
+  };
+  // At rest where an end is held.
+  std::string const at_start = "\"0\", \"0.3*x^2\", \"0.2*x^3\"",
+                    at_end = "\"0\", \"0.3*(1 - x)^2\", \"0.2*(1 - x)^3\"";
+  return {rod({}, "", at_start),
+          rod({gravity}, "load = { gravity = [0, 0, -1] }\n", at_start),
+          rod({held_end}, "boundary = { start = \"clamped\" }\n", at_start),
+          rod({held_end}, "boundary = { end = \"pinned\" }\n", at_end),
+          rod({moved_end, held_end},
+              "boundary = { start = { place = [\"0\", \"0.1*sin(t)^2\", \"0\"], axis = [0, 0, 1], "
+              "angle = \"0.2*sin(t)^2\" } }\n",
+              at_start),
+          rod({end_load}, "load = { end_force = [\"0\", \"0.3\", \"0\"] }\n", at_start)};
+}
+
 std::vector<Featured> lagrangians() {
   std::vector<Featured> out;
   for (bool const left : {true, false}) {
@@ -247,7 +271,7 @@ std::vector<Featured> lagrangians() {
 
 std::vector<Featured> scenes() {
   auto out = media();
-  for (auto& more : {incompressible_media(), bodies(), pairs(), lagrangians()})
+  for (auto& more : {incompressible_media(), bodies(), pairs(), rods(), lagrangians()})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -39,6 +39,37 @@ ArraySet set_of(SnapshotArray const& array, bool frames) {
 
 }  // namespace
 
+std::vector<ArrayAttribute> frame_texts(SceneFile const& scene) {
+  return {{"title", {scene.section("scene").text("title")}},
+          {"system", {scene.section("system").text("kind")}},
+          {"actio_version", {ACTIO_VERSION}},
+          {"scene", {scene.written()}}};
+}
+
+void write_frames(std::string const& path, std::vector<ArrayAttribute> const& texts,
+                  std::vector<FrameConstant> const& constants, std::vector<SnapshotArray> const& fields,
+                  std::string const& time_unit, std::span<double const> times,
+                  std::function<FrameNumbers(long)> const& frame, bool durable) {
+  std::vector<ArraySet> sets;
+  for (auto const& one : constants) {
+    ArraySet& set = sets.emplace_back(set_of(one.array, false));
+    set.attributes.insert(set.attributes.end(), one.more.begin(), one.more.end());
+  }
+  for (auto const& field : fields) sets.push_back(set_of(field, true));
+  SnapshotArray time;
+  time.name = "time", time.meaning = "of each frame", time.unit = time_unit;
+  sets.push_back(set_of(time, true));
+  ArrayFile file(ArrayFile::Format::hdf5, path, texts, sets);
+  std::size_t set = 0;
+  for (auto const& one : constants) file.put(set++, 0, one.numbers());
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    FrameNumbers const numbers = frame(static_cast<long>(k));
+    for (std::size_t i = 0; i < fields.size(); ++i) file.put(set + i, k, numbers[i]);
+    file.put(set + fields.size(), k, times.subspan(k, 1));
+  }
+  file.name(durable);
+}
+
 template <int d>
 std::vector<SnapshotArray> MediumFrames<d>::fields(MediumCells<d> const& cells, MediumFields<d> const& asked,
                                                    Units const& units) {
@@ -64,11 +95,11 @@ std::vector<SnapshotArray> MediumFrames<d>::fields(MediumCells<d> const& cells, 
 }
 
 template <int d>
-std::vector<typename MediumFrames<d>::Constant> MediumFrames<d>::constants(MediumCells<d> const& cells) {
+std::vector<FrameConstant> MediumFrames<d>::constants(MediumCells<d> const& cells) {
   auto const corners = static_cast<std::size_t>(media::corner_count(cells.shape()));
   std::vector<double> periods;
   for (int a = 0; a < d; ++a) periods.push_back(cells.period(a));
-  std::vector<Constant> out;
+  std::vector<FrameConstant> out;
   auto const add = [&out](SnapshotArray array, std::function<std::vector<double>()> numbers) {
     out.push_back({std::move(array), std::move(numbers)});
   };
@@ -132,32 +163,6 @@ typename MediumFrames<d>::Numbers MediumFrames<d>::read(std::string const& table
     throw FileError(table + ": has " + std::to_string(nodes) + " nodes, where the scene has " +
                     std::to_string(fields[0].shape[0]));
   return out;
-}
-
-template <int d>
-void MediumFrames<d>::make(std::string const& path, std::vector<ArrayAttribute> const& texts,
-                           MediumCells<d> const& cells, std::vector<SnapshotArray> const& fields,
-                           std::string const& time_unit, std::span<double const> times,
-                           std::function<Numbers(long)> const& frame, bool durable) {
-  auto const constants = MediumFrames::constants(cells);
-  std::vector<ArraySet> sets;
-  for (auto const& one : constants) {
-    ArraySet& set = sets.emplace_back(set_of(one.array, false));
-    set.attributes.insert(set.attributes.end(), one.more.begin(), one.more.end());
-  }
-  for (auto const& field : fields) sets.push_back(set_of(field, true));
-  SnapshotArray time;
-  time.name = "time", time.meaning = "of each frame", time.unit = time_unit;
-  sets.push_back(set_of(time, true));
-  ArrayFile file(ArrayFile::Format::hdf5, path, texts, sets);
-  std::size_t set = 0;
-  for (auto const& one : constants) file.put(set++, 0, one.numbers());
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    Numbers const numbers = frame(static_cast<long>(k));
-    for (std::size_t i = 0; i < fields.size(); ++i) file.put(set + i, k, numbers[i]);
-    file.put(set + fields.size(), k, times.subspan(k, 1));
-  }
-  file.name(durable);
 }
 
 /// Along a line.

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "program/base/number_table.hpp"
 #include "program/base/whole_file.hpp"
 #include "program/medium_output/frames.hpp"
 #include "program/medium_output/grid.hpp"
+#include "program/medium_output/grid_series.hpp"
 #include "program/medium_output/playing.hpp"
 #include "program/medium_output/vtu_file.hpp"
 #include "program/output/series_reader.hpp"
@@ -35,12 +35,8 @@ class MediumSnapshots : public SnapshotWriter {
     return out;
   }
   std::vector<std::string> files_in(std::string const& format, long taken) const override {
-    std::vector<std::string> out;
-    if (format == "hdf5") out.emplace_back(frames_file);
-    if (format != "vtu") return out;
-    out.emplace_back(series_file);
-    for (long k = 0; k < taken; ++k) out.push_back(snapshot_file(k, ".vtu"));
-    return out;
+    if (format == "vtu") return grid_series_files(taken);
+    return format == "hdf5" ? std::vector<std::string>{frames_file} : std::vector<std::string>{};
   }
   double bytes_of_one() const override {
     auto const& cells = medium_.motion->cells();
@@ -55,10 +51,17 @@ class MediumSnapshots : public SnapshotWriter {
   void make(std::string const& format, std::string const& folder, std::span<double const> times,
             bool durable) const override {
     if (format == "hdf5")
-      MediumFrames<d>::make(
-          folder + "/" + frames_file, attributes(), medium_.motion->cells(), arrays(),
-          read_units(scene_).time, times, [&](long k) { return numbers(folder, k, all); }, durable);
-    if (format == "vtu") make_grids(folder, times, durable);
+      write_frames(
+          folder + "/" + frames_file, frame_texts(scene_),
+          MediumFrames<d>::constants(medium_.motion->cells()), arrays(), read_units(scene_).time, times,
+          [&](long k) { return numbers(folder, k, all); }, durable);
+    if (format == "vtu")
+      write_grid_series(
+          folder, times,
+          [&](std::string const& path, long k) {
+            write_grid(path, read(folder, k), times[static_cast<std::size_t>(k)], durable);
+          },
+          durable);
   }
   void write(std::string const& folder, long number, double, bool durable) override {
     // Velocities first: they take more room while they are made.
@@ -143,33 +146,6 @@ class MediumSnapshots : public SnapshotWriter {
 
   static constexpr std::size_t all = ~std::size_t{0};
   static constexpr char const* cells_file = ".cells.csv";
-  static constexpr char const* series_file = "snapshots/series.pvd";
-  /// Those that are there, and made of what their tables hold, stay as they are.
-  void make_grids(std::string const& folder, std::span<double const> times, bool durable) const {
-    namespace fs = std::filesystem;
-    std::string list = pvd_beginning();
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      auto const number = static_cast<long>(k);
-      std::string const table = folder + "/" + snapshot_file(number, ".csv"),
-                        grid = snapshot_file(number, ".vtu");
-      std::error_code gone, none;
-      auto const written = fs::last_write_time(table, gone),
-                 made = fs::last_write_time(folder + "/" + grid, none);
-      if (gone && none) continue;  // both were removed
-      if (none || (!gone && made < written)) {
-        MediumFrame<d> const frame = read(folder, number);
-        write_grid(folder + "/" + grid, frame, times[k], durable);
-      }
-      list += pvd_entry(times[k], fs::path(grid).filename().string());
-    }
-    write_whole_file(folder + "/" + series_file, list + pvd_end(), durable);
-  }
-  std::vector<ArrayAttribute> attributes() const {
-    return {{"title", {scene_.section("scene").text("title")}},
-            {"system", {scene_.section("system").text("kind")}},
-            {"actio_version", {ACTIO_VERSION}},
-            {"scene", {scene_.written()}}};
-  }
 
   /// The pressure of each cell that its volume takes.
   static void write_cells(std::string const& path, std::vector<double> const& multipliers, bool durable) {

@@ -61,6 +61,12 @@ char const* in_words(Feature feature) {
       return "a third body attracts them";
     case Feature::tides:
       return "there are tides";
+    case Feature::held_end:
+      return "an end is held";
+    case Feature::moved_end:
+      return "an end is moved";
+    case Feature::end_load:
+      return "a force or a moment acts on an end";
   }
   return "";
 }
@@ -97,6 +103,9 @@ std::vector<ConservationLaw> const& conservation_laws() {
         {"vorticity_sphere", "extrema", {}},
         {"two_bodies", "energy", {third_body, tides}},
         {"two_bodies", "momentum", {third_body}},
+        {"rod", "energy", {moved_end, end_load}},
+        {"rod", "momentum", {gravity, held_end, end_load}},
+        {"rod", "angular_momentum", {gravity, held_end, end_load}},
         {"fluid_on_sphere", "energy", {}},
         {"fluid_on_sphere", "angular_momentum", {}},
         {"barotropic_fluid",

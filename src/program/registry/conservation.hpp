@@ -17,7 +17,7 @@ enum class Feature {
   torque_of_time,            ///< by a formula, not by turning at a rate
   torque_without_axis,       ///< turns about the axis of the torque change it
   torque_without_potential,  ///< of formulas: friction, a jet
-  gravity,                   ///< on a top
+  gravity,                   ///< on a top or a rod
   left_invariance,           ///< of the Lagrangian
   right_invariance,          ///< of the Lagrangian
   carried_vector,            ///< in the Lagrangian
@@ -38,6 +38,9 @@ enum class Feature {
   loop_at_a_side,            ///< that is moved, pulled or pressed, or in part at one that is fixed
   third_body,                ///< attracts two bodies
   tides,                     ///< on two bodies
+  held_end,                  ///< of a rod
+  moved_end,                 ///< of a rod
+  end_load,                  ///< a force or a moment on an end of a rod
   pressure_of_the_jacobian   ///< alone, where the density varies: the fluid is not barotropic
 };
 

@@ -15,7 +15,8 @@
   with(incompressible_fluid)    \
   with(incompressible_body)     \
   with(fluid_on_sphere)         \
-  with(two_bodies)
+  with(two_bodies)              \
+  with(rod)
 // clang-format on
 
 namespace actio::scene {

@@ -10,6 +10,7 @@
 #include "program/registry/common_keys.hpp"
 #include "program/systems/bodies/angle_input.hpp"
 #include "program/systems/bodies/body_input.hpp"
+#include "program/systems/refused_at.hpp"
 #include "program/systems/two_bodies/mass_input.hpp"
 
 namespace actio::scene {

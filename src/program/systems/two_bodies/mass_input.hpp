@@ -25,16 +25,4 @@ bool is_of_order_two(SceneTable const& table);
 /// @throws SceneError  where a value is missing or wrong, or no body has such moments
 GivenBody read_mass(SceneTable const& table, int order, std::vector<std::string>& remarks);
 
-/// What refuses is told with the place of a key.
-template <class Make>
-auto refused_at(SceneTable const& table, std::string const& key, Make const& make) {
-  try {
-    return make();
-  } catch (SceneError const&) {
-    throw;
-  } catch (Error const& error) {
-    table.fail(key, key + ": " + error.what());
-  }
-}
-
 }  // namespace actio::scene

@@ -1,0 +1,99 @@
+// A rod that bends, twists, stretches and shears (thesis, chapter 10: rod and shell models).
+#include <algorithm>
+#include <cmath>
+
+#include "program/registry/companion.hpp"
+#include "program/systems/rods/quantities.hpp"
+#include "program/systems/rods/snapshots.hpp"
+
+namespace actio::scene {
+namespace {
+
+std::vector<Method> methods() {
+  return {
+      {"multisymplectic",
+       {"2"},
+       "The discrete field equations on the motions of space, by Cayley's map along the rod and the scheme "
+       "of Moser and Veselov in time.",
+       "eq_3_11"}};
+}
+
+/// Longer steps, where these are stable.
+Companion companion_of(Request const& request, RodScene const& scene) {
+  if (!request.error_estimate.value_or(true))
+    return {nullptr, 0, 0, true, "left out by output.error_estimate"};
+  auto const make = [&](long longer) {
+    return std::make_unique<RodMotion>(scene, static_cast<double>(longer) * scene.options.step);
+  };
+  Companion out =
+      request.error_estimate ? companions(make, {4, 3, 2}, 2, true) : companions(make, {4, 3}, 2, true);
+  if (!out.motion)
+    out.how =
+        "not estimated: companions with steps four times as long would not be stable; with half of the "
+        "step and output.error_estimate = true there is an estimate";
+  out.momentum = "position";
+  return out;
+}
+
+/// The memory that a run takes at most.
+double bytes_of(RodScene const& scene, Request const& request) {
+  constexpr double of_program = 12e6;
+  return of_program + static_cast<double>(scene.start.shape.sections()) * (request.snapshots ? 3000 : 2400);
+}
+
+Simulation prepare(Request const& request) {
+  RodScene const scene(request, methods());
+  Simulation simulation(with_conserved("rod", rod_quantities(), scene.features));
+  simulation.remarks = scene.remarks;
+  simulation.step = scene.options.step;
+  simulation.steps_at_once = std::max(1L, 8192 / static_cast<long>(scene.start.shape.sections()));
+  simulation.bytes = bytes_of(scene, request);
+  auto const place = [&] { return request.file.section("method").place("step").text() + ": step: "; };
+  std::unique_ptr<RodMotion> motion;
+  try {
+    motion = std::make_unique<RodMotion>(scene, simulation.step);
+  } catch (SceneError const&) {
+    throw;
+  } catch (Error const& error) {
+    throw SceneError(request.file.section("system.rod").place(),
+                     std::string("[system.rod]: ") + error.what());
+  }
+  try {
+    RodMotion(scene, simulation.step).advance(1);
+    simulation.companion = companion_of(request, scene);
+  } catch (SceneError const&) {
+    throw;
+  } catch (Error const& error) {
+    simulation.failure = place() + error.what();
+  }
+  define_rod(simulation.quantities, *motion, scene.longest_step);
+  simulation.quantities.ask(request.quantities);
+  simulation.snapshots = write_rod(request, scene, *motion);
+  simulation.motion = std::move(motion);
+  return simulation;
+}
+
+}  // namespace
+
+/// A rod.
+System rod_system() {
+  System out{
+      "rod",
+      "A rod",
+      "A rod that bends, twists, stretches and shears, or only bends and twists: free, held, moved or loaded "
+      "at its ends, straight or curved at rest, or a ring.",
+      "chapter 10",
+      rod_parameters(),
+      methods(),
+      rod_quantities(),
+      prepare,
+      "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 20, section = { radius = 0.02, young = 1e6, "
+      "poisson = 0.5, density = 1100 } }\nboundary = { start = \"clamped\" }\n"
+      "load = { gravity = [0, 0, -9.81] }\n"
+      "[run]\nuntil = 1\nevery = 0.01\n[output]\n"
+      "quantities = [\"end_place\", \"energy\", \"noether_balance\"]\n"};
+  out.snapshots = rod_snapshots();
+  return out;
+}
+
+}  // namespace actio::scene
