@@ -7,8 +7,8 @@
 # its own, whatever that reaches, all of the library and src/book, which draws the pictures of runs; src/app,
 # the command, and src/python, the module for Python, every room and all of the library; src/book no module;
 # src/program/loaded, modules that the program loads, what files of arrays are and all of the library;
-# src/witness, for checks, tests and programs, numbers, groups and rods. Includes that run in a circle are reported
-# as well; so are imports of the package for Python from one another, and those that do not stand at the top,
+# src/witness, for checks, tests and programs, numbers, groups and rods. Includes that run in a circle are
+# reported as well; so are imports of the package for Python from one another, and those that do not stand at the top,
 # where they would hide a circle. At the end a violation is planted in a copy, and must be found.
 set -euo pipefail
 root=$1
