@@ -187,6 +187,24 @@ BOOST_AUTO_TEST_CASE(a_section_alone_is_the_body_of_chapter_5) {
   BOOST_TEST(apart <= 1e-12);
 }
 
+// A rod at rest stays where it is.
+BOOST_AUTO_TEST_CASE(rest_is_kept) {
+  for (bool const unshearable : {false, true}) {
+    auto const shape = RodShape::of_strains(3, 10, {0, 0, 0}, {0.8, 0, 0.6, 0});
+    Rod rod(section(), shape, {shape, {}, {}}, {}, {0.004, unshearable});
+    auto const before = rod.frame();
+    rod.step(100);
+    auto const after = rod.frame();
+    double moved = 0;
+    for (std::size_t k = 0; k < rod.sections(); ++k)
+      for (std::size_t i = 0; i < 4; ++i) {
+        moved = std::max(moved, std::abs(after.attitudes[k][i] - before.attitudes[k][i]));
+        if (i < 3) moved = std::max(moved, std::abs(after.places[k][i] - before.places[k][i]));
+      }
+    BOOST_TEST(moved <= 1e-14);
+  }
+}
+
 // No bit depends on threads, or on how many steps are asked for at once.
 BOOST_AUTO_TEST_CASE(threads_change_no_bit) {
   auto const run = [](int threads, int pieces) {

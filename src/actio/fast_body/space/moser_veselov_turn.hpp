@@ -69,8 +69,8 @@ template <class T>
   Three<T> const V{p[0] + (D[1] * D[2] * inverse * p[0] - body.d23 * x),
                    p[1] + (D[2] * D[0] * inverse * p[1] + body.d13 * y),
                    p[2] + (D[0] * D[1] * inverse * p[2] - body.d12 * z)};
-  T const size = sqrt(S / (dot(V, V) + tiny));
-  return {{(dot(p, V) + tiny) * size / S, J[0] * (size * V[0]), J[1] * (size * V[1]), J[2] * (size * V[2])}, found};
+  T const size = sqrt(S / (dot(V, V) + tiny)), along = (dot(p, V) + tiny) * size / S;
+  return {{along, J[0] * (size * V[0]), J[1] * (size * V[1]), J[2] * (size * V[2])}, found};
 }
 
 }  // namespace actio::bodies
