@@ -1,8 +1,8 @@
 // One medium on one rank and on two: what a second process gains, and what the model says of more.
 //
 // Runs of actio-mpi on this machine: a block of rubber in the plane, so many steps, and three times as many;
-// their difference is the time of the steps. Wall time, the least of some rounds. Threads are left out: a rank
-// has one.
+// their difference is the time of the steps. Wall time, the least of some rounds. Threads are left out: a
+// rank has one.
 #include <Eigen/Core>
 
 #include <algorithm>
