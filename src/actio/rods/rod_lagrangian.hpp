@@ -64,4 +64,19 @@ struct StrainAction {
   }
 };
 
+/// The Lagrangian of a rod, a function of an edge and its relative motion.
+struct RodAction {
+  RodConstants const& rod;  ///< outlives it
+  double step;              ///< h, time
+
+  /// At any scalar.
+  template <class T>
+  T operator()(GridEdge const& edge, Element<SE<3>, T> const& f) const {
+    auto const a = static_cast<std::size_t>(edge.node);
+    if (edge.direction == Direction::time) return KineticAction{rod.section, rod.share[a], step}(f);
+    return StrainAction{
+        rod.section, {rod.inverse_length[a], vector_at(rod.Gamma, a), vector_at(rod.kappa, a)}, step}(f);
+  }
+};
+
 }  // namespace actio::rods
