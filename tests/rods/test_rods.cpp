@@ -61,8 +61,8 @@ Motion3 placement(RodFrame const& frame, std::size_t k) {
   return g;
 }
 /// The field of a run.
-/// @param shifts  where they are wanted, the ways of sections in each step, h v: as differences of places they
-///                would have the rounding of these
+/// @param shifts  where they are wanted, the ways of sections in each step, h v: as differences of places
+///                they would have the rounding of these
 GroupField<SE<3>, double> field_of(Rod& rod, int levels,
                                    std::vector<std::vector<Matrix<double, 3, 1>>>* shifts = nullptr) {
   GroupField<SE<3>, double> out;
