@@ -26,7 +26,8 @@ std::map<std::string, std::string> example_of(std::string const& system) {
   std::map<std::string, std::string> out;
   std::istringstream lines(shown.substr(shown.find("[system]")));
   std::string section;
-  for (std::string line; std::getline(lines, line);)
+  // Behind the scene there may be a key of the same name.
+  for (std::string line; std::getline(lines, line) && !line.empty();)
     if (line.starts_with('['))
       section = line.substr(1, line.find(']') - 1);
     else if (std::size_t const equals = line.find(" = "); equals != std::string::npos)
