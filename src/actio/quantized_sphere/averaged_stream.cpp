@@ -27,15 +27,14 @@ AveragedStream::AveragedStream(int n, double alpha, AveragedMetric metric)
     for (int k = 0; m > 0 && k <= last; ++k) {
       double const e = k > 0 ? laplacian_beside(n, k, m) * laplacian_.beside(k + m - 1, k - 1) : 0;
       laplacian_.pivot(k + m, k) = 1 / (-laplacian_diagonal(n, k, m) - e);
-      if (k < last)
-        laplacian_.beside(k + m, k) = laplacian_beside(n, k + 1, m) * laplacian_.pivot(k + m, k);
+      if (k < last) laplacian_.beside(k + m, k) = laplacian_beside(n, k + 1, m) * laplacian_.pivot(k + m, k);
     }
     // 1 - alpha^2 (Delta + c) = U D U^T, begun at the other end.
     for (int k = last; k >= 0; --k) {
       double const beside = k < last ? square * laplacian_beside(n, k + 1, m) : 0;
       if (k < last) average_.beside(k + m, k) = beside * average_.pivot(k + 1 + m, k + 1);
-      average_.pivot(k + m, k) = 1 / (1 - square * (laplacian_diagonal(n, k, m) + shift) -
-                                      beside * average_.beside(k + m, k));
+      average_.pivot(k + m, k) =
+          1 / (1 - square * (laplacian_diagonal(n, k, m) + shift) - beside * average_.beside(k + m, k));
     }
   }
 }
