@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "actio/vorticity/fast_vorticity_step.hpp"
+#include "actio/vorticity/averaged_steps.hpp"
 #include "caught.hpp"
 #include "flows.hpp"
 #include "refused.hpp"
@@ -14,9 +14,6 @@ using namespace actio;
 using namespace actio::sphere;
 using testing::caught;
 using testing::random_matrix, testing::random_state, testing::random_harmonics;
-
-extern template class actio::sphere::VorticityStep<AveragedStream>;
-extern template class actio::sphere::FastVorticityStep<AveragedStream>;
 
 namespace {
 
@@ -89,8 +86,7 @@ BOOST_AUTO_TEST_CASE(the_stream_of_averaged_flow_solves_its_equation) {
 BOOST_AUTO_TEST_CASE(the_energy_is_that_of_the_rate_of_deformation) {
   int const n = 12;
   double const a = 0.7, b = -0.4, c = 0.9, alpha = 0.3;
-  double const velocity =
-      2 * M_PI * (4 * a * a / 3 + (4 * b * b + 6 * a * c) * 4 / 15 + 9 * c * c * 4 / 35);
+  double const velocity = 2 * M_PI * (4 * a * a / 3 + (4 * b * b + 6 * a * c) * 4 / 15 + 9 * c * c * 4 / 35);
   double const def = M_PI * (4 * b * b * 16 / 15 + 36 * c * c * 16 / 105);
   // In Legendre polynomials, and its Laplacian.
   double const legendre[] = {a + 0.6 * c, 2 * b / 3, 0.4 * c};

@@ -23,12 +23,13 @@ struct VortexPair {
     std::complex<double> const i(0, 1);
     sphere::SkewHermitian<> const w(sphere::ComplexMatrix<>(i * (n / (4 * M_PI)) * both));
     // One of them moves by [P, .]/hbar; its own part of P commutes with it.
-    sphere::ComplexMatrix<> const p = stream.solve(w).complex(), moves = p * one - one * p;
+    sphere::ComplexMatrix<> const p = stream.solve(w).complex();
+    sphere::ComplexMatrix<> const moves = p * one - one * p;
     return (moves * sphere.spin(1)).trace().real() / (one * sphere.spin(0)).trace().real() / sphere.hbar();
   }
   /// As points. The vorticity of one, without its mean, has the stream function
-  /// \f[g=-\frac1{\alpha^2\gamma}\sum_{l\ge1}\frac{2l+1}{4\pi}\Bigl(\frac1{l(l+1)}-\frac1{l(l+1)+\gamma}\Bigr)
-  /// \mathsf P_l(x),\f]
+  /// \f[g=-\frac1{\alpha^2\gamma}\sum_{l\ge1}\frac{2l+1}{4\pi}\Bigl(\frac1{l(l+1)}
+  /// -\frac1{l(l+1)+\gamma}\Bigr)\mathsf P_l(x),\f]
   /// with x the cosine of the distance: a logarithm, and the conical function
   /// \f$\pi\,\mathsf P_{-1/2+i\tau}(-x)/\cosh\pi\tau\f$, \f$\tau^2=\gamma-\tfrac14\f$, of Mehler.
   /// @param alpha  zero: Euler's
@@ -50,8 +51,8 @@ struct VortexPair {
                                           (n - 1 - k) * c + k * s);
     return v * v.adjoint();
   }
-  /// Minus the derivative of \f$\pi\,\mathsf P_{-1/2+i\tau}(y)/\cosh\pi\tau\f$ at y = -cos(2 angle), by Mehler's
-  /// integral \f$\mathsf P=\tfrac2\pi\int_0^{\pi/2}\cosh(\tau\varphi)/\cos(\varphi/2)\,dt\f$,
+  /// Minus the derivative of \f$\pi\,\mathsf P_{-1/2+i\tau}(y)/\cosh\pi\tau\f$ at y = -cos(2 angle), by
+  /// Mehler's integral \f$\mathsf P=\tfrac2\pi\int_0^{\pi/2}\cosh(\tau\varphi)/\cos(\varphi/2)\,dt\f$,
   /// \f$\sin(\varphi/2)=s\sin t\f$, \f$y=1-2s^2\f$: its integrand is smooth and periodic, and the trapezoidal
   /// rule converges faster than any power.
   double conical_slope(double tau) const {

@@ -1,7 +1,6 @@
 // The steps of averaged flow, compiled once.
 // In a unit of its own
-#include "actio/quantized_sphere/averaged_stream.hpp"
-#include "actio/vorticity/fast_vorticity_step.hpp"
+#include "actio/vorticity/averaged_steps.hpp"
 
 namespace actio::sphere {
 

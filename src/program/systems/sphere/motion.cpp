@@ -8,13 +8,12 @@
 #include <cmath>
 #include <limits>
 
+#include "actio/vorticity/averaged_steps.hpp"
 #include "program/systems/sphere/products.hpp"
 #include "program/systems/sphere/stepped.hpp"
 
-// In compiled_layer_steps.cpp and compiled_averaged_steps.cpp.
+// In compiled_layer_steps.cpp.
 extern template class actio::sphere::VorticityStep<actio::sphere::HelmholtzStream>;
-extern template class actio::sphere::VorticityStep<actio::sphere::AveragedStream>;
-extern template class actio::sphere::FastVorticityStep<actio::sphere::AveragedStream>;
 
 namespace actio::scene {
 namespace {
