@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(the_stream_of_averaged_flow_is_divided_by_degrees) {
         worst = std::max(worst, error);
         // To the harmonics and back, and two solves: sums of n terms in each.
         BOOST_TEST(error <= 4 * 4 * n * eps);
-        // Other degrees have the rounding of W, of which the degree 1 is divided by 2 alone.
-        BOOST_TEST(norm(divisor(stream, l) * p + w) <= n * eps * divisor(stream, l) * norm(w));
+        // Other degrees have the rounding of entries up to N^2, of which the degree 1 is divided by 2 alone.
+        BOOST_TEST(norm(p + (1 / divisor(stream, l)) * w) <= 1e-16 * n * n * norm(w) / 2);
       }
     }
   BOOST_TEST_MESSAGE("within a degree " << worst);
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(a_wave_of_averaged_flow_is_exact_in_one_step) {
         BOOST_TEST(norm(w - wave.state(n)) <= 5e-15 * norm(w));
         BOOST_TEST(norm(turning(frame.rate * time, w) - truth) <= 64 * n * eps * norm(w));
         // With Euler's rate it would be elsewhere.
-        BOOST_TEST(norm(turning(wave.rate() * time, w) - truth) > 1e-4 * norm(w));
+        BOOST_TEST(norm(turning(wave.rate() * time, w) - truth) > 1e6 * 64 * n * eps * norm(w));
       }
 }
 
@@ -177,7 +177,9 @@ BOOST_AUTO_TEST_CASE(averaged_flow_on_a_rotating_sphere_is_a_free_one_in_another
   }
 }
 
-// Like alpha^2 at a fixed N.
+// At a fixed N. To first order P changes by alpha^2 W, which commutes with W, and with the deformation by 2
+// alpha^2 times itself as well, so that time runs faster by that: like alpha^2, and with the rough metric
+// like alpha^4.
 BOOST_AUTO_TEST_CASE(averaged_flow_tends_to_euler_s) {
   int const n = 24, steps = 20;
   SkewHermitian<> const start = random_state(n, 1, 6);
@@ -194,8 +196,10 @@ BOOST_AUTO_TEST_CASE(averaged_flow_tends_to_euler_s) {
     for (double const alpha : lengths)
       apart.push_back(norm(run(AveragedStream(n, alpha, metric)) - euler) / norm(euler));
     BOOST_TEST_MESSAGE("apart " << apart.front() << " to " << apart.back());
-    BOOST_TEST(apart.back() > 1e-6);
-    BOOST_TEST(std::abs(testing::order_of(lengths, apart).slope - 2) <= 0.05);
+    BOOST_TEST(apart.back() > 1e-9);
+    // The next power is alpha^2 l(l + 1) times as large: a tenth, for the longest length.
+    double const order = metric == AveragedMetric::rough ? 4 : 2;
+    BOOST_TEST(std::abs(testing::order_of(lengths, apart).slope - order) <= 0.1);
   }
 }
 

@@ -60,8 +60,8 @@ struct HamiltonianKeys : KeyTable {
   Key<double> averaging = key(
       "averaging", number.called("a number, 0 or more").in("radii of the sphere"), LeftOut{"no averaging"},
       "The length alpha of the averaged equations of Euler: the vorticity q is carried by a velocity that "
-      "is smooth on this length, q = (1 - alpha^2 (Laplacian + 2)) Laplacian psi. The vorticity of a scene is q, "
-      "in [initial], rows and snapshots; flows that are given by a velocity have that velocity.",
+      "is smooth on this length, q = (1 - alpha^2 (Laplacian + 2)) Laplacian psi. The vorticity of a scene "
+      "is q, in [initial], rows and snapshots; flows that are given by a velocity have that velocity.",
       "0.1");
   Key<std::string> metric = key(
       "metric", one_of("metric", {"deformation", "rough"}), LeftOut{"\"deformation\", with averaging"},
