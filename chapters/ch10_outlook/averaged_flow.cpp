@@ -8,6 +8,7 @@
 //
 // Compiled at -O2: it takes many steps.
 #include "actio/quantized_sphere/sphere_invariants.hpp"
+#include "actio/sphere_fields/sphere_transform.hpp"
 #include "actio/sphere_fields/symbols.hpp"
 #include "actio/vorticity/averaged_steps.hpp"
 #include "book/plot.hpp"

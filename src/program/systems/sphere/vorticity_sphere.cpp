@@ -67,12 +67,14 @@ struct PrecisionKeys : KeyTable {
           "\"double\"");
 } const precision_keys{{"method"}};
 
-/// A layer is stepped in double precision: the step in mixed precision is compiled for Euler's fluid alone.
+/// A layer is stepped in double precision: the step in mixed precision is compiled for Euler's fluid and for
+/// averaged flow.
 bool to_rounding(SceneTable const& method, bool layer) {
   bool const rounding = precision_keys.precision.read_or(method, layer ? "double" : "mixed") == "double";
   if (layer && !rounding)
     precision_keys.precision.fail(
-        method, "a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's fluid");
+        method,
+        "a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's fluid, averaged or not");
   return rounding;
 }
 
