@@ -1,4 +1,5 @@
 // Examples of the modules skew_matrices, quantized_sphere, sphere_fields and vorticity.
+#include "actio/quantized_sphere/averaged_stream.hpp"
 #include "actio/quantized_sphere/laplacian.hpp"
 #include "actio/quantized_sphere/matrix_harmonics.hpp"
 #include "actio/quantized_sphere/quantized_sphere.hpp"
@@ -43,6 +44,11 @@ BOOST_AUTO_TEST_CASE(functions_as_matrices) {
   SkewHermitian<> const P = laplacian.solve(W);              // the stream function: Laplacian P = W
   assert(norm(12.0 * P + W) < 1e-14);                        // -l(l + 1) = -12 for degree 3
   // [sphere_laplacian]
+  // [averaged_stream]
+  AveragedStream const smooth(16, 0.3, AveragedMetric::deformation);
+  double const divided = 12 * (1 + 0.3 * 0.3 * (12 - 2));    // y (1 + alpha^2 (y - 2)), y = 12
+  assert(norm(divided * smooth.solve(W) + W) < 1e-13);
+  // [averaged_stream]
   // [sphere_invariants]
   assert(std::abs(vorticity_energy(laplacian, W) - 0.29 / 12) < 1e-14);     // |f|^2/(l(l+1)), m and -m
   assert(std::abs(vorticity_casimirs(W, 2)[0] - 2 * 0.29) < 1e-14);         // twice the enstrophy

@@ -130,6 +130,8 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
       if (key["key"] == "system.inputs") values["system.force"] = "{ v1 = \"thrust\" }";
       if (key["key"] == "system.advected") values["output.quantities"] = "[\"gravity\"]";
       if (key["key"] == "system.loops") values["output.quantities"] = "[\"circulation\"]";
+      if (key["key"] == "system.metric" && system["name"] == "vorticity_sphere")
+        values["system.averaging"] = "0.1";
       if (key["key"] == "run.chosen_for") values["run.accuracy"] = key["example"];
       // Times of snapshots are for who asks for snapshots.
       if (key["key"] == "output.snapshot_at" || key["key"] == "output.snapshot_every")
@@ -204,6 +206,8 @@ BOOST_AUTO_TEST_CASE(words_that_are_allowed_are_those_that_are_taken) {
         if (text == "conformal" || text == "orbit") values["system.dissipation.rate"] = "0.1";
         // A layer has a radius.
         if (text == "quasi_geostrophic") values["system.deformation"] = "0.3";
+        // A metric has a length.
+        if (text == "rough" || text == "deformation") values["system.averaging"] = "0.1";
         auto const outcome = actio({"run", folder.write("scene.toml", scene_of(values)), "--dry-run"});
         BOOST_TEST(outcome.status == 0,
                    system["name"] << ", " << key["key"] << " = " << text << ": " << outcome.err);

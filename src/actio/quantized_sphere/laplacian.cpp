@@ -22,7 +22,7 @@ SkewHermitian<> SphereLaplacian::apply(SkewHermitian<> const& w) const {
 void SphereLaplacian::solve(SkewHermitian<> const& w, SkewHermitian<>& p) const {
   if (p.size() != n_) p = SkewHermitian<>(n_);
   solve(w.real, p.real), solve(w.imaginary, p.imaginary);
-  solve_diagonal(w.imaginary, p.imaginary);
+  solve_main_diagonal(w.imaginary, p.imaginary);
   p.real.diagonal().setZero();
   mirror_lower(p);
 }
@@ -56,16 +56,17 @@ void SphereLaplacian::solve(Part const& w, Part& p) const {
   }
 }
 
-void SphereLaplacian::solve_diagonal(Part const& w, Part& p) const {
-  double const mean = w.diagonal().sum() / n_;
+void solve_main_diagonal(SkewHermitian<>::Part const& w, SkewHermitian<>::Part& p) {
+  auto const n = w.rows();
+  double const mean = w.diagonal().sum() / static_cast<double>(n);
   double flux = 0, place = 0, sum = 0;
   p(0, 0) = 0;
-  for (int k = 0; k + 1 < n_; ++k) {
+  for (int k = 0; k + 1 < n; ++k) {
     flux += w(k, k) - mean;
-    place += flux / ((k + 1.0) * (n_ - 1.0 - k));
+    place += flux / ((k + 1.0) * (static_cast<double>(n) - 1 - k));
     p(k + 1, k + 1) = place, sum += place;
   }
-  p.diagonal().array() -= sum / n_;
+  p.diagonal().array() -= sum / static_cast<double>(n);
 }
 
 }  // namespace actio::sphere

@@ -26,6 +26,10 @@ inline double laplacian_beside(int n, int k, int m) {
   return std::sqrt(kk * (nn - kk)) * std::sqrt((kk + mm) * (nn - kk - mm));
 }
 
+/// The main diagonal of \f$\Delta^{-1}\f$, with the sum zero, of W less its mean: the sums of the first k + 1
+/// equations are \f$(k+1)(N-1-k)\,(p_{k+1}-p_k)\f$, and two sums solve them.
+void solve_main_diagonal(SkewHermitian<>::Part const& w, SkewHermitian<>::Part& p);
+
 /// \f$\Delta\f$ on u(N), and \f$\Delta^{-1}\f$ on the matrices with trace zero.
 ///
 /// \snippet sphere.cpp sphere_laplacian
@@ -57,8 +61,6 @@ class SphereLaplacian {
   void apply(Part const& w, Part& out) const;
   /// Below the diagonal.
   void solve(Part const& w, Part& p) const;
-  /// On the diagonal the sums of the first k + 1 equations are \f$(k+1)(N-1-k)\,(p_{k+1}-p_k)\f$: two sums.
-  void solve_diagonal(Part const& w, Part& p) const;
   int n_;
   Part above_, pivot_;
 };

@@ -85,6 +85,11 @@ void define_spectra(QuantityGraph& graph, VorticityMotion const& motion, Flow co
   graph.define("spectrum", degrees, [&motion, flow](auto, double* out) {
     by_degree(motion, out, [&](int l, double power) { return 0.5 * power / flow->hamiltonian.divisor(l); });
   });
+  graph.define("velocity_spectrum", degrees, [&motion, flow](auto, double* out) {
+    by_degree(motion, out, [&](int l, double power) {
+      return 0.5 * power * (l * (l + 1.0)) / std::pow(flow->hamiltonian.divisor(l), 2);
+    });
+  });
   graph.define("enstrophy_spectrum", degrees, [&motion](auto, double* out) {
     by_degree(motion, out, [](int, double power) { return 0.5 * power; });
   });

@@ -20,6 +20,30 @@ sphere::SphereHarmonics SphereHamiltonian::laplacian_of_psi(sphere::SphereHarmon
   return vorticity;
 }
 
+namespace {
+
+/// Averaged flow, or Euler's where the scene has no length.
+SphereHamiltonian read_averaging(SceneFile const& file) {
+  auto const& [averaging, metric] = std::tie(hamiltonian_keys.averaging, hamiltonian_keys.metric);
+  if (!averaging.given(file)) {
+    if (metric.given(file))
+      metric.fail(file, "it is the metric of averaged flow, whose length is 'averaging'; there is none");
+    return {};
+  }
+  double const length = averaging.read(file);
+  bool const deforms = metric.read_or(file, "deformation") == "deformation";
+  double const most = deforms ? std::sqrt(0.5) : most_deformation;
+  if (!(length >= 0))
+    averaging.fail(file, fmt::format("a length in radii of the sphere is expected, found {}", length));
+  if (!(length < most))
+    averaging.fail(
+        file, fmt::format("a length below {:.6g} is expected, in radii of the sphere, found {}{}", most,
+                          length, deforms ? "; with metric = \"deformation\" its square is below 1/2" : ""));
+  return {0, length, deforms ? sphere::AveragedMetric::deformation : sphere::AveragedMetric::rough};
+}
+
+}  // namespace
+
 SphereHamiltonian read_hamiltonian(SceneFile const& file) {
   auto const& [hamiltonian, deformation] =
       std::tie(hamiltonian_keys.hamiltonian, hamiltonian_keys.deformation);
@@ -28,8 +52,11 @@ SphereHamiltonian read_hamiltonian(SceneFile const& file) {
     if (deforms)
       deformation.fail(
           file, "Euler's fluid has no radius of deformation; hamiltonian = \"quasi_geostrophic\" has one");
-    return {};
+    return read_averaging(file);
   }
+  char const* const no_layer = "a quasi-geostrophic layer is not averaged; Euler's fluid is";
+  if (hamiltonian_keys.averaging.given(file)) hamiltonian_keys.averaging.fail(file, no_layer);
+  if (hamiltonian_keys.metric.given(file)) hamiltonian_keys.metric.fail(file, no_layer);
   if (!deforms)
     hamiltonian.fail(
         file,

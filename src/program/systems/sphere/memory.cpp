@@ -26,6 +26,7 @@ double bytes_for_vorticity(int n, std::size_t substeps, sphere::Conserved conser
                                        {"extrema", 6},
                                        {"histogram", 6},
                                        {"spectrum", 4},
+                                       {"velocity_spectrum", 4},
                                        {"splitting", 24}})
     if (std::find(quantities.begin(), quantities.end(), name) != quantities.end())
       most = std::max<double>(most, matrices);

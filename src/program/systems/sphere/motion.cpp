@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "actio/vorticity/averaged_steps.hpp"
 #include "program/systems/sphere/products.hpp"
 #include "program/systems/sphere/stepped.hpp"
 
@@ -61,6 +62,7 @@ StateDistance VorticityMotion::distance(Motion const& other) const {
 SphereStream::SphereStream(int n, SphereHamiltonian const& hamiltonian)
     : stream_([&]() -> Kind {
         if (hamiltonian.layer()) return sphere::HelmholtzStream(n, hamiltonian.gamma);
+        if (hamiltonian.averaged()) return sphere::AveragedStream(n, hamiltonian.length, hamiltonian.metric);
         return sphere::SphereLaplacian(n);
       }()) {}
 sphere::SkewHermitian<> SphereStream::solve(sphere::SkewHermitian<> const& w) const {
@@ -116,7 +118,7 @@ void SphereFlow::take_apart(sphere::SkewHermitian<> const& relative, sphere::Con
     rest = sphere::Turning(sphere, apart.upright.axis())(apart.upright.angle(), rest);
   apart.flow = std::move(rest);
   apart.background = {b, conserved == sphere::Conserved::lie_poisson ? 0 : calmest_stream(b)};
-  // Beside bX the stream function of all has -bX/(2 + gamma), which the frame takes away but for its part.
+  // Beside bX the stream function of all has -bX/divisor(1), which the frame takes away but for its part.
   frame = {pole, apart.background.stream + hamiltonian.frame_rate(b / 2)};
 }
 
@@ -158,9 +160,13 @@ std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow co
   if (flow->hamiltonian.layer())
     return with
         .template operator()<sphere::VorticityStep<sphere::HelmholtzStream>, sphere::HelmholtzStream>();
-  if (scheme.to_rounding || flow->apart.is_there())
-    return with.template operator()<sphere::VorticityStep<>, sphere::SphereLaplacian>();
-  return with.template operator()<sphere::FastVorticityStep<>, sphere::SphereLaplacian>();
+  auto const with_stream = [&]<class Stream>() {
+    if (scheme.to_rounding || flow->apart.is_there())
+      return with.template operator()<sphere::VorticityStep<Stream>, Stream>();
+    return with.template operator()<sphere::FastVorticityStep<Stream>, Stream>();
+  };
+  if (flow->hamiltonian.averaged()) return with_stream.template operator()<sphere::AveragedStream>();
+  return with_stream.template operator()<sphere::SphereLaplacian>();
 }
 
 double longest_vorticity_step(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme,

@@ -60,7 +60,7 @@ std::vector<ArraySet> sets_of(FieldsFile const& file, sphere::SphereGrid const& 
        {{"standard_name", {"longitude"}}, {"units", {"degrees_east"}}, {"axis", {"X"}}}},
       {"spectral/degree", {coefficient}, {}, true, false, {{"long_name", {"degree l"}}, {"units", {"1"}}}},
       {"spectral/order", {coefficient}, {}, true, false, {{"long_name", {"order m"}}, {"units", {"1"}}}}};
-  bool const layer = file.hamiltonian.layer();
+  bool const layer = file.hamiltonian.layer(), averaged = file.hamiltonian.averaged();
   auto const add = [&](std::string const& name, std::vector<ArraySet::Axis> axes,
                        std::string const& meaning) {
     ArraySet& set = out.emplace_back(ArraySet{name, std::move(axes)});
@@ -68,13 +68,22 @@ std::vector<ArraySet> sets_of(FieldsFile const& file, sphere::SphereGrid const& 
     set.attributes = attributes_of_rate(meaning, file.time_unit);
   };
   add("vorticity", {time, lat, lon},
-      std::string(layer ? "potential vorticity" : "vorticity") + " relative to the sphere");
+      std::string(layer      ? "potential vorticity"
+                  : averaged ? "vorticity that is carried, the curl of the momentum,"
+                             : "vorticity") +
+          " relative to the sphere");
   add("streamfunction", {time, lat, lon},
-      "stream function, whose Laplacian is the vorticity" +
-          (layer ? fmt::format(": the potential one and {} times the stream function", file.hamiltonian.gamma)
-                 : ""));
+      layer ? fmt::format("stream function, whose Laplacian is the potential vorticity and {} times the "
+                          "stream function",
+                          file.hamiltonian.gamma)
+            : "stream function, whose Laplacian is the " + std::string(averaged ? "curl" : "vorticity"));
   add("u", {time, lat, lon}, "velocity towards the east");
   add("v", {time, lat, lon}, "velocity towards the north");
+  if (!file.hamiltonian.euler())
+    add("curl", {time, lat, lon},
+        averaged ? fmt::format("curl of the velocity, which is averaged over {} radii of the sphere",
+                               file.hamiltonian.length)
+                 : "curl of the velocity");
   for (std::string const part : {"real", "imaginary"})
     add("spectral/vorticity_" + part, {time, coefficient},
         part +
@@ -107,8 +116,10 @@ void FieldsFile::make(std::string const& path, sphere::SphereGrid const& grid, i
   for (std::size_t k = 0; k < times.size(); ++k) {
     Frame const now = frame(static_cast<long>(k));
     std::size_t at = set;
-    for (auto const* field :
-         {&now.fields.vorticity, &now.fields.streamfunction, &now.fields.east, &now.fields.north})
+    std::vector<sphere::GridField const*> fields{&now.fields.vorticity, &now.fields.streamfunction,
+                                                 &now.fields.east, &now.fields.north};
+    if (!hamiltonian.euler()) fields.push_back(&now.fields.curl);
+    for (auto const* field : fields)
       file.put(at++, k, {field->data(), static_cast<std::size_t>(field->size())});
     std::vector<double> real, imaginary;
     for (int l = 1; l < degrees; ++l)

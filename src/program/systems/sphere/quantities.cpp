@@ -10,7 +10,7 @@ std::vector<Quantity> quadratic_invariants() {
       {"energy",
        Kind::scalar,
        "The energy of the flow relative to the sphere, of unit radius and unit density: the kinetic one, "
-       "and in a layer with it the potential one of its surface.",
+       "and in a layer with it the potential one of its surface; in averaged flow that of its metric.",
        "H = -\\tfrac12\\int\\psi\\,\\zeta = -\\tfrac12\\tfrac{4\\pi}N\\langle P, W\\rangle",
        "1/time^2",
        "",
@@ -28,7 +28,8 @@ std::vector<Quantity> quadratic_invariants() {
        "The angular momentum of the absolute motion, the rotation of the sphere included, along axes that "
        "do not turn with the sphere: those of the sphere at t = 0, the third the pole. So it is constant; "
        "along axes of the sphere x and y would go round with the angular velocity -rotation, in a layer "
-       "with -2 rotation/(2 + gamma). The flow relative to the sphere has z less by 8 pi rotation/3.",
+       "with -2 rotation/(2 + gamma), in averaged flow with the rough metric with -rotation/(1 + 2 "
+       "alpha^2). The flow relative to the sphere has z less by 8 pi rotation/3.",
        "L_j = \\int x_j\\,(\\zeta + 2\\Omega\\cos\\theta) = \\tfrac{4\\pi}N\\hbar\\,\\mathrm{Tr}(S_j(-iW))",
        "1/time",
        "",
@@ -81,8 +82,17 @@ std::vector<Quantity> parts_by_degree() {
       {"spectrum",
        Kind::list,
        "The energy of the flow relative to the sphere in each degree l = 1, ..., N - 1; their sum is the "
-       "energy. Gamma is zero but for a layer.",
-       "H_l = \\tfrac12\\sum_m\\frac{|\\zeta_{lm}|^2}{l(l+1)+\\gamma}",
+       "energy. The divisor is l (l + 1), for a layer l (l + 1) + gamma, and for averaged flow l (l + 1) "
+       "times 1 + alpha^2 (l (l + 1) - 2), with the rough metric times 1 + alpha^2 l (l + 1).",
+       "H_l = \\tfrac12\\sum_m\\frac{|\\zeta_{lm}|^2}{d_l}",
+       "1/time^2",
+       "",
+       {}},
+      {"velocity_spectrum",
+       Kind::list,
+       "Half of the integral of the square of the velocity relative to the sphere, of its part in each "
+       "degree l = 1, ..., N - 1. For Euler's fluid it is the spectrum; with d_l as there:",
+       "K_l = \\tfrac12\\sum_ml(l+1)\\frac{|\\zeta_{lm}|^2}{d_l^2}",
        "1/time^2",
        "",
        {}},

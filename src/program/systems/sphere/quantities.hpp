@@ -7,7 +7,7 @@
 namespace actio::scene {
 
 /// `energy`, `enstrophy`, `angular_momentum`, `casimirs`, `eigenvalues`, `extrema`, `histogram`, `spectrum`,
-/// `enstrophy_spectrum`, `splitting`: their records.
+/// `velocity_spectrum`, `enstrophy_spectrum`, `splitting`: their records.
 std::vector<Quantity> vorticity_quantities();
 
 /// How these come from a motion.

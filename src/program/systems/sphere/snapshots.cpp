@@ -15,13 +15,16 @@ namespace {
 struct SphereField {
   std::string name;
   std::string meaning;
-  sphere::GridField sphere::FlowFields::*values;
+  sphere::GridField SphereFields::*values;
 };
 /// Those that can be asked for.
 std::vector<SphereField> const& asked_fields() {
   static std::vector<SphereField> const all{
-      {"streamfunction", "with the mean zero; the vorticity is its Laplacian, but for a layer",
-       &sphere::FlowFields::streamfunction},
+      {"streamfunction", "with the mean zero", &sphere::FlowFields::streamfunction},
+      {"curl",
+       "that of the velocity, the Laplacian of the stream function: the vorticity, but for a layer and for "
+       "averaged flow",
+       &SphereFields::curl},
       {"u", "the velocity towards the east", &sphere::FlowFields::east},
       {"v", "towards the north", &sphere::FlowFields::north}};
   return all;
@@ -38,7 +41,7 @@ std::string table_of_harmonics(sphere::SphereHarmonics const& f) {
 }
 
 std::string table_of_fields(sphere::SphereGrid const& grid, std::vector<SphereField> const& asked,
-                            sphere::FlowFields const& fields) {
+                            SphereFields const& fields) {
   std::string heading = "longitude,latitude";
   for (auto const& field : asked) heading += "," + field.name;
   NumberTable table(heading);
@@ -118,7 +121,7 @@ class VorticitySnapshots : public SnapshotWriter {
     sphere::SphereHarmonics const f = harmonics_now();
     write_whole_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), table_of_harmonics(f), durable);
     if (!csv_) return;
-    sphere::FlowFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
+    SphereFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
     write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, asked_, fields),
                      durable);
   }
@@ -132,7 +135,7 @@ class VorticitySnapshots : public SnapshotWriter {
     return f;
   }
   std::vector<SnapshotArray> arrays_of(sphere::SphereHarmonics const& f) const {
-    sphere::FlowFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
+    SphereFields const fields = needed_fields(sphere::symbol_of(f, file_.symbol));
     std::vector<SnapshotArray> out;
     for (auto const& field : asked_) {
       SnapshotArray& one = out.emplace_back();
@@ -153,26 +156,30 @@ class VorticitySnapshots : public SnapshotWriter {
     return out;
   }
 
-  bool asks(sphere::GridField sphere::FlowFields::*values) const {
+  bool asks(sphere::GridField SphereFields::*values) const {
     return std::ranges::find(asked_, values, &SphereField::values) != asked_.end();
   }
-  /// The velocity belongs to the Laplacian of the stream function, which for a layer is not the vorticity.
-  sphere::FlowFields all_fields(sphere::SphereHarmonics const& vorticity) const {
-    sphere::FlowFields out = sphere::flow_on(grid_, file_.hamiltonian.laplacian_of_psi(vorticity));
-    if (file_.hamiltonian.layer()) out.vorticity = sphere::values_on(grid_, vorticity);
+  /// The velocity belongs to the Laplacian of the stream function, which is the vorticity of Euler's fluid.
+  SphereFields all_fields(sphere::SphereHarmonics const& vorticity) const {
+    SphereFields out{sphere::flow_on(grid_, file_.hamiltonian.laplacian_of_psi(vorticity)), {}};
+    out.curl = out.vorticity;
+    if (!file_.hamiltonian.euler()) out.vorticity = sphere::values_on(grid_, vorticity);
     return out;
   }
   /// Those that no file holds stay empty.
-  sphere::FlowFields needed_fields(sphere::SphereHarmonics const& f) const {
+  SphereFields needed_fields(sphere::SphereHarmonics const& f) const {
     if (netcdf_ || asks(&sphere::FlowFields::east) || asks(&sphere::FlowFields::north)) return all_fields(f);
-    sphere::FlowFields out;
-    if (asks(&sphere::FlowFields::streamfunction)) {
-      auto both =
-          sphere::values_on(grid_, {f, sphere::stream_function(file_.hamiltonian.laplacian_of_psi(f))});
-      out.vorticity = std::move(both[0]), out.streamfunction = std::move(both[1]);
-    } else {
-      out.vorticity = sphere::values_on(grid_, f);
-    }
+    std::vector<sphere::SphereHarmonics> functions{f};
+    std::vector<sphere::GridField SphereFields::*> places{&sphere::FlowFields::vorticity};
+    auto const add = [&](auto place, auto const& function) {
+      if (asks(place)) functions.push_back(function()), places.push_back(place);
+    };
+    auto const curl = [&] { return file_.hamiltonian.laplacian_of_psi(f); };
+    add(&sphere::FlowFields::streamfunction, [&] { return sphere::stream_function(curl()); });
+    add(&SphereFields::curl, curl);
+    auto values = sphere::values_on(grid_, functions);
+    SphereFields out;
+    for (std::size_t k = 0; k < places.size(); ++k) out.*places[k] = std::move(values[k]);
     return out;
   }
 

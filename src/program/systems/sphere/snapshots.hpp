@@ -15,6 +15,10 @@ namespace actio::scene {
 
 /// What they can hold.
 SnapshotKind vorticity_snapshots();
+/// What is seen of a flow on a grid, with the curl of its velocity, which for Euler's fluid is the vorticity.
+struct SphereFields : sphere::FlowFields {
+  sphere::GridField curl;  ///< 1/time
+};
 /// How matrices become fields.
 struct SymbolKeys : KeyTable {
   Key<std::string> symbol = key(
@@ -39,7 +43,7 @@ std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
 struct FieldsFile {
   /// What belongs to one time.
   struct Frame {
-    sphere::FlowFields fields;          ///< on the grid
+    SphereFields fields;                ///< on the grid
     sphere::SphereHarmonics harmonics;  ///< of the matrix
   };
   std::string title;              ///< of the scene

@@ -19,12 +19,12 @@ class SphereStream {
   SphereStream(int n, SphereHamiltonian const& hamiltonian);
   /// P of W.
   sphere::SkewHermitian<> solve(sphere::SkewHermitian<> const& w) const;
-  /// The same one, of a kind that is known: `SphereLaplacian` or `HelmholtzStream`.
+  /// The same one, of a kind that is known: `SphereLaplacian`, `HelmholtzStream` or `AveragedStream`.
   template <class Stream>
   Stream const& as() const { return std::get<Stream>(stream_); }
 
  private:
-  using Kind = std::variant<sphere::SphereLaplacian, sphere::HelmholtzStream>;
+  using Kind = std::variant<sphere::SphereLaplacian, sphere::HelmholtzStream, sphere::AveragedStream>;
   Kind stream_;
 };
 

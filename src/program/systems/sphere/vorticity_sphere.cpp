@@ -67,12 +67,14 @@ struct PrecisionKeys : KeyTable {
           "\"double\"");
 } const precision_keys{{"method"}};
 
-/// A layer is stepped in double precision: the step in mixed precision is compiled for Euler's fluid alone.
+/// A layer is stepped in double precision: the step in mixed precision is compiled for Euler's fluid and for
+/// averaged flow.
 bool to_rounding(SceneTable const& method, bool layer) {
   bool const rounding = precision_keys.precision.read_or(method, layer ? "double" : "mixed") == "double";
   if (layer && !rounding)
     precision_keys.precision.fail(
-        method, "a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's fluid");
+        method,
+        "a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's fluid, averaged or not");
   return rounding;
 }
 
@@ -183,6 +185,12 @@ void tell(Simulation& simulation, VorticityStart const& start, SphereFlow const&
     simulation.remarks.push_back(
         "a quasi-geostrophic layer is stepped in double precision, which takes several times as "
         "long as the steps of Euler's fluid");
+  double const length = start.hamiltonian.length;
+  if (start.hamiltonian.averaged() && length * start.n < 1)
+    simulation.remarks.push_back(
+        fmt::format("averaging: a length of {} is not resolved with N = {}; the flow is Euler's, but that "
+                    "the velocity of the finest degree is {:.2g} times as large",
+                    length, start.n, (start.n - 1.0) * start.n / start.hamiltonian.divisor(start.n - 1)));
   if (!histogram) return;
   HistogramBins const bins = histogram_bins(flow);
   simulation.remarks.push_back(fmt::format("histogram: {} bins of the width {} from {} to {}", bins.count,
@@ -226,8 +234,8 @@ System vorticity_sphere_system() {
   return {"vorticity_sphere",
           "Ideal fluid on the sphere",
           "The vorticity of an incompressible fluid without friction on a rotating sphere of "
-          "unit radius, or the potential vorticity of a quasi-geostrophic layer, as a matrix of "
-          "the size N whose spectrum stays.",
+          "unit radius, or the potential vorticity of a quasi-geostrophic layer, or that of averaged "
+          "flow, as a matrix of the size N whose spectrum stays.",
           "chapter 10",
           records_of({vorticity_parameters(), vorticity_step, precision_keys, symbol_keys, accuracy_keys}),
           methods(),
