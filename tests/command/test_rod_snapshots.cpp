@@ -11,8 +11,8 @@ namespace {
 using command::actio, command::contents, command::Folder, command::read_csv, command::read_hdf5_numbers;
 
 std::string const clamped =
-    "[system]\nkind = \"rod\"\nrod = { length = 2, elements = 4, section = { EA = 90, GA = 40, EI = 1, GJ = 1, "
-    "rA = 1, rI = 0.01 } }\nboundary = { start = \"clamped\" }\n"
+    "[system]\nkind = \"rod\"\nrod = { length = 2, elements = 4, section = { EA = 90, GA = 40, EI = 1, "
+    "GJ = 1, rA = 1, rI = 0.01 } }\nboundary = { start = \"clamped\" }\n"
     "load = { end_force = [\"0\", \"0.1\", \"0\"] }\n[run]\nuntil = 0.5\nevery = 0.25\n[output]\n"
     "quantities = [\"end_place\", \"contact_force\"]\nformats = [\"csv\", \"hdf5\", \"vtu\"]\n"
     "snapshots = [\"contact_force\", \"curvature\"]\n";

@@ -53,6 +53,18 @@ until = 0.2
 quantities = ["energy"]
 snapshots = ["stress", "jacobian"]
 """
+ROD = """
+[system]
+kind = "rod"
+rod = { length = 1, elements = 6, section = { EA = 90, GA = 40, EI = 1, GJ = 1, rA = 1, rI = 0.01 } }
+boundary = { start = "clamped" }
+load = { gravity = [0, 0, -1] }
+[run]
+until = 0.2
+[output]
+quantities = ["end_place"]
+snapshots = ["contact_force"]
+"""
 SPHERE = """
 [system]
 kind = "vorticity_sphere"
@@ -91,6 +103,20 @@ def table(path):
 class Fields(unittest.TestCase):
     def equal(self, a, b):
         self.assertEqual(numpy.ascontiguousarray(a).tobytes(), numpy.ascontiguousarray(b).tobytes())
+
+    def test_those_of_a_rod_are_of_sections_and_of_elements(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = left_by_the_command(folder, ROD)
+            for run in actio.run(text=ROD), actio.load(out):
+                fields = run.snapshots
+                self.assertEqual(fields["attitude"].shape, (2, 7, 4))
+                self.assertEqual(fields["contact_force"].shape, (2, 6, 3))
+                rows = table(f"{out}/snapshots/000001.csv")
+                for i, name in enumerate("xyz"):
+                    self.equal(fields["position"][1, :, i], rows[name])
+                    self.assertEqual(run["end_place"][-1, i], rows[name][-1])
+                rows = table(f"{out}/snapshots/000001.elements.csv")
+                self.equal(fields["contact_force"][1, :, 2], rows["contact_force_z"])
 
     def test_those_of_a_medium_are_the_tables_of_the_command(self):
         with tempfile.TemporaryDirectory() as folder:

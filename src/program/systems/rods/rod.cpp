@@ -40,10 +40,11 @@ Companion companion_of(Request const& request, RodScene const& scene) {
   return out;
 }
 
-/// The memory that a run takes at most.
-double bytes_of(RodScene const& scene, Request const& request) {
-  constexpr double of_program = 12e6;
-  return of_program + static_cast<double>(scene.start.shape.sections()) * (request.snapshots ? 3000 : 2400);
+/// The memory that a run takes at most: what a section takes, measured, of the run and of its companions.
+double bytes_of(RodScene const& scene, Request const& request, bool companions) {
+  double const each = scene.options.unshearable ? 3400 : 1250;
+  return 13.5e6 + (request.snapshots && request.snapshots->in("hdf5") ? 12e6 : 0) +
+         static_cast<double>(scene.start.shape.sections()) * each * (companions ? 2.6 : 1);
 }
 
 Simulation prepare(Request const& request) {
@@ -52,7 +53,6 @@ Simulation prepare(Request const& request) {
   simulation.remarks = scene.remarks;
   simulation.step = scene.options.step;
   simulation.steps_at_once = std::max(1L, 8192 / static_cast<long>(scene.start.shape.sections()));
-  simulation.bytes = bytes_of(scene, request);
   auto const place = [&] { return request.file.section("method").place("step").text() + ": step: "; };
   std::unique_ptr<RodMotion> motion;
   try {
@@ -71,6 +71,7 @@ Simulation prepare(Request const& request) {
   } catch (Error const& error) {
     simulation.failure = place() + error.what();
   }
+  simulation.bytes = bytes_of(scene, request, simulation.companion.motion != nullptr);
   define_rod(simulation.quantities, *motion, scene.longest_step);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_rod(request, scene, *motion);

@@ -12,63 +12,17 @@
 #include "program/registry/units.hpp"
 #include "program/run/checkpoint.hpp"
 #include "program/systems/rods/playing.hpp"
+#include "program/systems/rods/snapshot_fields.hpp"
 
 namespace actio::scene {
 namespace {
-
-/// Numbers of sections or elements that go together.
-struct Field {
-  char const *name, *meaning, *unit;
-  std::vector<std::string> components;  // of its columns: the name and one of these; or these alone
-  bool named = true;                    // whether its columns begin with its name
-
-  std::vector<std::string> columns() const {
-    std::vector<std::string> out;
-    for (auto const& one : components) out.push_back(named ? name + ("_" + one) : one);
-    return out;
-  }
-};
-
-std::vector<std::string> const space{"x", "y", "z"}, section{"1", "2", "3"};
-
-/// Of every section.
-std::vector<Field> const& of_sections() {
-  static std::vector<Field> const all{
-      {"position", "of the sections", "length", space, false},
-      {"attitude",
-       "unit quaternions, scalar first, from the axes of the sections to space",
-       "1",
-       {"qw", "qx", "qy", "qz"},
-       false},
-      {"velocity", "of the sections", "length/time", {"u", "v", "w"}, false},
-      {"angular_velocity", "of the sections, in their axes", "1/time", {"w1", "w2", "w3"}, false}};
-  return all;
-}
-/// Of the elements, where asked for.
-std::vector<Field> const& of_elements() {
-  static std::vector<Field> const all{
-      {"stretch", "Gamma less that at rest: stretch and the two shears", "1", section},
-      {"curvature", "kappa less that at rest: twist and the two bends", "1/length", section},
-      {"contact_force", "with which the rod beyond acts on that before, in space", "mass length/time^2",
-       space},
-      {"contact_moment", "the same about the middle of the element, in space", "mass length^2/time^2",
-       space}};
-  return all;
-}
-/// Those of elements that a scene asks for, in its order.
-std::vector<Field> fields_named(std::vector<std::string> const& names) {
-  std::vector<Field> out;
-  for (auto const& name : names)
-    out.push_back(*std::ranges::find_if(of_elements(), [&](Field const& one) { return one.name == name; }));
-  return out;
-}
 
 class RodSnapshots : public SnapshotWriter {
  public:
   RodSnapshots(SceneFile const& file, SnapshotRequest const& request, RodScene const& scene,
                RodMotion const& motion)
       : file_(file),
-        elements_(fields_named(request.columns)),
+        elements_(rod_fields(request.columns)),
         vtu_(request.in("vtu")),
         hdf5_(request.in("hdf5")),
         tube_{scene.section, scene.rest.shape, scene.rest.length},
@@ -92,10 +46,11 @@ class RodSnapshots : public SnapshotWriter {
   }
   void write(std::string const& folder, long number, double, bool durable) override {
     auto const numbers = now();
-    write_table(folder + "/" + snapshot_file(number, ".csv"), distances_, of_sections(), numbers, 0, durable);
+    write_table(folder + "/" + snapshot_file(number, ".csv"), distances_, fields_of_sections(), numbers, 0,
+                durable);
     if (!elements_.empty())
       write_table(folder + "/" + snapshot_file(number, elements_file), middles(), elements_, numbers,
-                  of_sections().size(), durable);
+                  fields_of_sections().size(), durable);
   }
   void make(std::string const& format, std::string const& folder, std::span<double const> times,
             bool durable) const override {
@@ -127,7 +82,7 @@ class RodSnapshots : public SnapshotWriter {
       RodPosture out;
       for (std::size_t k = 0; k < distances_.size(); ++k) {
         auto const at = [&](std::size_t field, std::size_t i) {
-          return found[field][k * of_sections()[field].components.size() + i];
+          return found[field][k * fields_of_sections()[field].components.size() + i];
         };
         out.places.push_back({at(0, 0), at(0, 1), at(0, 2)});
         out.attitudes.push_back({at(1, 0), at(1, 1), at(1, 2), at(1, 3)});
@@ -147,8 +102,8 @@ class RodSnapshots : public SnapshotWriter {
     return out;
   }
   /// All fields, those of sections first.
-  std::vector<Field> all() const {
-    auto out = of_sections();
+  std::vector<RodField> all() const {
+    auto out = fields_of_sections();
     out.insert(out.end(), elements_.begin(), elements_.end());
     return out;
   }
@@ -157,7 +112,7 @@ class RodSnapshots : public SnapshotWriter {
     auto const units = read_units(file_);
     std::vector<SnapshotArray> out;
     for (auto const& field : all()) {
-      bool const sections = out.size() < of_sections().size();
+      bool const sections = out.size() < fields_of_sections().size();
       SnapshotArray& one = out.emplace_back();
       one.name = field.name, one.meaning = field.meaning, one.unit = units.in(field.unit);
       one.axes = {sections ? "section" : "element", "component"};
@@ -214,21 +169,22 @@ class RodSnapshots : public SnapshotWriter {
   }
   /// Those of a snapshot that was written.
   FrameNumbers numbers_in(std::string const& folder, long number, bool elements) const {
-    auto out = read_table(folder + "/" + snapshot_file(number, ".csv"), distances_.size(), of_sections());
+    auto out =
+        read_table(folder + "/" + snapshot_file(number, ".csv"), distances_.size(), fields_of_sections());
     if (!elements || elements_.empty()) return out;
     for (auto& one :
          read_table(folder + "/" + snapshot_file(number, elements_file), tube_.rest.elements(), elements_))
       out.push_back(std::move(one));
     return out;
   }
-  static std::vector<std::string> columns_of(std::vector<Field> const& fields) {
+  static std::vector<std::string> columns_of(std::vector<RodField> const& fields) {
     std::vector<std::string> out{"s"};
     for (auto const& field : fields)
       for (auto& one : field.columns()) out.push_back(std::move(one));
     return out;
   }
   static FrameNumbers read_table(std::string const& path, std::size_t rows,
-                                 std::vector<Field> const& fields) {
+                                 std::vector<RodField> const& fields) {
     auto const columns = columns_of(fields);
     auto const reader = read_csv_series(path, columns);
     FrameNumbers out(fields.size());
@@ -246,7 +202,7 @@ class RodSnapshots : public SnapshotWriter {
   }
   /// @param first  of the numbers, those of the first field
   static void write_table(std::string const& path, std::vector<double> const& distances,
-                          std::vector<Field> const& fields, FrameNumbers const& numbers, std::size_t first,
+                          std::vector<RodField> const& fields, FrameNumbers const& numbers, std::size_t first,
                           bool durable) {
     NumberTable out(fmt::format("{}", fmt::join(columns_of(fields), ",")));
     for (std::size_t k = 0; k < distances.size(); ++k) {
@@ -283,7 +239,7 @@ class RodSnapshots : public SnapshotWriter {
     file.point_data(
         "angular_velocity", [&](std::size_t k) { return numbers[3][k]; }, 3);
     for (std::size_t i = 0; i < elements_.size(); ++i) {
-      auto const& values = numbers[of_sections().size() + i];
+      auto const& values = numbers[fields_of_sections().size() + i];
       file.cell_data(
           elements_[i].name, [&](std::size_t k) { return values[k]; }, elements_[i].components);
     }
@@ -298,7 +254,7 @@ class RodSnapshots : public SnapshotWriter {
   }
 
   SceneFile file_;
-  std::vector<Field> elements_;
+  std::vector<RodField> elements_;
   bool vtu_, hdf5_;
   DrawnRod tube_;
   std::vector<double> distances_;
@@ -319,7 +275,7 @@ SnapshotKind rod_snapshots() {
       "all of them in one file snapshots/frames.h5, with time, and of each frame position, "
       "attitude, velocity and angular_velocity of the sections and what was asked for of the "
       "elements"};
-  for (auto const& field : of_elements())
+  for (auto const& field : fields_of_elements())
     out.columns.push_back({field.name, field.meaning + std::string(", of each element in "
                                                                    "snapshots/000000.elements.csv, ...")});
   return out;
