@@ -74,7 +74,8 @@ bool to_rounding(SceneTable const& method, bool layer) {
   if (layer && !rounding)
     precision_keys.precision.fail(
         method,
-        "a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's fluid, averaged or not");
+        "a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's fluid, averaged or "
+        "not");
   return rounding;
 }
 
