@@ -91,6 +91,7 @@ BOOST_AUTO_TEST_CASE(there_is_no_momentum_and_no_frame) {
   CHECK_REFUSED(TorusStep(stream, Conserved::energy_casimir, 0.1, turns), OutsideDomain);
 }
 
+// Not for long, since rounding grows: these flows are unstable.
 BOOST_AUTO_TEST_CASE(flows_of_one_eigenvalue_stand_still) {
   int const n = 25;
   TorusHarmonics taylor_green(n), other(n);
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(flows_of_one_eigenvalue_stand_still) {
     for (double gamma : {0.0, 2.5}) {
       TorusStream const stream(n, gamma);
       SkewHermitian<> const start = matrix_of(f);
-      BOOST_TEST(norm(after<TorusStep>(stream, Conserved::energy_casimir, start, 20, 100) - start) <=
+      BOOST_TEST(norm(after<TorusStep>(stream, Conserved::energy_casimir, start, 2, 10) - start) <=
                  1e-14 * norm(start));
     }
 }
@@ -111,9 +112,9 @@ BOOST_AUTO_TEST_CASE(steps_are_of_the_second_order) {
   TorusStream const stream(n);
   SkewHermitian<> const start = random_torus_state(n, 3);
   for (auto const form : forms) {
-    SkewHermitian<> const fine = after<TorusStep>(stream, form, start, 1, 1600);
-    double const long_steps = norm(after<TorusStep>(stream, form, start, 1, 50) - fine),
-                 short_steps = norm(after<TorusStep>(stream, form, start, 1, 100) - fine);
+    SkewHermitian<> const fine = after<TorusStep>(stream, form, start, 1, 3200);
+    double const long_steps = norm(after<TorusStep>(stream, form, start, 1, 100) - fine),
+                 short_steps = norm(after<TorusStep>(stream, form, start, 1, 200) - fine);
     BOOST_TEST(std::abs(std::log2(long_steps / short_steps) - 2) <= 0.02);
   }
 }
@@ -129,9 +130,9 @@ BOOST_AUTO_TEST_CASE(the_flow_tends_to_that_of_the_fluid) {
       Galerkin::State w(2 * most + 1, 2 * most + 1);
       for (int m = -most; m <= most; ++m)
         for (int k = -most; k <= most; ++k) w(m + most, k + most) = f(m, k);
-      double const time = 0.3;
+      double const time = 0.1;
       w = fluid.after(w, time, 40);
-      TorusHarmonics const found = harmonics_of(
+      TorusHarmonics const found = torus::harmonics_of(
           after<TorusStep>(TorusStream(n, gamma), Conserved::energy_casimir, matrix_of(f), time, 60));
       double error = 0, moved = 0;
       for (int m = -most; m <= most; ++m)
