@@ -6,7 +6,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache time                                      # to build, and to time the build
-  libeigen3-dev libboost-dev libboost-test-dev libgsl-dev libgmp-dev     # mathematics and tests
+  libeigen3-dev libboost-dev libboost-test-dev libgsl-dev libgmp-dev libfftw3-dev # mathematics and tests
   libmpfr-dev libflint-dev libflint-arb-dev                              # digits and balls for the checks
   libtomlplusplus-dev nlohmann-json3-dev                                 # data and reports
   libcli11-dev libfmt-dev libhdf5-dev hdf5-tools libnetcdf-dev # the command and its scenes

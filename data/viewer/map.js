@@ -1,5 +1,6 @@
 // A field on the sphere at the times of its snapshots, in colours: the whole sphere in the projection of
-// Mollweide, which keeps areas, or a globe. At each moment it is the last snapshot before it.
+// Mollweide, which keeps areas, or a globe; or a field on a flat torus. At each moment it is the last snapshot
+// before it.
 
 /** Colours from blue for the most negative over nearly white to red, in 1023 steps. */
 const signedColours = (() => {
@@ -11,11 +12,11 @@ const signedColours = (() => {
 const cubic = (a, b, c, d, s) => b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a)));
 
 class MapView extends Stage {
-  /** @param maps  times of the snapshots, their values as pictures in grey, and the largest modulus */
+  /** @param maps  times of the snapshots, their values as pictures in grey, the largest modulus, and whether they are flat: then the lowest row first */
   constructor(canvas, maps, changed) {
     super(canvas, { changed, azimuth: Math.PI, elevation: 0.35 });
-    Object.assign(this, { maps, shown: { net: true }, colours: { net: "quiet" }, at: -1, values: null, globe: false, drawn: "" });
-    this.choices = [{ label: "projection", title: "What is seen of the sphere", options: ["whole sphere", "globe"], choose: (k) => { this.globe = k === 1; } }];
+    Object.assign(this, { maps, shown: maps.flat ? {} : { net: true }, colours: { net: "quiet" }, at: -1, values: null, globe: false, drawn: "" });
+    if (!maps.flat) this.choices = [{ label: "projection", title: "What is seen of the sphere", options: ["whole sphere", "globe"], choose: (k) => { this.globe = k === 1; } }];
   }
   /** The values of a snapshot, from the shades of its picture. */
   load(at) {
@@ -35,18 +36,25 @@ class MapView extends Stage {
     };
     picture.src = "data:image/png;base64," + this.maps.pictures[at];
   }
-  /** From -127 to 127, cubic between the points of the grid, across the poles as well. */
-  valueAt(theta, phi) {
-    const { rows, columns, values } = this.values;
-    const down = (theta / Math.PI) * rows - 0.5, right = (phi / (2 * Math.PI)) * columns, i = Math.floor(down), j = Math.floor(right);
+  /** From -127 to 127, cubic between the points of the grid, across the poles as well; at a place of the grid. */
+  valueAt(down, right) {
+    const { rows, columns, values } = this.values, { flat } = this.maps, i = Math.floor(down), j = Math.floor(right);
     const row = (k) => {
-      const over = k < 0 || k >= rows, start = (over ? (k < 0 ? -1 - k : 2 * rows - 1 - k) : k) * columns, from = j + (over ? columns / 2 : 0) + 2 * columns;
+      const over = !flat && (k < 0 || k >= rows), inside = flat ? (k + rows) % rows : over ? (k < 0 ? -1 - k : 2 * rows - 1 - k) : k;
+      const start = inside * columns, from = j + (over ? columns / 2 : 0) + 2 * columns;
       const value = (l) => values[start + ((from + l) % columns)];
       return cubic(value(-1), value(0), value(1), value(2), right - j);
     };
     return cubic(row(i - 1), row(i), row(i + 1), row(i + 2), down - i);
   }
-  /** Colatitude and longitude of a point of the picture, in [-1, 1] x [-1, 1]; nothing beyond the rim. */
+  /** Where a point of the picture, in [-1, 1] x [-1, 1], is in the grid; nothing beyond the rim. */
+  inGrid(x, y) {
+    const { rows, columns } = this.values;
+    if (this.maps.flat) return [((y + 1) / 2) * rows, ((this.azimuth + Math.PI * x) / (2 * Math.PI)) * columns];
+    const at = this.onSphere(x, y);
+    return at && [(at[0] / Math.PI) * rows - 0.5, (at[1] / (2 * Math.PI)) * columns];
+  }
+  /** Colatitude and longitude of a point of the picture. */
   onSphere(x, y) {
     if (!this.globe) {
       const c = Math.sqrt(1 - y * y);
@@ -80,7 +88,7 @@ class MapView extends Stage {
     for (let i = 0, k = 0; i < height; ++i)
       for (let j = 0; j < width; ++j, k += 4) {
         // A little of the rim is painted twice, so that the outline falls on colours.
-        const x = (2 * j + 1) / width - 1, y = 1 - (2 * i + 1) / height, at = this.onSphere(x, y) || this.onSphere(0.992 * x, 0.992 * y);
+        const x = (2 * j + 1) / width - 1, y = 1 - (2 * i + 1) / height, at = this.inGrid(x, y) || this.inGrid(0.992 * x, 0.992 * y);
         if (!at) continue;
         const colour = signedColours[Math.round(511 + Math.max(-511, Math.min(511, (511 / 127) * this.valueAt(...at))))];
         for (let c = 0; c < 3; ++c) image.data[k + c] = colour[c];
@@ -94,21 +102,24 @@ class MapView extends Stage {
     while (at + 1 < times.length && times[at + 1] <= t + near) ++at;
     if (at !== this.at) this.load(at);
     if (!fitCanvas(this.canvas)) return;
-    const pen = this.canvas.getContext("2d"), { clientWidth, clientHeight } = this.canvas, shape = this.globe ? 1 : 2;
+    const pen = this.canvas.getContext("2d"), { clientWidth, clientHeight } = this.canvas, shape = this.globe || this.maps.flat ? 1 : 2;
     const height = Math.min(clientHeight - 64, (clientWidth - 24) / shape), width = shape * height, x = clientWidth / 2, y = 12 + height / 2;
     pen.clearRect(0, 0, clientWidth, clientHeight);
     if (!this.values || !(height > 0)) return;
     const fine = Math.min(window.devicePixelRatio || 1, 1000 / width);
     this.paintSheet(Math.round(fine * width), Math.round(fine * height));
+    const rim = () => {
+      pen.beginPath();
+      if (this.maps.flat) pen.rect(x - width / 2, y - height / 2, width, height);
+      else pen.ellipse(x, y, width / 2, height / 2, 0, 0, 2 * Math.PI);
+    };
     pen.save();
-    pen.beginPath();
-    pen.ellipse(x, y, width / 2, height / 2, 0, 0, 2 * Math.PI);
+    rim();
     pen.clip();
     pen.drawImage(this.sheet, x - width / 2, y - height / 2, width, height);
     pen.restore();
     if (this.shown.net) this.drawNet(pen, x, y, width, height);
-    pen.beginPath();
-    pen.ellipse(x, y, width / 2, height / 2, 0, 0, 2 * Math.PI);
+    rim();
     pen.strokeStyle = ink.of("quiet");
     pen.lineWidth = 1.2;
     pen.stroke();

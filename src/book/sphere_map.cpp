@@ -152,6 +152,31 @@ std::string whole_sphere(svg::Point centre, double width, SphereField const& fie
                         "\" fill=\"none\" stroke=\"#5c6670\" stroke-width=\"1.4\"/>\n");
 }
 
+std::string flat_map(svg::Point at, double side, std::vector<double> const& values, double largest) {
+  int const points = static_cast<int>(std::lround(2 * side)),
+            n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(values.size()))));
+  double const scale = largest > 0 ? 127 / largest : 0;
+  auto const row = [&](int k, int j, double s) {
+    auto const value = [&](int l) {
+      return values[static_cast<std::size_t>((k + n) % n * n + (j + l + n) % n)];
+    };
+    return between(value(-1), value(0), value(1), value(2), s);
+  };
+  std::vector<unsigned char> cells;
+  for (int i = 0; i < points; ++i)
+    for (int j = 0; j < points; ++j) {
+      double const x = (j + 0.5) / points * n, y = (1 - (i + 0.5) / points) * n;
+      int const k = static_cast<int>(x), l = static_cast<int>(y);
+      double const value =
+          between(row(l - 1, k, x - k), row(l, k, x - k), row(l + 1, k, x - k), row(l + 2, k, x - k), y - l);
+      cells.push_back(
+          static_cast<unsigned char>(127 + std::lround(std::clamp(scale * value, -127.0, 127.0))));
+    }
+  return image(at, side, side, png(points, points, cells, signed_colours())) + "<rect x=\"" +
+         svg::pixel(at.x) + "\" y=\"" + svg::pixel(at.y) + "\" width=\"" + svg::pixel(side) + "\" height=\"" +
+         svg::pixel(side) + "\" fill=\"none\" stroke=\"#5c6670\" stroke-width=\"1.4\"/>\n";
+}
+
 std::string colour_bar(svg::Point at, double width, double largest, std::string const& name) {
   std::vector<unsigned char> cells;
   for (int i = 0; i < 255; ++i) cells.push_back(static_cast<unsigned char>(i));

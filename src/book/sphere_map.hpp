@@ -1,5 +1,6 @@
 // Fields on the sphere in colours: a globe, seen from afar, and the whole sphere in the projection of
-// Mollweide, which keeps areas. Both are drawn with two points of the picture for each pixel of a screen.
+// Mollweide, which keeps areas; and a field on a flat torus. All are drawn with two points of the picture for
+// each pixel of a screen.
 #pragma once
 
 #include <string>
@@ -44,6 +45,11 @@ std::string globe(svg::Point centre, double radius, SphereField const& field, do
 /// @param longitude  of the middle, in degrees
 std::string whole_sphere(svg::Point centre, double width, SphereField const& field, double largest,
                          double longitude = 180);
+/// Another surface in the same colours: a square that is periodic in both directions, with a frame.
+/// @param at      the upper left corner
+/// @param values  as many rows as columns: row by row from the least y, which is below, and in each from the
+///                least x; after the last of them the first follows again
+std::string flat_map(svg::Point at, double side, std::vector<double> const& values, double largest);
 /// What the colours mean: a bar with its ends and a name below it, 34 pixels high in all.
 /// @param at  the upper left corner
 std::string colour_bar(svg::Point at, double width, double largest, std::string const& name);

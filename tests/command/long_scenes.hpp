@@ -104,6 +104,16 @@ inline std::vector<Long> const& long_scenes() {
        "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\ndeformation = 0.4\n[initial]\n"
        "state = \"random\"\n[method]\nname = \"energy_casimir\"\nstep = 0.05\n[run]\nuntil = 250\n"
        "every = 0.5\n[output]\nquantities = [\"energy\", \"histogram\", \"splitting\"]\n"},
+      {"vorticity_torus",
+       "[system]\nkind = \"vorticity_torus\"\nN = 17\n[initial]\nstate = \"random\"\n[method]\n"
+       "step = 0.05\n[run]\nuntil = 250\nevery = 0.5\n[output]\n"
+       "quantities = [\"energy\", \"casimirs\", \"spectrum\", \"eigenvalue_drift\"]\n"
+       "snapshots = [\"u\"]\nsnapshot_every = 125\n"},
+      {"vorticity_torus, a layer of order 4 to rounding",
+       "[system]\nkind = \"vorticity_torus\"\nN = 13\ndeformation = 0.4\n[initial]\n"
+       "vorticity = \"sin(x) + cos(2*y)*cos(x)\"\n[method]\nname = \"lie_poisson\"\norder = 4\n"
+       "precision = \"double\"\nstep = 0.1\n[run]\nuntil = 100\nevery = 0.5\n[output]\n"
+       "quantities = [\"energy\", \"extrema\"]\n"},
       {"barotropic_fluid, a periodic box by fused steps",
        "[system]\nkind = \"barotropic_fluid\"\n"
        "mesh = { shape = \"box\", lower = [0, 0], upper = [1, 1], cells = [19, "

@@ -138,6 +138,7 @@ BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
         values["output.snapshots"] = "[]";
       // A file is beside the scene.
       if (key["key"] == "initial.file") folder.write("vorticity.csv", "l,m,re,im\n1,0,0.5,0\n1,1,0.2,0.1\n");
+      folder.write("coefficients.csv", "m,n,re,im\n1,0,0.5,0\n-2,1,0.2,0.1\n");
       folder.write("kw4.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
       // An orbit is that of something.
       if (table_of(key["key"]) == "system.third_body.orbit") values["system.third_body.mass"] = "1e12";

@@ -197,6 +197,11 @@ std::vector<Featured> bodies() {
        "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 1\n[initial]\n"
        "harmonics = [[3, 2, 0.2, 0.1], [2, 1, 0.3, 0.1], [1, 1, 0.2, 0]]\n" +
            ending("\"energy\", \"enstrophy\", \"angular_momentum\", \"casimirs\", \"extrema\"", "5", "0.5")},
+      {"vorticity_torus",
+       {},
+       "[system]\nkind = \"vorticity_torus\"\nN = 15\n[initial]\n"
+       "vorticity = \"cos(x) + cos(2*y) + 0.5*sin(x + y)\"\n" +
+           ending("\"energy\", \"enstrophy\", \"casimirs\", \"extrema\"", "5", "0.5")},
   };
 }
 

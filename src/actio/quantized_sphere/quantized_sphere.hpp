@@ -17,6 +17,8 @@ namespace actio::sphere {
 /// The sphere as matrices of size N.
 struct QuantizedSphere {
   int n;  ///< N, at least 2; functions have the degrees 0 .. N - 1
+  /// Rotations commute with the flow, and an angular momentum is conserved.
+  static constexpr bool turns = true;
 
   /// @throws OutsideDomain  where N < 2
   explicit QuantizedSphere(int size) : n(size) {

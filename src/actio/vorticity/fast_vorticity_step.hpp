@@ -29,7 +29,7 @@ namespace actio::sphere {
 /// Steps of one length for one flow, in mixed precision.
 ///
 /// \snippet sphere.cpp fast_vorticity_step
-/// @tparam Stream  a linear map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+/// @tparam Stream  a linear map W -> P, as `StepSetting` has it: `solve(w, p)`, `solve(w)`, `size()`
 template <class Stream = SphereLaplacian>
 class FastVorticityStep : public StepSetting<Stream> {
  public:
@@ -73,6 +73,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   static double spectral_radius(SkewHermitian<> const& a);
 
  private:
+  using typename StepSetting<Stream>::Surface;
   using StepSetting<Stream>::stream_, StepSetting<Stream>::sphere_, StepSetting<Stream>::conserved_,
       StepSetting<Stream>::step_, StepSetting<Stream>::frame_, StepSetting<Stream>::eps_,
       StepSetting<Stream>::of_energy;
@@ -93,7 +94,7 @@ class FastVorticityStep : public StepSetting<Stream> {
 
   /// Those along which the angular momentum of the end is taken back.
   typename StepSetting<Stream>::Axes moved_axes() const {
-    if (of_energy()) return this->corrected_axes();
+    if (of_energy() || !Surface::turns) return this->corrected_axes();
     return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
   }
 
@@ -236,7 +237,8 @@ class FastVorticityStep : public StepSetting<Stream> {
       change[0] = eps_ * (p_.real.cwiseProduct(end_.real - w.real).sum() +
                           p_.imaginary.cwiseProduct(end_.imaginary - w.imaginary).sum());
     }
-    Eigen::Vector3d const momentum = spin_components(sphere_, end_) - momentum_;
+    if (change.size() == 0) return true;
+    Eigen::Vector3d const momentum = this->spins(end_) - momentum_;
     for (std::size_t j = 0; j < axes.size(); ++j)
       change[static_cast<Eigen::Index>(j) + first] = axes[j].dot(momentum);
     single_.real = end_.real.template cast<float>();
@@ -282,7 +284,7 @@ VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
   double const size = norm(w);
   if (size == 0) return {};
   if (!(size >= smallest_size_ && size <= largest_size_)) return plain_step(w);
-  momentum_ = spin_components(sphere_, w);
+  momentum_ = this->spins(w);
   VorticityReport report;
   guess(w);
   wait_ = past_.empty() ? 0 : std::max(0, past_.front().wait - 1);

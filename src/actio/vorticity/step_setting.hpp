@@ -1,4 +1,8 @@
-// What the steps of a flow on the sphere have in common: what they conserve, what they report, how they fail.
+// What the steps of a flow have in common: what they conserve, what they report, how they fail.
+//
+// They are written for the sphere. A stream may say that its matrices are the functions on another surface:
+// `Surface`, with its `hbar()`, and with `turns` where rotations commute with the flow. Where none does, as
+// on the flat torus, there is no angular momentum to keep, and energy and spectrum are all that a step keeps.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,12 +34,26 @@ struct NotContracting : Error {
   NotContracting(double tried, double do_well);
 };
 
+namespace detail {
+template <class Stream>
+struct SurfaceOf {
+  using Type = QuantizedSphere;
+};
+template <class Stream>
+  requires requires { typename Stream::Surface; }
+struct SurfaceOf<Stream> {
+  using Type = typename Stream::Surface;
+};
+}  // namespace detail
+
 /// Steps of one length for one flow: what they are given.
-/// @tparam Stream  a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+/// @tparam Stream  a map W -> P: `solve(w, p)`, `solve(w)`, `size()`; and `Surface`, where it is not the
+///                 sphere. On the sphere it commutes with rotations
 template <class Stream>
 class StepSetting {
  public:
-  double step() const { return step_; }  ///< h, time
+  using Surface = typename detail::SurfaceOf<Stream>::Type;  ///< of which the matrices are the functions
+  double step() const { return step_; }                      ///< h, time
   /// In which the steps are made.
   TurningFrame const& frame() const { return frame_; }
 
@@ -49,20 +67,28 @@ class StepSetting {
         conserved_(conserved),
         step_(step),
         frame_(frame),
-        eps_(step / (2 * sphere_.hbar())) {
+        eps_(step / (2 * Surface(stream.size()).hbar())) {
     if (!std::isfinite(step)) throw NotFinite("vorticity: step");
     if (step == 0) throw OutsideDomain("vorticity", "the step must differ from zero", 0, 0);
+    if (!Surface::turns && frame.rate != 0)
+      throw OutsideDomain("vorticity", "this surface has no frame that turns; the rate", frame.rate, 0);
   }
 
   /// Whether the step conserves the energy, by taking P of the mean of both ends.
   bool of_energy() const { return conserved_ != Conserved::lie_poisson; }
   /// Those along whose turns A is moved.
   Axes corrected_axes() const {
+    if (!Surface::turns) return {};
     if (conserved_ == Conserved::all_invariants)
       return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
     // Where nothing turns A is parallel to P, and the energy is conserved as it is.
     if (conserved_ == Conserved::energy_casimir && frame_.rate != 0) return {frame_.axis};
     return {};
+  }
+  /// What the angular momentum is a multiple of; zero where none is conserved.
+  Eigen::Vector3d spins(SkewHermitian<> const& w) const {
+    if constexpr (Surface::turns) return spin_components(sphere_, w);
+    return Eigen::Vector3d::Zero();
   }
   /// P - Q. Here \f$Q = -i\,\mathrm{rate}\,\hbar\,e\cdot S\f$; the Lie-Poisson form takes the part of the
   /// middle in the place of e, which by the angular momentum that is conserved is the same up to O(h^2): then
@@ -71,12 +97,12 @@ class StepSetting {
   void subtract_turning(SkewHermitian<> const& middle, double momentum, SkewHermitian<>& p) const {
     double const turn = frame_.rate * sphere_.hbar();
     if (turn == 0) return;
-    Eigen::Vector3d const e = of_energy() ? frame_.axis : spin_components(sphere_, middle) / momentum;
+    Eigen::Vector3d const e = of_energy() ? frame_.axis : spins(middle) / momentum;
     add_spin(sphere_, turn * e, p);
   }
 
   Stream const& stream_;    ///< the map W -> P
-  QuantizedSphere sphere_;  ///< of the matrices
+  QuantizedSphere sphere_;  ///< of the matrices, for the rotations
   Conserved conserved_;     ///< beside the spectrum
   double step_;             ///< h, time
   TurningFrame frame_;      ///< in which the steps are made

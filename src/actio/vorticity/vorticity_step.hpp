@@ -42,7 +42,7 @@ namespace actio::sphere {
 /// momentum and Casimirs are read by \ref vorticity_energy, \ref sphere_momentum and \ref vorticity_casimirs.
 ///
 /// \snippet ch10_outlook/try_it.cpp vorticity_step
-/// @tparam Stream  a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+/// @tparam Stream  a map W -> P, as `StepSetting` has it: `solve(w, p)`, `solve(w)`, `size()`
 template <class Stream = SphereLaplacian>
 class VorticityStep : public StepSetting<Stream> {
  public:
@@ -239,7 +239,7 @@ class VorticityStep : public StepSetting<Stream> {
     }
     // The angular momentum that is conserved is left out of the change: where a planet turns fast, it would
     // be amplified before it vanishes.
-    Eigen::Vector3d const change = spin_components(sphere_, half_change_);
+    Eigen::Vector3d const change = this->spins(half_change_);
     for (auto const& e : directions_) add_spin(sphere_, -e.dot(change) / sphere_.spin_square() * e, source);
     return source;
   }
@@ -273,7 +273,7 @@ class VorticityStep : public StepSetting<Stream> {
   /// does to the middle; and where W is mostly a rotation with the rate r, P of a change of degree 2 turns it
   /// by hr/3.
   double relaxation(SkewHermitian<> const& w) const {
-    double const rate = 0.5 * (spin_components(sphere_, w).norm() / sphere_.spin_square() / sphere_.hbar() +
+    double const rate = 0.5 * (this->spins(w).norm() / sphere_.spin_square() / sphere_.hbar() +
                                std::abs(background_.vorticity));
     double const beta = 2 * spectral_radius(whole_displacement()) + std::abs(step_) * rate / 3;
     return 2 / (1 + std::sqrt(1 + beta * beta));
@@ -300,7 +300,7 @@ VorticityReport VorticityStep<Stream>::advance(SkewHermitian<>& w) {
       std::max(w.real.cwiseAbs().maxCoeff(), w.imaginary.cwiseAbs().maxCoeff()) > 0)
     throw OutsideDomain("vorticity", "its squares must be numbers: |W|", size, smallest_size);
   if (size == 0) return {};
-  if (frame_.rate != 0 && !of_energy()) momentum_ = spin_components(sphere_, w).norm();
+  if (frame_.rate != 0 && !of_energy()) momentum_ = this->spins(w).norm();
   VorticityReport report;
   if (!find(w, size, report)) throw NotContracting(step_, longest_from(w, size));
   remember();

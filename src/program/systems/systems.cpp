@@ -10,6 +10,7 @@
   with(heavy_top)               \
   with(euler_poincare)          \
   with(vorticity_sphere)        \
+  with(vorticity_torus)         \
   with(barotropic_fluid)        \
   with(elastic_body)            \
   with(incompressible_fluid)    \

@@ -42,7 +42,7 @@ void define_casimirs(QuantityGraph& graph, VorticityMotion const& motion, Flow c
       "casimirs", numbered(2, last),
       [&motion, flow](auto, double* casimirs) {
         Eigen::Map<Eigen::VectorXd>(casimirs, last - 1) =
-            vorticity_casimirs(flow->products, motion.absolute_vorticity());
+            vorticity_casimirs(flow->products, motion.absolute_vorticity(), flow->sphere.area_element());
       },
       // Odd powers may cancel: theirs is at least that of a vorticity which is everywhere the root of the
       // mean square.

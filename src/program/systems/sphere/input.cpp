@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "actio/numbers/nearest_name.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/systems/sphere/named_states.hpp"
@@ -33,23 +31,6 @@ struct StartKeys : KeyTable {
       "lmax = 10, and where there is such a table it names the state.",
       "\"random\"");
 } const start_keys{{"initial"}};
-
-/// The state that the scene names, by `state` or by the table of its parameters; empty where it names none.
-std::string state_of(SceneTable& initial) {
-  auto const names = names_of_states();
-  std::vector<std::string> tables;
-  for (auto const& key : initial.keys())
-    if (std::find(names.begin(), names.end(), key) != names.end()) tables.push_back(key);
-  if (tables.size() > 1)
-    initial.fail(tables[1], fmt::format("[initial] has '{}' and '{}'; one of them says how the flow begins",
-                                        tables[0], tables[1]));
-  if (!initial.has("state")) return tables.empty() ? "" : tables[0];
-  std::string const name = start_keys.state.read(initial);
-  if (!tables.empty() && tables[0] != name)
-    initial.fail(tables[0], fmt::format("[initial.{}] holds parameters of another state than state = \"{}\"",
-                                        tables[0], name));
-  return name;
-}
 
 void read_rows(SceneTable const& initial, sphere::SphereHarmonics& f) {
   auto const rows = start_keys.harmonics.read(initial);
@@ -84,7 +65,7 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
   start.hamiltonian = read_hamiltonian(file);
   start.rotation = sphere_keys.rotation.read(file);
 
-  std::string const state = state_of(initial);
+  std::string const state = state_of(initial, names_of_states(), start_keys.state);
   std::vector<std::string> given;
   for (char const* key : {"harmonics", "file"})
     if (initial.has(key)) given.emplace_back(key);

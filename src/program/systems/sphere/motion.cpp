@@ -146,16 +146,10 @@ double SphereFlow::fastest_turning() const {
   return sphere::FastVorticityStep<>::spectral_radius(p) / sphere.hbar();
 }
 
-double SphereScheme::longest() const {
-  double longest = 0;
-  for (double const fraction : fractions) longest = std::max(longest, std::abs(fraction));
-  return longest;
-}
-
 std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow const> flow,
                                                    SphereScheme const& scheme, double step) {
   auto const with = [&]<class Step, class Stream>() -> std::unique_ptr<VorticityMotion> {
-    return std::make_unique<SteppedVorticity<Step, Stream>>(std::move(flow), scheme, step);
+    return std::make_unique<SteppedVorticity<Step, Stream>>(flow, scheme, step);
   };
   if (flow->hamiltonian.layer())
     return with
@@ -167,18 +161,6 @@ std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow co
   };
   if (flow->hamiltonian.averaged()) return with_stream.template operator()<sphere::AveragedStream>();
   return with_stream.template operator()<sphere::SphereLaplacian>();
-}
-
-double longest_vorticity_step(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme,
-                              double step) {
-  double h = step;
-  for (int k = 0; k < 40; ++k) try {
-      stepped_vorticity(flow, scheme, h)->advance(8);
-      return h;
-    } catch (sphere::NotContracting const& error) {
-      h = error.largest > 0 ? std::min(0.8 * h, error.largest) : 0.5 * h;
-    }
-  return 0;
 }
 
 }  // namespace actio::scene

@@ -36,7 +36,8 @@ class CommutingProducts {
 
 }  // namespace
 
-Eigen::VectorXd vorticity_casimirs(sphere::Products const& products, sphere::SkewHermitian<> const& w) {
+Eigen::VectorXd vorticity_casimirs(sphere::Products const& products, sphere::SkewHermitian<> const& w,
+                                   double area) {
   CommutingProducts product(products, w.size());
   sphere::SkewHermitian<> const square = product(w, w), cube = product(square, w),
                                 fourth = product(square, square);
@@ -46,7 +47,7 @@ Eigen::VectorXd vorticity_casimirs(sphere::Products const& products, sphere::Ske
       sphere::inner_product(square, square), sphere::inner_product(square, cube),
       sphere::inner_product(cube, cube), sphere::inner_product(cube, fourth),
       sphere::inner_product(fourth, fourth);
-  return sphere::QuantizedSphere(static_cast<int>(w.size())).area_element() * casimirs;
+  return area * casimirs;
 }
 
 Eigen::VectorXd vorticity_eigenvalues(sphere::SkewHermitian<> const& w) {

@@ -26,13 +26,17 @@ int threads_for(int n) {
 
 }  // namespace
 
+sphere::Products products_of_size(int size, std::vector<std::string>& remarks) {
+  if (size >= smallest_for_blas)
+    if (sphere::Products const by_blas = blas_products(threads_for(size), remarks)) return by_blas;
+  return sphere::eigen_products();
+}
+
 sphere::Products products_of_flow(sphere::SkewHermitian<> const& absolute,
                                   std::vector<std::string>& remarks) {
   int const n = static_cast<int>(absolute.size()), fold = sphere::symmetry_of(absolute);
   int const size = fold > 1 ? (n + fold - 1) / fold : n;
-  sphere::Products products = sphere::eigen_products();
-  if (size >= smallest_for_blas)
-    if (sphere::Products const by_blas = blas_products(threads_for(size), remarks)) products = by_blas;
+  sphere::Products products = products_of_size(size, remarks);
   if (fold <= 1) return products;
   remarks.push_back(
       fmt::format("the flow looks the same after 1/{} of a turn about the pole: matrices are "

@@ -8,6 +8,11 @@
 
 namespace actio::scene {
 
+/// Products of matrices of a size: by OpenBLAS where they are large enough for it to be loaded, on several
+/// threads where they are larger still.
+/// @param remarks  what a user might want to know of it
+sphere::Products products_of_size(int size, std::vector<std::string>& remarks);
+
 /// Products for the steps of a flow: by OpenBLAS where the matrices are large enough for it to be loaded, on
 /// several threads where they are larger still; and block by block where the flow looks the same after a turn
 /// by 1/k of the circle about the pole, which it then does for ever.

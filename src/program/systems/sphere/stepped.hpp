@@ -6,64 +6,23 @@
 #include <cmath>
 
 #include "actio/quantized_sphere/sphere_invariants.hpp"
+#include "program/systems/sphere/stepped_matrix.hpp"
 #include "program/systems/sphere/steps.hpp"
 
 namespace actio::scene {
-
-/// A skew-Hermitian matrix in a checkpoint, of which half says the whole.
-template <class Real>
-void remember_matrix(CheckpointStream& stream, sphere::SkewHermitian<Real>& w, int n);
 
 /// A flow in steps, each of one substep or of several.
 /// @tparam Step    `VorticityStep<Stream>` or `FastVorticityStep<Stream>`
 /// @tparam Stream  that of the Hamiltonian of the flow
 template <class Step, class Stream>
-class SteppedVorticity : public VorticityMotion {
+class SteppedVorticity : public SteppedMatrix<Step, VorticityMotion> {
  public:
   /// From the start of the flow.
-  SteppedVorticity(std::shared_ptr<SphereFlow const> flow, SphereScheme scheme, double step)
-      : flow_(std::move(flow)),
-        scheme_(std::move(scheme)),
-        step_(step),
-        steps_(substeps(step)),
-        w_(flow_->first_state()) {}
-
-  void advance(long count) override {
-    ahead_.reset();
-    for (long k = 0; k < count; ++k) {
-      make_step(steps_, w_, step_);
-      ++made_;
-    }
-  }
-  void look_ahead(double time) override {
-    ahead_.reset();
-    if (time == 0) return;
-    auto shorter = substeps(time);
-    sphere::SkewHermitian<> w = w_;
-    make_step(shorter, w, time);
-    ahead_.emplace(std::move(w)), beyond_ = time;
-  }
-  void change_step(double first, double step, long made) override {
-    ahead_.reset();
-    if (first > 0) {
-      auto on_the_way = substeps(first);
-      make_step(on_the_way, w_, first);
-    }
-    steps_ = substeps(step), step_ = step, made_ = made;
-  }
-  void remember(CheckpointStream& stream) override {
-    auto const n = flow_->sphere.n;
-    stream(made_);
-    remember_matrix(stream, w_, n);
-    for (auto& step : steps_) {
-      auto past = step.past();
-      auto size = static_cast<long>(past.size());
-      stream(size);
-      if (stream.reading()) past.resize(static_cast<std::size_t>(std::clamp(size, 0L, 64L)));
-      for (auto& one : past) remember_past(stream, one);
-      if (stream.reading()) step.go_on_from(std::move(past));
-    }
-  }
+  SteppedVorticity(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme, double step)
+      : SteppedMatrix<Step, VorticityMotion>(
+            flow->first_state(), scheme, step,
+            [flow, scheme](double length) { return substeps(*flow, scheme, length); }),
+        flow_(flow) {}
 
   sphere::SkewHermitian<> vorticity_at_output() const override {
     sphere::TurningFrame const& frame = flow_->frame;
@@ -108,42 +67,21 @@ class SteppedVorticity : public VorticityMotion {
   }
 
  private:
-  /// A fraction of a step has a scheme of its own at each of its places, which guesses from what was found
-  /// there in the steps before: these are evenly spaced, as the guess needs it.
-  std::vector<Step> substeps(double step) const {
+  using SteppedMatrix<Step, VorticityMotion>::time, SteppedMatrix<Step, VorticityMotion>::state;
+
+  static std::vector<Step> substeps(SphereFlow const& flow, SphereScheme const& scheme, double step) {
     std::vector<Step> out;
-    out.reserve(scheme_.fractions.size());
-    for (double const fraction : scheme_.fractions) {
-      auto const& stream = flow_->stream.template as<Stream>();
+    out.reserve(scheme.fractions.size());
+    for (double const fraction : scheme.fractions) {
+      auto const& stream = flow.stream.template as<Stream>();
       if constexpr (requires(Step one) { one.half_change(); })
-        out.emplace_back(stream, scheme_.conserved, fraction * step, flow_->frame, flow_->products,
-                         flow_->apart.background);
+        out.emplace_back(stream, scheme.conserved, fraction * step, flow.frame, flow.products,
+                         flow.apart.background);
       else
-        out.emplace_back(stream, scheme_.conserved, fraction * step, flow_->frame, flow_->products);
+        out.emplace_back(stream, scheme.conserved, fraction * step, flow.frame, flow.products);
     }
     return out;
   }
-  /// What a step guesses from.
-  void remember_past(CheckpointStream& stream, typename Step::Past& past) const {
-    int const n = flow_->sphere.n;
-    std::span<double> factors(past.factors.data(), 4);
-    if constexpr (requires { past.half_change; }) {
-      remember_matrix(stream, past.increment, n);
-      if (scheme_.conserved != sphere::Conserved::lie_poisson) remember_matrix(stream, past.half_change, n);
-      stream(factors);
-    } else {
-      for (auto* half : {&past.displacement, &past.increment})
-        for (auto* part : {&half->real, &half->imaginary}) {
-          if (stream.reading()) part->resize(sphere::LowerHalf::count(n));
-          std::span<double> numbers(part->data(), static_cast<std::size_t>(part->size()));
-          stream(numbers);
-        }
-      stream(factors), stream(past.guess_error), stream(past.wait), stream(past.radius), stream(past.age);
-    }
-  }
-
-  /// The steps are counted, and times are multiplied.
-  double time() const { return static_cast<double>(made_) * step_ + (ahead_ ? beyond_ : 0); }
   sphere::SkewHermitian<> about_pole(double angle, sphere::SkewHermitian<> const& w) const {
     return sphere::Turning(flow_->sphere, Eigen::Vector3d::UnitZ())(angle, w);
   }
@@ -151,8 +89,6 @@ class SteppedVorticity : public VorticityMotion {
   void add_function(sphere::SkewHermitian<>& w, Eigen::Vector3d const& r) const {
     sphere::add_spin(flow_->sphere, flow_->sphere.hbar() * r, w);
   }
-  /// What is stepped.
-  sphere::SkewHermitian<> const& state() const { return ahead_ ? *ahead_ : w_; }
   /// From axes that do not turn to those of the frame.
   Eigen::AngleAxisd into_frame() const { return {-flow_->frame.rate * time(), flow_->frame.axis}; }
   /// About the axis about which the axis of the frame was put upright.
@@ -161,29 +97,7 @@ class SteppedVorticity : public VorticityMotion {
     return *about_axis_;
   }
 
-  /// Where a substep cannot be made, the vorticity is as it was.
-  void make_step(std::vector<Step>& steps, sphere::SkewHermitian<>& w, double length) const {
-    if (steps.size() == 1) {
-      steps.front().advance(w);
-      return;
-    }
-    sphere::SkewHermitian<> const before = w;
-    try {
-      for (auto& step : steps) step.advance(w);
-    } catch (sphere::NotContracting const& error) {
-      w = before;
-      throw sphere::NotContracting(length, std::copysign(error.largest / scheme_.longest(), length));
-    }
-  }
-
   std::shared_ptr<SphereFlow const> flow_;
-  SphereScheme scheme_;
-  double step_;
-  std::vector<Step> steps_;
-  sphere::SkewHermitian<> w_;
-  long made_ = 0;
-  std::optional<sphere::SkewHermitian<>> ahead_;
-  double beyond_ = 0;
   mutable std::optional<sphere::Turning> about_axis_;
 };
 

@@ -9,6 +9,7 @@
 #include "actio/vorticity/fast_vorticity_step.hpp"
 #include "program/systems/sphere/hamiltonian.hpp"
 #include "program/systems/sphere/motion.hpp"
+#include "program/systems/sphere/scheme.hpp"
 
 namespace actio::scene {
 
@@ -26,16 +27,6 @@ class SphereStream {
  private:
   using Kind = std::variant<sphere::SphereLaplacian, sphere::HelmholtzStream, sphere::AveragedStream>;
   Kind stream_;
-};
-
-/// How a flow is stepped.
-struct SphereScheme {
-  sphere::Conserved conserved;    ///< beside the spectrum
-  bool to_rounding;               ///< whether the equation of a step is solved in double precision throughout
-  std::vector<double> fractions;  ///< of a step, those of the substeps
-
-  /// The longest fraction.
-  double longest() const;
 };
 
 /// A flow on a sphere that turns fast, apart from what turns as a whole
@@ -95,9 +86,5 @@ struct SphereFlow {
 /// A flow from its start, in steps.
 std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow const> flow,
                                                    SphereScheme const& scheme, double step);
-
-/// The longest step, up to this one, of which the first eight can be made; zero where none was found.
-double longest_vorticity_step(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme,
-                              double step);
 
 }  // namespace actio::scene

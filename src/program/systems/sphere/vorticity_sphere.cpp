@@ -10,7 +10,6 @@
 #include "program/base/memory.hpp"
 #include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
-#include "program/registry/companion.hpp"
 #include "program/registry/conservation.hpp"
 #include "program/systems/method_input.hpp"
 #include "program/systems/sphere/input.hpp"
@@ -135,49 +134,6 @@ std::string resolution(sphere::SphereHarmonics relative, SphereHamiltonian const
       told.energy_degree, told.error, told.lost_degree);
 }
 
-/// As many steps as take 5 ms or so: some ten evaluations of the step's equation.
-long steps_in_5_ms(int n, std::size_t substeps) {
-  double const cube = std::pow(n, 3), square = std::pow(n, 2);
-  double const seconds = static_cast<double>(substeps) * (3e-8 * cube + 4e-7 * square + 1e-5);
-  return std::max(1L, static_cast<long>(5e-3 / seconds));
-}
-
-/// The step of the scene: by default the largest eigenvalue of A is a tenth, where few iterations solve the
-/// step.
-double step_of(SceneTable const& method, Schedule const& schedule,
-               std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme) {
-  double const fastest = flow->fastest_turning(), step = read_step(method, schedule, fastest, 0.2);
-  // Up to here the iteration is known to contract from its first guess.
-  if (fastest * step * scheme.longest() <= 0.3) return step;
-  try {
-    stepped_vorticity(flow, scheme, step)->advance(4);
-  } catch (sphere::NotContracting const& error) {
-    std::string const what = fmt::format("the iteration of a step of length {} does not contract", step);
-    double const longest = longest_vorticity_step(
-        flow, scheme, error.largest > 0 ? std::min(0.8 * step, error.largest) : 0.8 * step);
-    if (longest == 0) throw NumericsError(method.place("step").text() + ": step: " + what);
-    fail_for_long_step(method, schedule, StepTooLong("vorticity", step, longest), what);
-  }
-  return step;
-}
-
-/// A run with longer steps takes more iterations a step, and is made where it is asked for.
-Companion companion_of(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme, int order,
-                       double step, std::optional<bool> wanted) {
-  if (!wanted.value_or(false))
-    return {nullptr, 0, 0, false,
-            "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
-  Companion out = companions(
-      [&](long multiple) {
-        double const longer = static_cast<double>(multiple) * step;
-        stepped_vorticity(flow, scheme, longer)->advance(2);  // so long a step may be beyond the iteration
-        return stepped_vorticity(flow, scheme, longer);
-      },
-      {4, 3, 2}, order, false);
-  out.momentum = "vorticity";
-  return out;
-}
-
 /// What the user of a scene might want to know of it.
 void tell(Simulation& simulation, VorticityStart const& start, SphereFlow const& flow, bool histogram) {
   if (std::string const told = resolution(start.relative, start.hamiltonian); !told.empty())
@@ -216,11 +172,12 @@ Simulation prepare(Request const& request) {
                                                        scheme.conserved, simulation.remarks);
   start.matrix = {};
   tell(simulation, start, *flow, asked("histogram"));
-  simulation.step = step_of(method, request.schedule, flow, scheme);
+  MakeStepped const make = [flow, scheme](double step) { return stepped_vorticity(flow, scheme, step); };
+  simulation.step = step_of_scheme(method, request.schedule, flow->fastest_turning(), scheme, make);
   simulation.work = static_cast<double>(scheme.fractions.size());
   simulation.steps_at_once = steps_in_5_ms(start.n, scheme.fractions.size());
   auto motion = stepped_vorticity(flow, scheme, simulation.step);
-  simulation.companion = companion_of(flow, scheme, choice.number(), simulation.step, request.error_estimate);
+  simulation.companion = companion_of_scheme(make, choice.number(), simulation.step, request.error_estimate);
   define_vorticity(simulation.quantities, *motion, flow);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_vorticity(request, start.n, start.hamiltonian, *motion);
