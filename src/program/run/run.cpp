@@ -279,7 +279,7 @@ class Run {
     // A run with snapshots may be beyond its last row, and has it from its checkpoint.
     if (!wrote_ && report.ending == Ending::done && !position_.with_snapshots()) evaluate_last_row();
     if (wrote_ || report.ending == Ending::done) report.last_row = row_;
-    if (whole) report.hash = hash_of_state();
+    if (whole) report.hash = hash_of_state(report.last_row);
     // All files are made before the summary says that the run is finished: after a kill in between, `resume`
     // makes them.
     output_->close();
@@ -289,16 +289,15 @@ class Run {
       attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
   }
 
-  /// Of all that the next step depends on, and of the last row (FNV-1a, 64 bits).
-  std::string hash_of_state() {
+  /// Of all that the next step depends on, or of the last row where there are no steps (FNV-1a, 64 bits).
+  std::string hash_of_state(std::vector<double> const& last_row) {
     CheckpointStream stream;
     simulation_.motion->remember(stream);
     std::uint64_t hash = 14695981039346656037u;
     auto const add = [&](std::span<std::byte const> bytes) {
       for (std::byte const one : bytes) hash = (hash ^ static_cast<std::uint64_t>(one)) * 1099511628211u;
     };
-    add(std::as_bytes(std::span(stream.bytes())));
-    if (wrote_ || simulation_.exact) add(std::as_bytes(std::span(row_)));
+    add(simulation_.exact ? std::as_bytes(std::span(last_row)) : std::as_bytes(std::span(stream.bytes())));
     return fmt::format("{:016x}", hash);
   }
 

@@ -53,7 +53,7 @@ struct RunReport {
   /// of the run where it is done, otherwise that this process wrote; the time first
   std::vector<double> last_row;
   StepChanges step_changes;  ///< of \ref with_other_step
-  /// of the state at the end, and of the last row: equal where all bits are; empty where it did not end well
+  /// of the state at the end, or of the last row where there are no steps; empty where it did not end well
   std::string hash;
   std::string summary;       ///< as in summary.json
 };
