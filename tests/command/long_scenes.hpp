@@ -85,7 +85,7 @@ inline std::vector<Long> const& long_scenes() {
        "GJ = 0.1, rA = 1, rI = 0.01 } }\nboundary = { start = \"clamped\" }\n"
        "load = { gravity = [0, 0, -1], end_force = [\"0\", \"0.1*sin(3*t)\", \"0\"] }\n[method]\nstep = 0.002\n[run]\nuntil = 300\n"
        "every = 0.5\n[output]\nquantities = [\"end_place\", \"energy\", \"noether_balance\"]\n"
-       "snapshots = [\"contact_force\"]\nsnapshot_every = 50\n"},
+       "snapshots = [\"contact_force\"]\nsnapshot_every = 300\n"},
       {"rod, unshearable",
        "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 30, constraint = \"unshearable\", section "
        "= { EI = 0.1, GJ = 0.1, rA = 1, rI = 1e-3 } }\nboundary = { start = \"pinned\" }\n"

@@ -79,6 +79,7 @@ BOOST_AUTO_TEST_CASE(a_run_goes_on_with_another_step_to_the_end_that_it_would_ha
       BOOST_REQUIRE(c.rows.size() == b.rows.size());
       double apart = 0, off = 0, size = 0;
       for (std::size_t i = 0; i < c.columns.size(); ++i) {
+        if (c.columns[i] == "iterations") continue;  // a count, of the last step
         apart = std::max(apart, std::abs(a.rows[1][i] - b.rows[1][i]));
         off = std::max(off, std::abs(c.rows[1][i] - b.rows[1][i]));
         size = std::max(size, std::abs(b.rows[1][i]) * (i > 0));

@@ -53,6 +53,9 @@ class Motion {
   /// Saves, or restores, all that the next step depends on. A motion that goes to any time at once has
   /// nothing to remember.
   virtual void remember(CheckpointStream& stream) { (void)stream; }
+  /// Saves the state, of which `hash` in summary.json is made: two motions in the same state save the same,
+  /// in any process.
+  virtual void save_state(CheckpointStream& stream) { remember(stream); }
 };
 
 /// Motions beside that of the run, from which its error is estimated.

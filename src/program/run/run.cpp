@@ -292,7 +292,7 @@ class Run {
   /// Of all that the next step depends on, or of the last row where there are no steps (FNV-1a, 64 bits).
   std::string hash_of_state(std::vector<double> const& last_row) {
     CheckpointStream stream;
-    simulation_.motion->remember(stream);
+    simulation_.motion->save_state(stream);
     std::uint64_t hash = 14695981039346656037u;
     auto const add = [&](std::span<std::byte const> bytes) {
       for (std::byte const one : bytes) hash = (hash ^ static_cast<std::uint64_t>(one)) * 1099511628211u;

@@ -91,6 +91,13 @@ class SteppedMotionN : public TurningBodyN {
     begin_anew(step);
   }
   void remember(CheckpointStream& stream) override { body_.remember(stream); }
+  /// What a body remembers says with which scheme in this process it was stepped.
+  void save_state(CheckpointStream& stream) override {
+    for (MatrixXd const& part : {momentum_of(body_), MatrixXd(body_.attitude().value)}) {
+      std::vector<double> numbers(part.data(), part.data() + part.size());
+      stream(numbers);
+    }
+  }
   MatrixXd body_momentum() const override { return momentum_of(ahead_ ? *ahead_ : body_); }
   MatrixXd attitude() const override { return (ahead_ ? *ahead_ : body_).attitude().value; }
 

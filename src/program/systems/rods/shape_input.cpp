@@ -15,6 +15,12 @@ namespace {
 using Vector = rods::Three<double>;
 
 struct RodKeys : KeyTable {
+  AnyKey curve = key("curve", "three texts, each a formula in s",
+                     LeftOut{"or system.rod.length or system.rod.origin or system.rod.axis or "
+                             "system.rod.curvature"},
+                     "The curve along which the rod lies at rest, for s from 0 to 1; smooth. Sections are at "
+                     "equal distances along it, and their axes turn about it no more than they must.",
+                     "[\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"s/2\"]");
   Key<double> length = key("length", positive.in("length"), LeftOut{"or system.rod.curve"},
                            "The length of the rod at rest; with curve it is that of the curve.", "1");
   Key<int> elements = key("elements", whole("a whole number from 2 to 1000000", 2, 1000000), 32,
@@ -35,12 +41,6 @@ struct RodKeys : KeyTable {
       key("across", vector.called("three components, not all zero"),
           LeftOut{"[0, 1, 0], or the next axis of space that is farther from the rod"},
           "A direction that the second axis of the first section is near.", "[0, 1, 0]");
-  AnyKey curve = key("curve", "three texts, each a formula in s",
-                     LeftOut{"or system.rod.length or system.rod.origin or system.rod.axis or "
-                             "system.rod.curvature"},
-                     "The curve along which the rod lies at rest, for s from 0 to 1; smooth. Sections are at "
-                     "equal distances along it, and their axes turn about it no more than they must.",
-                     "[\"cos(2*pi*s)\", \"sin(2*pi*s)\", \"s/2\"]");
   Key<bool> closed = key("closed", truth, false,
                          "Whether the curve ends where it begins, so that the rod is a ring.", "false");
   AnyKey curvature =
