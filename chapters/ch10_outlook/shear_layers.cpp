@@ -20,8 +20,8 @@ using namespace actio;
 using namespace actio::torus;
 using sphere::Conserved, sphere::SkewHermitian;
 
-constexpr int size = 129, steps = 1200;
-constexpr double h = 0.01;
+constexpr int size = 85, steps = 600;
+constexpr double h = 0.015;
 
 // 1. Two layers at y = pi/2 and 3 pi/2, with a wave on them.
 SkewHermitian<> layers() {
