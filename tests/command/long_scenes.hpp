@@ -108,7 +108,7 @@ inline std::vector<Long> const& long_scenes() {
        "[system]\nkind = \"vorticity_torus\"\nN = 17\n[initial]\nstate = \"random\"\n[method]\n"
        "step = 0.05\n[run]\nuntil = 250\nevery = 0.5\n[output]\n"
        "quantities = [\"energy\", \"casimirs\", \"spectrum\", \"eigenvalue_drift\"]\n"
-       "snapshots = [\"u\"]\nsnapshot_every = 125\n"},
+       "snapshots = [\"u\"]\nsnapshot_every = 250\n"},
       {"vorticity_torus, a layer of order 4 to rounding",
        "[system]\nkind = \"vorticity_torus\"\nN = 13\ndeformation = 0.4\n[initial]\n"
        "vorticity = \"sin(x) + cos(2*y)*cos(x)\"\n[method]\nname = \"lie_poisson\"\norder = 4\n"
