@@ -83,13 +83,15 @@ inline std::vector<Long> const& long_scenes() {
       {"rod, loaded and held",
        "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 30, section = { EA = 90, GA = 40, EI = 0.1, "
        "GJ = 0.1, rA = 1, rI = 0.01 } }\nboundary = { start = \"clamped\" }\n"
-       "load = { gravity = [0, 0, -1], end_force = [\"0\", \"0.1*sin(3*t)\", \"0\"] }\n[method]\nstep = 0.002\n[run]\nuntil = 300\n"
+       "load = { gravity = [0, 0, -1], end_force = [\"0\", \"0.1*sin(3*t)\", \"0\"] }\n[method]\n"
+       "step = 0.002\n[run]\nuntil = 300\n"
        "every = 0.5\n[output]\nquantities = [\"end_place\", \"energy\", \"noether_balance\"]\n"
        "snapshots = [\"contact_force\"]\nsnapshot_every = 300\n"},
       {"rod, unshearable",
        "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 30, constraint = \"unshearable\", section "
        "= { EI = 0.1, GJ = 0.1, rA = 1, rI = 1e-3 } }\nboundary = { start = \"pinned\" }\n"
-       "load = { gravity = [0, 0, -1] }\n[method]\nstep = 0.00125\n[run]\nuntil = 100\nevery = 0.5\n[output]\n"
+       "load = { gravity = [0, 0, -1] }\n[method]\nstep = 0.00125\n[run]\nuntil = 100\n"
+       "every = 0.5\n[output]\n"
        "quantities = [\"end_place\", \"energy\", \"constraint_residual\"]\n"},
       {"vorticity_sphere",
        "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\n[initial]\n"
