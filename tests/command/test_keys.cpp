@@ -261,8 +261,8 @@ BOOST_AUTO_TEST_CASE(a_word_of_another_system_is_refused_with_that_system) {
       "--set method.name=variational:1:13: unknown method 'variational': it is a method of rigid_body and "
       "heavy_top, and rigid_body_n has moser_veselov, natural_chart\n");
   BOOST_TEST(has(complaint("output.quantities=[\"energy\", \"spectrum\"]"),
-                 ":1:30: unknown quantity 'spectrum': it is a quantity of rigid_body_n and "
-                 "vorticity_sphere, and rigid_body has attitude, "));
+                 ":1:30: unknown quantity 'spectrum': it is a quantity of rigid_body_n, vorticity_sphere "
+                 "and vorticity_torus, and rigid_body has attitude, "));
   BOOST_TEST(complaint("system.mass=1") ==
              "--set system.mass=1:1:8: unknown key of [system] 'mass'; it is a key of heavy_top, and "
              "rigid_body takes kind, body, inertia, torque\n");

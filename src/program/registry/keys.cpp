@@ -27,12 +27,15 @@ bool is_one_of(std::string const& word, std::vector<std::string> const& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// `heavy_top and rigid_body_n`: those among whose names the word is.
+/// `two_bodies, heavy_top and rigid_body_n`: those among whose names the word is.
 template <class Names>
 std::string systems_with(std::string const& word, Names names) {
-  std::string out;
+  std::vector<std::string> found;
   for (auto const& system : systems())
-    if (is_one_of(word, names(system))) out += (out.empty() ? "" : " and ") + system.name;
+    if (is_one_of(word, names(system))) found.push_back(system.name);
+  std::string out;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    out += (k == 0 ? "" : k + 1 < found.size() ? ", " : " and ") + found[k];
   return out;
 }
 

@@ -96,7 +96,7 @@ System rod_system() {
       "[system]\nkind = \"rod\"\nrod = { length = 1, elements = 20, section = { radius = 0.02, young = 1e6, "
       "poisson = 0.5, density = 1100 } }\nboundary = { start = \"clamped\" }\n"
       "load = { gravity = [0, 0, -9.81] }\n"
-      "[run]\nuntil = 1\nevery = 0.01\n[output]\n"
+      "[run]\nuntil = 2\nevery = 0.01\n[output]\n"
       "quantities = [\"end_place\", \"energy\", \"noether_balance\"]\n"};
   out.snapshots = rod_snapshots();
   return out;
