@@ -28,7 +28,10 @@ bool has(std::string const& text, std::string const& part) { return text.find(pa
 /// The lines from `[system]` on.
 std::string scene_in(std::string const& text) {
   std::size_t const at = text.find("[system]");
-  return at == std::string::npos ? "" : text.substr(at);
+  if (at == std::string::npos) return "";
+  // A name may be that of a key as well, which is told behind it.
+  std::size_t const end = text.find("\n\n", at);
+  return text.substr(at, end == std::string::npos ? end : end + 1 - at);
 }
 
 }  // namespace
