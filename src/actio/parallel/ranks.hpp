@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,8 +70,10 @@ class HaloRows {
     below_ = rank > 0 ? rank - 1 : round ? last : -1;
     above_ = rank < last ? rank + 1 : round ? 0 : -1;
   }
-  /// The most rows that a neighbour may copy.
-  static int widest(Ranks const* ranks, int rows) { return ranks ? rows / ranks->size() : rows; }
+  /// The most rows that a neighbour may copy; no bound where there is none.
+  static int widest(Ranks const* ranks, int rows) {
+    return ranks && ranks->size() > 1 ? rows / ranks->size() : std::numeric_limits<int>::max();
+  }
 
   bool alone() const { return !ranks_; }                    ///< whether there are no other ranks
   Ranks& ranks() const { return *ranks_; }                  ///< where there are
