@@ -57,18 +57,26 @@ for scene in solid gas; do
   done
 done
 
-# A run that is ended goes on with another number of ranks.
-long=(--set run.until=400 --set run.every=20 --quiet)
+# A run that is interrupted goes on with another number of ranks, and so does one of which a rank has died.
+long=(--set run.until=1200 --set run.every=40 --quiet)
 "$actio" run solid.toml --out whole "${long[@]}"
-ranks 3 run solid.toml --out part "${long[@]}" &
-running=$!
-for _ in $(seq 200); do [ -s part/series.csv ] && [ "$(wc -l <part/series.csv)" -gt 3 ] && break; sleep 0.05; done
-pkill -TERM -P $running -f 'actio-mpi run solid.toml --out part' || true
-wait $running || true
-[ -e part/checkpoint ] || fail "a run that was ended has left no checkpoint"
-ranks 2 resume part --quiet >resumed.txt 2>&1 || fail "$(cat resumed.txt)"
-[ "$(hash_of whole)" = "$(hash_of part)" ] || fail "a resumed run has another state: $(hash_of whole), $(hash_of part)"
-cmp whole/series.csv part/series.csv
+for signal in TERM KILL; do
+  part=part_$signal
+  ranks 3 run solid.toml --out $part "${long[@]}" >/dev/null 2>&1 &
+  running=$!
+  for _ in $(seq 400); do [ -s $part/series.csv ] && [ "$(wc -l <$part/series.csv)" -gt 3 ] && break; sleep 0.02; done
+  # Rank 0 is asked to end; the last one is killed.
+  pids=$(pgrep -f "^[^ ]*actio-mpi run solid.toml --out $part" | sort -n || true)
+  if [ -n "$pids" ]; then
+    [ $signal = TERM ] && pid=$(head -1 <<<"$pids") || pid=$(tail -1 <<<"$pids")
+    kill -$signal "$pid" || true
+  fi
+  wait $running || true
+  while pgrep -f "^[^ ]*actio-mpi run solid.toml --out $part" >/dev/null; do sleep 0.1; done
+  ranks 2 resume $part --quiet >resumed.txt 2>&1 || fail "after $signal: $(cat resumed.txt)"
+  [ "$(hash_of whole)" = "$(hash_of $part)" ] || fail "after $signal the state is another one"
+  cmp whole/series.csv $part/series.csv
+done
 
 # What ranks cannot share, and more ranks than rows, is refused.
 ranks 2 run apophis --out a --quiet >told.txt 2>&1 && fail "a body was shared among ranks"

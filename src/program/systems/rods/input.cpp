@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "actio/rods/step_limit.hpp"
-#include "program/registry/accuracy.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/systems/rods/formulas.hpp"
 #include "program/systems/rods/load_input.hpp"
@@ -67,8 +66,8 @@ rods::RodWaves waves_of(rods::RodSection const& section, rods::RodShape const& r
 }  // namespace
 
 std::vector<Parameter> rod_parameters() {
-  return records_of({rod_shape_parameters(), rod_load_parameters(), name_keys, velocity_keys, rod_step,
-                     thread_keys, accuracy_keys});
+  return records_of(
+      {rod_shape_parameters(), rod_load_parameters(), name_keys, velocity_keys, rod_step, thread_keys});
 }
 
 RodScene::RodScene(Request const& request, std::vector<Method> const& methods) {
