@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   std::vector<media::detail::Quad> memory(numbers, media::detail::Quad(1));
   long const rounds = program.length(4000000L, 1000000L);
   auto const pass = [&](int threads) {
-    media::detail::as_team(threads, [&](int k, media::detail::Meeting&) {
+    as_team(threads, [&](int k, Meeting&) {
       std::size_t const share = numbers / static_cast<std::size_t>(threads);
       Pass one{memory.data() + share * static_cast<std::size_t>(k), share};
       media::detail::run_with(best_registers(), one);
