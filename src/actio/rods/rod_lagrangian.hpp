@@ -1,13 +1,12 @@
 // The same rod on the general road: its Lagrangian as functions of relative motions of space.
 //
-// As in (3.11) a relative motion leads back, f = (g_a^{k+1})^{-1} g_a^k in time and e = (g_{a+1}^k)^{-1}
-// g_a^k in space. The discrete field equations are (3.11) twice: `euler_poincare_left` of the kinetic action
-// at the steps before and after, plus that of the strain action at the elements on both sides. The steps of
-// rod_steps.hpp solve them, written out.
+// They are those of covariant_reduction, f = (g_a^{k+1})^{-1} g_a^k in time and e = (g_{a+1}^k)^{-1} g_a^k in
+// space. The steps of rod_steps.hpp solve the field equation of that module, written out.
 #pragma once
 
+#include "actio/covariant_reduction/group_field.hpp"
 #include "actio/groups/motions.hpp"
-#include "actio/rods/rod_element.hpp"
+#include "actio/rods/rod_arrays.hpp"
 
 namespace actio::rods {
 
