@@ -34,7 +34,9 @@ class Ranks {
 
 /// Numbers as bytes.
 template <class T>
-std::span<std::byte> bytes_of(std::vector<T>& numbers) { return std::as_writable_bytes(std::span(numbers)); }
+std::span<std::byte> bytes_of(std::vector<T>& numbers) {
+  return std::as_writable_bytes(std::span(numbers));
+}
 /// \copydoc bytes_of
 template <class T>
 std::span<std::byte const> bytes_of(std::vector<T> const& numbers) {
@@ -43,7 +45,8 @@ std::span<std::byte const> bytes_of(std::vector<T> const& numbers) {
 
 /// From the first to before the last of so many rows, those of one rank: as equal parts as there are.
 struct RowRange {
-  int from, to;
+  int from;  ///< the first
+  int to;    ///< the one after the last
 
   /// Those of a rank.
   static RowRange of(int rows, int rank, int ranks) {

@@ -12,6 +12,7 @@ namespace actio {
 /// Where the members of a team wait for each other. They give the processor away while they wait.
 class Meeting {
  public:
+  /// Of so many.
   explicit Meeting(int members) : barrier_(members), alone_(members == 1) {}
   /// Returns when all are here.
   void wait() {

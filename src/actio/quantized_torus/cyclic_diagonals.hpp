@@ -28,6 +28,7 @@ class CyclicDiagonals {
   /// Memory for the diagonals of one matrix.
   class Block {
    public:
+    /// For matrices of the size N.
     explicit Block(int size);
     Rows& rows() { return rows_; }  ///< (N + 1)/2 rows of N numbers
 

@@ -84,13 +84,16 @@ struct RodConstants {
   std::vector<double> share,           ///< length of the rod that a section stands for
       inverse_share;                   ///< of that; zero beyond the end, and at a clamped end
   std::vector<double> inverse_length;  ///< of elements; 1 beyond the end
-  Rows<3> Gamma, kappa;                ///< strains of elements at rest
+  Rows<3> Gamma;                       ///< stretch and shears of elements at rest
+  Rows<3> kappa;                       ///< twist and bends of elements at rest, 1/length
   Three<double> acceleration{};        ///< by gravity; length/time^2
 };
 
 /// What elements exert on sections: \ref ElementForce, the force in space.
 struct RodForces {
-  Rows<3> f, first, second;  ///< of element k at `first_element + k`
+  Rows<3> f;       ///< on the section before, in space; of element k at `first_element + k`, as the others
+  Rows<3> first;   ///< moments on the section before, in its axes
+  Rows<3> second;  ///< moments of which the section after feels the opposite, in its axes
 };
 
 }  // namespace actio::rods

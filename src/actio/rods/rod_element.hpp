@@ -48,7 +48,9 @@ template <class T>
 }
 /// The inverse of a unit quaternion.
 template <class T>
-[[gnu::always_inline]] inline Four<T> inverse_turn(Four<T> const& q) { return {q[0], -q[1], -q[2], -q[3]}; }
+[[gnu::always_inline]] inline Four<T> inverse_turn(Four<T> const& q) {
+  return {q[0], -q[1], -q[2], -q[3]};
+}
 /// \f$qvq^{-1}\f$: a vector of the frame q, in space.
 template <class T>
 [[gnu::always_inline]] inline Three<T> turned(Four<T> const& q, Three<T> const& v) {

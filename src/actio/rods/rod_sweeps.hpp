@@ -18,7 +18,8 @@ namespace actio::rods {
 
 /// Which elements, or sections, a sweep goes over: from a multiple of `most_lanes` to before `end`.
 struct Range {
-  std::size_t begin, end;
+  std::size_t begin;  ///< the first
+  std::size_t end;    ///< before which one it ends
 };
 
 /// Forces of elements with the stresses of their strains.

@@ -22,8 +22,9 @@ using Block = std::array<Three<T>, 3>;
 /// The matrix S of a rod, factored.
 class StretchMatrix {
  public:
-  /// @param inverse_share   of the section, 1/length; zero where its place is given
   StretchMatrix() = default;
+  /// Of a rod.
+  /// @param held_places  whether the places of the first and the last section are given
   StretchMatrix(RodConstants const& rod, std::array<bool, 2> const& held_places);
 
   /// Of the rod where it is now.

@@ -56,7 +56,7 @@ rods::RodEnd moved_end(SceneTable const& boundary, AnyKey const& key, rods::Plac
   table.allow({"place", "axis", "angle"});
   bool const placed = table.has("place"), turned = table.has("angle");
   if (!placed && !turned)
-    key.fail(boundary, "place or angle is needed; an end that stays is \"clamped\" or \"pinned\"");
+    key.fail(boundary, "place or angle is needed, and an end that stays is \"clamped\" or \"pinned\"");
   if (turned != table.has("axis"))
     table.fail(turned ? "angle" : "axis", key.name() + ": axis and angle go together");
   std::shared_ptr<RodFormulas const> place, angle;
