@@ -37,7 +37,7 @@ class SteppedMatrix : public Kind {
         steps_(make_steps_(step)),
         w_(std::move(start)) {}
 
-  /// \copydoc Motion::advance
+  /// So many steps.
   void advance(long count) override {
     ahead_.reset();
     for (long k = 0; k < count; ++k) {
@@ -45,7 +45,7 @@ class SteppedMatrix : public Kind {
       ++made_;
     }
   }
-  /// \copydoc Motion::look_ahead
+  /// Shows a state beyond the last step.
   void look_ahead(double time) override {
     ahead_.reset();
     if (time == 0) return;
@@ -54,7 +54,7 @@ class SteppedMatrix : public Kind {
     make_step(shorter, w, time);
     ahead_.emplace(std::move(w)), beyond_ = time;
   }
-  /// \copydoc Motion::change_step
+  /// Goes on with steps of another length.
   void change_step(double first, double step, long made) override {
     ahead_.reset();
     if (first > 0) {
@@ -63,7 +63,7 @@ class SteppedMatrix : public Kind {
     }
     steps_ = make_steps_(step), step_ = step, made_ = made;
   }
-  /// \copydoc Motion::remember
+  /// Saves, or restores, the matrix and what the steps guess from.
   void remember(CheckpointStream& stream) override {
     auto const n = size();
     stream(made_);
