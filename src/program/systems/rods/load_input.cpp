@@ -57,8 +57,9 @@ rods::RodEnd moved_end(SceneTable const& boundary, AnyKey const& key, rods::Plac
   bool const placed = table.has("place"), turned = table.has("angle");
   if (!placed && !turned)
     key.fail(boundary, "place or angle is needed, and an end that stays is \"clamped\" or \"pinned\"");
-  if (turned != table.has("axis"))
-    table.fail(turned ? "angle" : "axis", key.name() + ": axis and angle go together");
+  bool const whole = turned == table.has("axis");
+  std::string const lonely = turned ? "angle" : "axis";
+  if (!whole) table.fail(lonely, key.name() + ": axis and angle go together");
   std::shared_ptr<RodFormulas const> place, angle;
   std::vector<std::string> const time{"t"};
   if (placed) place = std::make_shared<RodFormulas>(table, "place", time, shared);
