@@ -291,6 +291,25 @@ BOOST_AUTO_TEST_CASE(impulses_explain_the_momenta) {
     }
 }
 
+// A load that has no value at some time ends the run on all threads, and the state is that before.
+BOOST_AUTO_TEST_CASE(loads_may_throw) {
+  for (int const threads : {1, 2})
+    for (bool const at_end : {false, true}) {
+      auto const shape = RodShape::of_strains(3, 1100, {0, 0, 0}, {1, 0, 0, 0});
+      RodLoads loads;
+      (at_end ? loads.end : loads.start).force = [](double t) {
+        if (t > 0.00025) throw NotFinite("a load");
+        return Three<double>{0, 1, 0};
+      };
+      Rod rod(section(), shape, {shape, {}, {}}, loads, {1e-5, false, threads});
+      BOOST_CHECK_THROW(rod.step(100), NotFinite);
+      BOOST_TEST(rod.steps() == 26);
+      Rod other(section(), shape, {shape, {}, {}}, loads, {1e-5});
+      other.step(26);
+      BOOST_TEST((rod.remember() == other.remember()));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(step_limit_is_told) {
   // A slender rod: steps are bound by the shear that turns its sections.
   auto const thin = RodSection::circular(1e-3, 1e7, 0.25, 1000);

@@ -57,6 +57,10 @@ for scene in solid gas; do
   done
 done
 
+# The control: another start has another state.
+"$actio" run solid.toml --out other --quiet --set 'initial.velocity=["0", "0.2001*(Y + 0.5)*X"]'
+[ "$(hash_of solid.one)" != "$(hash_of other)" ] || fail "another start has the same hash"
+
 # A run that is interrupted goes on with another number of ranks, and so does one of which a rank has died.
 long=(--set run.until=1200 --set run.every=40 --quiet)
 "$actio" run solid.toml --out whole "${long[@]}"

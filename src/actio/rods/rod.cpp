@@ -109,7 +109,13 @@ void Rod::step(long count) {
   while (count > 0) {
     RodState const kept = state_;
     long const some = std::min(count, between_copies);
-    if (steps_of_.advance(state_, step_, some, time()) && all_finite(state_)) {
+    bool sound = false;
+    try {
+      sound = steps_of_.advance(state_, step_, some, time()) && all_finite(state_);
+    } catch (...) {
+      // A load or a support has refused a time: the single steps come to it.
+    }
+    if (sound) {
       steps_ += some, count -= some;
       continue;
     }

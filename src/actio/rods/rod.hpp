@@ -52,7 +52,8 @@ class Rod {
   Rod(RodSection const& section, RodShape const& rest, RodStart const& start, RodLoads const& loads,
       RodOptions const& options);
 
-  /// So many steps on.
+  /// So many steps on. What loads and supports throw goes on to the caller; the state is that before that
+  /// step.
   /// @throws RodStepFails  where an element would turn by more than a right angle, a section turns too far in
   ///                       a step, or numbers are finite no more; the state is that before that step
   void step(long count = 1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 #include "actio/numbers/errors.hpp"
 #include "actio/parallel/team.hpp"
@@ -127,12 +128,22 @@ bool RodSteps::advance(RodState& state, double step, long count, double time) {
 bool RodSteps::advance_free(RodState& state, double step, long count, double time) {
   auto const parts = parts_of(state.sections, options_.threads);
   int const last = static_cast<int>(parts.size()) - 1;
-  // Of the step before and of this one, so that nobody overtakes who still reads.
+  // Of the step before and of this one: a part that is ahead does not write what another one still reads.
   std::vector<char> failed(2 * parts.size(), 0);
   Impulse at_start, at_end;
+  // Loads and supports are given from outside, and may throw; then all members leave together.
+  std::array<std::exception_ptr, 2> thrown;
   double const before = state.step_before;
   as_team(last + 1, [&](int part, Meeting& meeting) {
     Range const range = parts[static_cast<std::size_t>(part)];
+    auto const given = [&](bool at_the_end, auto const& work) {
+      auto& error = thrown[at_the_end ? 1 : 0];
+      try {
+        if (!error) work();
+      } catch (...) {
+        error = std::current_exception();
+      }
+    };
     auto const keep = [&](std::size_t k) {
       put_vector(trial_.x, k, vector_at(state.x, k)), put_vector(trial_.v, k, vector_at(state.v, k));
       put_vector(trial_.M, k, vector_at(state.M, k)), put_vector(trial_.q, k, vector_at(state.q, k));
@@ -143,24 +154,26 @@ bool RodSteps::advance_free(RodState& state, double step, long count, double tim
       bool sound = sweep_elements(options_.registers, constants_, state, forces_, range);
       if (part == 0) {
         state.impulse = sum(state.impulse, sum(at_start, at_end));
-        state.impulse = sum(state.impulse, impulse_of_loads(state, kick, now));
+        given(false, [&] { state.impulse = sum(state.impulse, impulse_of_loads(state, kick, now)); });
         keep(0);
       }
       if (part == last) keep(state.sections - 1);
-      if (part == last && !state.closed) add_load(state, true, now);
+      if (part == last && !state.closed) given(true, [&] { add_load(state, true, now); });
       meeting.wait();
       if (part == 0 && state.closed) close();
-      if (part == 0 && !state.closed) add_load(state, false, now);
+      if (part == 0 && !state.closed) given(false, [&] { add_load(state, false, now); });
       sound =
           sweep_sections(options_.registers, constants_, forces_, kick, step, state, state, range) && sound;
-      if (part == 0) at_start = hold(false, trial_, kick, step, now, state);
-      if (part == last) at_end = hold(true, trial_, kick, step, now, state);
-      failures[part] = !sound;
+      if (part == 0) given(false, [&] { at_start = hold(false, trial_, kick, step, now, state); });
+      if (part == last) given(true, [&] { at_end = hold(true, trial_, kick, step, now, state); });
+      failures[part] = !sound || (part == 0 && thrown[0]) || (part == last && thrown[1]);
       meeting.wait();
       if (std::ranges::any_of(failures, failures + parts.size(), [](char one) { return one != 0; })) return;
       if (part == last) state.extend();
     }
   });
+  for (auto const& error : thrown)
+    if (error) std::rethrow_exception(error);
   if (std::ranges::any_of(failed, [](char one) { return one != 0; })) return false;
   state.impulse = sum(state.impulse, sum(at_start, at_end));
   state.step_before = step;
