@@ -75,13 +75,13 @@ BOOST_AUTO_TEST_CASE(a_sheet_on_three_ranks) {
   on_thread_ranks(3, [&](Ranks& ranks) {
     FastOptions options;
     options.ranks = &ranks;
-    if (ranks.rank() > 0)
-      return serve_media(
-          ranks, [&](std::string const&, double step) { return medium_part(rubber, box, step, options); });
-    FastMedium2d shared(rubber, box, 0.02, 1, placed, at_rest, options);
-    shared.step(100);
-    assert((shared.places() == alone.places()));
-    take_leave(ranks);
+    share_media(
+        ranks, [&](std::string const&, double step) { return medium_part(rubber, box, step, options); },
+        [&] {
+          FastMedium2d shared(rubber, box, 0.02, 1, placed, at_rest, options);
+          shared.step(100);
+          assert((shared.places() == alone.places()));
+        });
   });
   // [media_on_ranks]
 }

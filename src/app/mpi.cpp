@@ -152,18 +152,13 @@ int run_on_ranks(int argc, char** argv) {
   {
     app::MpiRanks ranks;
     shared_ranks() = &ranks;
-    if (ranks.rank() == 0) {
-      status = app::command(argc, argv);
-      if (ranks.size() > 1) media::take_leave(ranks);
-    } else {
-      // Rank 0 says when to end; where it is gone, mpirun ends this process.
-      listen_for_interrupts();
-      try {
-        media::serve_media(ranks, part_of_medium);
-      } catch (std::exception const& error) {
-        say(stderr, "rank " + std::to_string(ranks.rank()) + ": " + error.what() + "\n");
-        MPI_Abort(MPI_COMM_WORLD, 3);
-      }
+    // Rank 0 says when to end; where it is gone, mpirun ends the others.
+    if (ranks.rank() > 0) listen_for_interrupts();
+    try {
+      media::share_media(ranks, part_of_medium, [&] { status = app::command(argc, argv); });
+    } catch (std::exception const& error) {
+      say(stderr, "rank " + std::to_string(ranks.rank()) + ": " + error.what() + "\n");
+      MPI_Abort(MPI_COMM_WORLD, 3);
     }
     shared_ranks() = nullptr;
   }

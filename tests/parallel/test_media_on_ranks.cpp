@@ -38,12 +38,9 @@ void check_ranks(Medium const& medium, Box const& box, double dt, Placement cons
         on_thread_ranks(ranks, [&](Ranks& here) {
           FastOptions options;
           options.threads = threads, options.levels = levels, options.ranks = &here;
-          if (here.rank() > 0)
-            return serve_media(here, [&](std::string const&, double step) {
-              return medium_part(medium, box, step, options);
-            });
-          together = run(medium, box, dt, placement, velocity, options);
-          if (ranks > 1) take_leave(here);
+          share_media(
+              here, [&](std::string const&, double step) { return medium_part(medium, box, step, options); },
+              [&] { together = run(medium, box, dt, placement, velocity, options); });
         });
         BOOST_TEST((alone.places == together.places));
         BOOST_TEST((alone.velocities == together.velocities));
@@ -53,6 +50,31 @@ void check_ranks(Medium const& medium, Box const& box, double dt, Placement cons
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(media_on_ranks)
+
+BOOST_AUTO_TEST_CASE(what_throws_ends_all_ranks) {
+  auto const law = neo_hookean(1, 1);
+  FastBox2d const box{{4, 8}, {0.1, 0.1}};
+  auto const home = [](auto const& X) { return X; };
+  auto const rest = [](auto const&) { return std::array{0.0, 0.0}; };
+  for (int const failing : {0, 1, 2})
+    BOOST_CHECK_THROW(on_thread_ranks(3,
+                                      [&](Ranks& here) {
+                                        FastOptions options;
+                                        options.ranks = &here;
+                                        share_media(
+                                            here,
+                                            [&](std::string const&, double step) {
+                                              if (here.rank() == failing) throw std::domain_error("a part");
+                                              return medium_part(law, box, step, options);
+                                            },
+                                            [&] {
+                                              FastMedium made(law, box, 0.01, 1, home, rest, options);
+                                              made.step(3);
+                                              if (failing == 0) throw std::domain_error("rank 0");
+                                            });
+                                      }),
+                      std::domain_error);
+}
 
 BOOST_AUTO_TEST_CASE(in_the_plane) {
   auto const place = [](std::array<double, 2> const& X) {

@@ -1,7 +1,7 @@
 // The nodes of a medium on several ranks, commanded by rank 0.
 //
 // Rank 0 runs whatever program it runs, with a medium whose nodes are these: what it asks of them it asks of
-// all ranks. The others do nothing but what rank 0 asks (`serve_media`), until it takes leave.
+// all ranks. The others do nothing but what rank 0 asks, until it is done (`share_media`).
 #pragma once
 
 #include <functional>
@@ -25,6 +25,13 @@ struct NodesCall {
 /// Says it to all others, or hears it.
 inline void agree(Ranks& ranks, NodesCall& call) {
   ranks.broadcast(std::as_writable_bytes(std::span(&call, 1)));
+}
+/// The same on the way out: a rank that is gone need not hear it.
+inline void say_last(Ranks& ranks, NodesCall call) noexcept {
+  try {
+    agree(ranks, call);
+  } catch (std::exception const&) {
+  }
 }
 /// The same of a text.
 inline void agree(Ranks& ranks, std::string& text) {
@@ -68,10 +75,7 @@ class NodesOnRanks {
   struct Call {
     Ranks& ranks;
     int which;
-    ~Call() {
-      NodesCall last{NodesCall::drop, which, 0, 0};
-      agree(ranks, last);
-    }
+    ~Call() { say_last(ranks, {NodesCall::drop, which, 0, 0}); }
   };
   void ask(NodesCall::Kind kind, long count = 0, double number = 0) const {
     if (!call_) return;
@@ -133,12 +137,22 @@ class PartOf final : public MediumPart {
 
 }  // namespace detail
 
-/// On every rank but the first: steps the parts of media that are there, as rank 0 asks whose \ref FastMedium
-/// they are parts of, until that takes leave.
-/// @param make  the part of a medium, of what rank 0 tells of it (`FastOptions::told`), and the length of its
+/// One program on all ranks: rank 0 does `work`, whose media (\ref FastMedium with these ranks among its
+/// options) end with it; the others step their parts of them, until `work` has returned or thrown.
+/// @param part  the part of a medium, of what rank 0 tells of it (`FastOptions::told`) and the length of its
 ///              steps: \ref medium_part
-inline void serve_media(Ranks& ranks,
-                        std::function<std::unique_ptr<MediumPart>(std::string const&, double)> const& make) {
+/// @throws what `work` throws, on rank 0
+inline void share_media(Ranks& ranks,
+                        std::function<std::unique_ptr<MediumPart>(std::string const&, double)> const& part,
+                        std::function<void()> const& work) {
+  if (ranks.rank() == 0) {
+    /// Lets the other ranks go.
+    struct Leave {
+      Ranks& ranks;
+      ~Leave() { detail::say_last(ranks, {detail::NodesCall::leave, 0, 0, 0}); }
+    } const leave{ranks};
+    return work();
+  }
   std::map<int, std::unique_ptr<MediumPart>> parts;
   for (;;) {
     detail::NodesCall call{};
@@ -147,18 +161,13 @@ inline void serve_media(Ranks& ranks,
     if (call.kind == detail::NodesCall::make) {
       std::string told;
       detail::agree(ranks, told);
-      parts[call.which] = make(told, call.number);
+      parts[call.which] = part(told, call.number);
     } else if (call.kind == detail::NodesCall::drop) {
       parts.erase(call.which);
     } else {
       parts.at(call.which)->answer(call);
     }
   }
-}
-/// Lets the other ranks go: on rank 0.
-inline void take_leave(Ranks& ranks) {
-  detail::NodesCall leave{detail::NodesCall::leave, 0, 0, 0};
-  detail::agree(ranks, leave);
 }
 
 }  // namespace actio::media

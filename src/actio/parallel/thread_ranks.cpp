@@ -1,19 +1,42 @@
 #include "actio/parallel/thread_ranks.hpp"
 
 #include <algorithm>
-#include <barrier>
+#include <condition_variable>
 #include <cstring>
 #include <exception>
+#include <mutex>
 #include <thread>
 
 namespace actio {
 namespace {
 
-/// What all of them see of each other.
-struct Table {
-  explicit Table(int count) : barrier(count), shown(static_cast<std::size_t>(count)) {}
-  std::barrier<> barrier;
+/// What all of them see of each other, and where they wait for each other.
+class Table {
+ public:
+  explicit Table(int count) : shown(static_cast<std::size_t>(count)) {}
   std::vector<std::span<std::byte const>> shown;
+
+  /// Returns when all are here.
+  /// @throws RankLost  where one has ended
+  void wait() {
+    std::unique_lock lock(mutex_);
+    long const round = round_;
+    if (++here_ == shown.size()) here_ = 0, ++round_, change_.notify_all();
+    change_.wait(lock, [&] { return round_ != round || lost_; });
+    if (round_ == round) throw RankLost("another rank has ended with an error");
+  }
+  /// Tells those who wait, or will, that a rank has ended.
+  void lose() {
+    std::scoped_lock const lock(mutex_);
+    lost_ = true, change_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable change_;
+  std::size_t here_ = 0;
+  long round_ = 0;
+  bool lost_ = false;
 };
 
 class ThreadRanks final : public Ranks {
@@ -60,9 +83,9 @@ class ThreadRanks final : public Ranks {
   template <class Read>
   void show(std::span<std::byte const> data, Read const& read) {
     table_.shown[static_cast<std::size_t>(rank_)] = data;
-    table_.barrier.arrive_and_wait();
+    table_.wait();
     read();
-    table_.barrier.arrive_and_wait();
+    table_.wait();
   }
   static void copy(std::span<std::byte const> from, std::span<std::byte> to) {
     if (!from.empty()) std::memcpy(to.data(), from.data(), from.size());
@@ -85,8 +108,10 @@ void on_thread_ranks(int count, std::function<void(Ranks&)> const& work) {
         ThreadRanks ranks(table, k);
         try {
           work(ranks);
+        } catch (RankLost const&) {
         } catch (...) {
           thrown[static_cast<std::size_t>(k)] = std::current_exception();
+          table.lose();
         }
       });
   }
