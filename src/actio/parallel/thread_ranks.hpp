@@ -15,8 +15,8 @@ struct RankLost : std::runtime_error {
 };
 
 /// Calls `work` for so many ranks at once, each on a thread of its own, and returns when all are done.
-/// @throws what `work` has thrown on the first rank that did; the others are then told so (\ref RankLost) where
-///   they wait for it
+/// @throws what `work` has thrown on the first rank that did; the others are then told so (\ref RankLost)
+///   where they wait for it
 void on_thread_ranks(int count, std::function<void(Ranks&)> const& work);
 
 }  // namespace actio
