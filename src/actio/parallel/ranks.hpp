@@ -30,6 +30,8 @@ class Ranks {
   virtual void scatter(std::span<std::byte const> all, std::span<std::byte> mine) = 0;
   /// Whether it is so anywhere.
   virtual bool any(bool here) = 0;
+  /// The largest number of all, none of which is a NaN.
+  virtual double most(double here) = 0;
 };
 
 /// Numbers as bytes.
