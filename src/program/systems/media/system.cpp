@@ -261,7 +261,7 @@ Simulation prepare_medium(Request const& request) {
 
 }  // namespace
 
-std::unique_ptr<media::MediumPart> part_of_medium(std::string const& scene, double step) {
+std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) {
   SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
   bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
   MediumMesh const mesh = read_medium_mesh(file);
