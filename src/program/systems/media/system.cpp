@@ -259,10 +259,7 @@ Simulation prepare_medium(Request const& request) {
   return simulation;
 }
 
-}  // namespace
-
-std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) {
-  SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
+std::unique_ptr<RankPart> part_of_medium(SceneFile const& file, double step) {
   bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
   MediumMesh const mesh = read_medium_mesh(file);
   Material const material = read_material(file.section("system"), fluid, mesh.dimension);
@@ -270,6 +267,8 @@ std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) 
   if (mesh.dimension == 2) return optimised_of<media::FastBox2d>(mesh, material, start)->part(step);
   return optimised_of<media::FastBox3d>(mesh, material, start)->part(step);
 }
+
+}  // namespace
 
 System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
                      std::string example) {
@@ -285,7 +284,11 @@ System medium_system(bool fluid, std::string name, std::string title, std::strin
           nullptr,
           {},
           nullptr,
-          medium_snapshots(fluid)};
+          medium_snapshots(fluid),
+          {},
+          nullptr,
+          nullptr,
+          &part_of_medium};
 }
 
 }  // namespace actio::scene
