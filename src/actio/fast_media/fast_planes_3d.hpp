@@ -80,9 +80,7 @@ class FusedPlanes3d {
         meeting.wait();
       }
     });
-    bool bad = false;
-    for (auto const& band : bands_) bad = bad || any_sign(band.signs);
-    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+    return all_sound();
   }
   /// Whether all cells of the state have positive Jacobians.
   bool examine() {
@@ -104,10 +102,14 @@ class FusedPlanes3d {
         for (std::size_t s = 0; s < packs_; ++s) further.back()[s] = row[s] + registers(by);
         rows.back() = further.back().data();
       }
-    Examination3d examination{strips_, rows.data(), across, to - from};
-    run_with(registers_, examination);
-    bool const bad = any(examination.bad);
-    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+    as_team(static_cast<int>(bands_.size()), [&](int b, Meeting&) {
+      Band& band = bands_[static_cast<std::size_t>(b)];
+      Examination3d examination{strips_, rows.data() + across * (band.from - from), across,
+                                std::min(band.to + 1, to) - band.from};
+      run_with(registers_, examination);
+      band.signs = examination.bad;
+    });
+    return all_sound();
   }
 
  private:
@@ -118,7 +120,7 @@ class FusedPlanes3d {
     std::vector<Register> above;  ///< those in the plane above
     std::vector<Register> room;   ///< forces, and rows
     std::vector<Layer3d> layers;
-    alignas(32) Quad::Bits signs;
+    alignas(32) Quad::Bits signs;  ///< set where a Jacobian was seen that is not positive
   };
 
   static Register zero() { return {Quad(0), Quad(0), Quad(0)}; }
@@ -163,6 +165,12 @@ class FusedPlanes3d {
     return out;
   }
   bool round() const { return box_.periodic(2); }
+  /// What all bands of all ranks have seen.
+  bool all_sound() const {
+    bool bad = false;
+    for (auto const& band : bands_) bad = bad || any_sign(band.signs);
+    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+  }
 
   /// Bands, their layers, and room for them.
   void prepare(FastOptions const& options) {

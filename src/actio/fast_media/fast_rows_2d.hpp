@@ -79,10 +79,14 @@ class FusedRows2d {
       for (int s = 0; s < strips_.packs; ++s) above.push_back({row(0)[s].x + x, row(0)[s].y + y});
       rows.push_back(above.data());
     }
-    Examination2d examination{strips_, rows.data(), static_cast<int>(rows.size())};
-    run_with(registers_, examination);
-    bool const bad = any(examination.bad);
-    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+    as_team(static_cast<int>(bands_.size()), [&](int b, Meeting&) {
+      Band& band = bands_[static_cast<std::size_t>(b)];
+      int const first = band.from - own.from, left = static_cast<int>(rows.size()) - first;
+      Examination2d examination{strips_, rows.data() + first, std::min(band.to - band.from + 1, left)};
+      run_with(registers_, examination);
+      band.signs = examination.bad;
+    });
+    return all_sound();
   }
 
  private:
@@ -94,7 +98,7 @@ class FusedRows2d {
     std::vector<Register> forces;  ///< one row a level
     std::vector<Register> lifted;  ///< the first row of a period, where the next period has it
     std::vector<NodeRow2d> rows;
-    alignas(32) Quad::Bits signs;
+    alignas(32) Quad::Bits signs;  ///< set where a Jacobian was seen that is not positive
   };
 
   Register* row(int j) { return state_.data() + halo_.local(j) * stride_; }
@@ -174,6 +178,12 @@ class FusedRows2d {
                            round && k == 0});
     }
   }
+  /// What all bands of all ranks have seen.
+  bool all_sound() const {
+    bool bad = false;
+    for (auto const& band : bands_) bad = bad || any_sign(band.signs);
+    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+  }
   Edges<double> rest() const {
     double const h1 = box_.spacing[0], h2 = box_.spacing[1];
     return {{h1, 0}, {h1, 0}, {0, h2}, {0, h2}};
@@ -224,9 +234,7 @@ bool FusedRows2d<Cell>::advance(long count) {
       meeting.wait();
     }
   });
-  bool bad = false;
-  for (auto const& band : bands_) bad = bad || any_sign(band.signs);
-  return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+  return all_sound();
 }
 
 }  // namespace detail
