@@ -16,7 +16,19 @@ namespace detail {
 
 /// What rank 0 asks for.
 struct NodesCall {
-  enum Kind : int { make, put, places, velocities, advance, examine, keep, restore, drop, leave } kind;
+  enum Kind : int {
+    make,
+    put,
+    places,
+    velocities,
+    advance,
+    examine,
+    strains,
+    keep,
+    restore,
+    drop,
+    leave
+  } kind;
   int which;      ///< of the nodes that there are
   long count;     ///< of steps
   double number;  ///< the length of a step
@@ -65,6 +77,7 @@ class NodesOnRanks {
   }
   bool advance(long count) { return ask(NodesCall::advance, count), nodes_->advance(count); }
   bool examine() { return ask(NodesCall::examine), nodes_->examine(); }
+  auto strains() const { return ask(NodesCall::strains), nodes_->strains(); }
   void keep() { ask(NodesCall::keep), nodes_->keep(); }
   void restore() { ask(NodesCall::restore), nodes_->restore(); }
   int levels() const { return nodes_->levels(); }
@@ -119,6 +132,9 @@ class PartOf final : public MediumPart {
         break;
       case NodesCall::examine:
         nodes_.examine();
+        break;
+      case NodesCall::strains:
+        nodes_.strains();
         break;
       case NodesCall::keep:
         nodes_.keep();

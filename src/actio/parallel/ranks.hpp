@@ -4,6 +4,7 @@
 // what one process would compute. So no bit depends on how many there are.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -30,17 +31,29 @@ class Ranks {
   virtual void scatter(std::span<std::byte const> all, std::span<std::byte> mine) = 0;
   /// Whether it is so anywhere.
   virtual bool any(bool here) = 0;
+
+  double seconds_in_copies =
+      0;  ///< that this one has spent on copies of its neighbours' rows, waiting included
 };
 
 /// Numbers as bytes.
 template <class T>
-std::span<std::byte> bytes_of(std::vector<T>& numbers) {
-  return std::as_writable_bytes(std::span(numbers));
-}
+std::span<std::byte> bytes_of(std::vector<T>& numbers) { return std::as_writable_bytes(std::span(numbers)); }
 /// \copydoc bytes_of
 template <class T>
 std::span<std::byte const> bytes_of(std::vector<T> const& numbers) {
   return std::as_bytes(std::span(numbers));
+}
+
+/// What each has, everywhere.
+/// @tparam T  copied byte by byte
+template <class T>
+std::vector<T> all_of(Ranks& ranks, T const& mine) {
+  std::vector<T> all(static_cast<std::size_t>(ranks.size()));
+  ranks.gather(std::as_bytes(std::span(&mine, 1)),
+               ranks.rank() == 0 ? bytes_of(all) : std::span<std::byte>{});
+  ranks.broadcast(bytes_of(all));
+  return all;
 }
 
 /// From the first to before the last of so many rows, those of one rank: as equal parts as there are.
@@ -97,10 +110,13 @@ class HaloRows {
                       wide = length * static_cast<std::size_t>(width_),
                       own = length * static_cast<std::size_t>(own_.count());
     std::span<T> const all(state);
+    using Clock = std::chrono::steady_clock;
+    auto const began = Clock::now();
     ranks_->exchange(below_, std::as_bytes(all.subspan(wide, wide)), above_,
                      std::as_writable_bytes(all.subspan(wide + own, wide)));
     ranks_->exchange(above_, std::as_bytes(all.subspan(own, wide)), below_,
                      std::as_writable_bytes(all.subspan(0, wide)));
+    ranks_->seconds_in_copies += std::chrono::duration<double>(Clock::now() - began).count();
   }
 
  private:

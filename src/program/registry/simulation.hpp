@@ -92,7 +92,8 @@ struct Simulation {
   /// so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the
   /// machine, since the digits may depend on it
   long steps_at_once = 1 << 14;
-  bool on_ranks = false;  ///< whether its state is shared among ranks, where there are several
+  bool on_ranks = false;    ///< whether its state is shared among ranks, where there are several
+  int shared_rows = 0;      ///< of nodes, or planes in space, that they share; 0: that is not told
   double bytes = 0;         ///< of memory that a run takes at most; 0: that is not told
   double shared_bytes = 0;  ///< of these, what ranks share
   /// why it can take no step from its start, for instance since the step is too long; empty where it can
