@@ -85,8 +85,8 @@ on -n 1 "$actio_mpi" run solid.toml --out unlike --quiet : -n 1 ./another run so
 grep -q '^actio-mpi: the program of rank 1 is not that of rank 0' told.txt || fail "$(cat told.txt)"
 [ ! -e unlike ] || fail "two programs have made a folder"
 
-# A run that is interrupted goes on with another number of ranks, and so does one of which a rank, or mpirun,
-# was killed; the others end then.
+# A run that is interrupted goes on with another number of ranks, and on one does one of which a rank, or
+# mpirun, was killed; the others end then.
 long=(--set run.until=1200 --set run.every=40 --quiet)
 "$actio" run solid.toml --out whole "${long[@]}"
 for ended in first last mpirun; do
@@ -108,7 +108,9 @@ for ended in first last mpirun; do
   done
   [ ! -e $part/summary.json ] || [ $ended = first ] || fail "a run without its $ended has come to an end"
   [ $ended != last ] || grep -q 'exited on signal 9' told.txt || fail "who was killed is not told: $(cat told.txt)"
-  ranks 2 resume $part --quiet >resumed.txt 2>&1 || fail "after the $ended: $(cat resumed.txt)"
+  go_on=("$actio")
+  [ $ended != first ] || go_on=(ranks 2)
+  "${go_on[@]}" resume $part --quiet >resumed.txt 2>&1 || fail "after the $ended: $(cat resumed.txt)"
   [ "$(hash_of whole)" = "$(hash_of $part)" ] || fail "after the $ended the state is another one"
   cmp whole/series.csv $part/series.csv
 done
