@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "app/commands.hpp"
+#include "app/mpi_agreement.hpp"
 #include "app/mpi_ranks.hpp"
 #include "app/sweep_arguments.hpp"
 #include "program/base/interrupt.hpp"
@@ -155,7 +156,10 @@ int run_on_ranks(int argc, char** argv) {
     // Rank 0 says when to end; where it is gone, mpirun ends the others.
     if (ranks.rank() > 0) listen_for_interrupts();
     try {
-      share_parts(ranks, part_of_motion, [&] { status = app::command(argc, argv); });
+      if (app::agree_on_run(ranks))
+        share_parts(ranks, part_of_motion, [&] { status = app::command(argc, argv); });
+      else
+        status = 2;
     } catch (std::exception const& error) {
       say(stderr, "rank " + std::to_string(ranks.rank()) + ": " + error.what() + "\n");
       MPI_Abort(MPI_COMM_WORLD, 3);

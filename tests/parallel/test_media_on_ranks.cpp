@@ -49,7 +49,79 @@ void check_ranks(Medium const& medium, Box const& box, double dt, Placement cons
 
 }  // namespace
 
+/// Ranks that put a copy together from a share of each of three, as one does who sums over ranks, where
+/// others copy it.
+class AddingRanks final : public Ranks {
+ public:
+  explicit AddingRanks(Ranks& others) : others_(others) {}
+  int rank() const override { return others_.rank(); }
+  int size() const override { return others_.size(); }
+  void broadcast(std::span<std::byte> data) override { others_.broadcast(data); }
+  void gather(std::span<std::byte const> mine, std::span<std::byte> all) override {
+    others_.gather(mine, all);
+  }
+  void scatter(std::span<std::byte const> all, std::span<std::byte> mine) override {
+    others_.scatter(all, mine);
+  }
+  bool any(bool here) override { return others_.any(here); }
+  double most(double here) override { return others_.most(here); }
+  void exchange(int to, std::span<std::byte const> mine, int from, std::span<std::byte> theirs) override {
+    others_.exchange(to, mine, from, theirs);
+    std::vector<double> now = numbers(theirs);
+    for (std::size_t k = 0; k < now.size(); ++k) now[k] = now[k] / 3 + now[k] / 3 + now[k] / 3;
+    std::ranges::copy(bytes_of(now), theirs.begin());
+  }
+
+ private:
+  static std::vector<double> numbers(std::span<std::byte const> bytes) {
+    std::vector<double> out(bytes.size() / sizeof(double));
+    std::ranges::copy(bytes, bytes_of(out).begin());
+    return out;
+  }
+  Ranks& others_;
+};
+
 BOOST_AUTO_TEST_SUITE(media_on_ranks)
+
+// The control: bits notice what a sum across ranks leaves of them, with three of them, and with one nothing.
+BOOST_AUTO_TEST_CASE(a_sum_across_ranks_changes_bits) {
+  auto const law = neo_hookean(1, 1);
+  FastBox2d const box{{13, 17}, {0.1, 0.08}};
+  auto const place = [](std::array<double, 2> const& X) {
+    return std::array<double, 2>{X[0] + 0.02 * std::sin(3 * X[1]), X[1] + 0.03 * std::cos(2 * X[0])};
+  };
+  auto const rate = [](std::array<double, 2> const& X) {
+    return std::array<double, 2>{0.1 * std::sin(5 * X[1]), -0.2 * X[0] * X[1]};
+  };
+  auto const alone = run(law, box, 0.01, place, rate, {});
+  for (int const ranks : {1, 3}) {
+    decltype(run(law, box, 0.01, place, rate, {})) together;
+    on_thread_ranks(ranks, [&](Ranks& threads) {
+      AddingRanks here(threads);
+      FastOptions options;
+      options.ranks = &here;
+      share_parts(
+          here, [&](std::string const&, double step) { return medium_part(law, box, step, options); },
+          [&] { together = run(law, box, 0.01, place, rate, options); });
+    });
+    BOOST_TEST((alone.places == together.places) == (ranks == 1));
+    // It is a matter of bits, and of nothing more.
+    double most = 0;
+    for (std::size_t k = 0; k < alone.places.size(); ++k)
+      most = std::max(most, std::abs(alone.places[k][0] - together.places[k][0]));
+    BOOST_TEST(most < 1e-10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_each_has_is_known_everywhere) {
+  for (int const ranks : {1, 2, 5})
+    on_thread_ranks(ranks, [&](Ranks& here) {
+      std::vector<long> const all = all_of(here, 10L + here.rank());
+      bool right = all.size() == static_cast<std::size_t>(ranks);
+      for (std::size_t k = 0; k < all.size(); ++k) right = right && all[k] == 10 + static_cast<long>(k);
+      if (!right) throw std::logic_error("rank " + std::to_string(here.rank()) + " has heard something else");
+    });
+}
 
 BOOST_AUTO_TEST_CASE(what_throws_ends_all_ranks) {
   auto const law = neo_hookean(1, 1);

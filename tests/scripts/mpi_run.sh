@@ -7,14 +7,15 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ASAN_OPTIONS=detect_leaks=0
-ranks() { timeout 120 "$mpirun" --oversubscribe -n "$1" "$actio_mpi" "${@:2}"; }
+on() { timeout 120 "$mpirun" --oversubscribe "$@"; }
+ranks() { on -n "$1" "$actio_mpi" "${@:2}"; }
 fail() { printf '%s\n' "$1"; exit 1; }
 hash_of() { sed -n 's/^  "hash": "\(.*\)",$/\1/p' "$1/summary.json"; }
 # Everything that a run leaves is the same, but for how long it took and on how many ranks.
 same() {
+  local apart='/"wall_seconds"/d; /"ranks"/d; /"rows_per_rank"/d; /"seconds_in_copies"/d'
   for file in $(cd "$1" && find . -type f ! -name checkpoint ! -name '*.lock'); do
-    cmp <(sed '/"wall_seconds"/d; /"ranks"/d' "$1/$file") <(sed '/"wall_seconds"/d; /"ranks"/d' "$2/$file") ||
-      fail "$2/$file differs from $1/$file"
+    cmp <(sed "$apart" "$1/$file") <(sed "$apart" "$2/$file") || fail "$2/$file differs from $1/$file"
   done
 }
 
@@ -36,7 +37,7 @@ TOML
 cat >gas.toml <<'TOML'
 [system]
 kind = "barotropic_fluid"
-mesh = { shape = "box", lower = [0, 0, 0], upper = [1, 1, 1], cells = [6, 5, 9], periodic = [false, false, true] }
+mesh = { shape = "box", lower = [0, 0, 0], upper = [1, 1, 1], cells = [6, 5, 14], periodic = [false, false, true] }
 material = { name = "polytropic_gas", K = 1, gamma = 1.4 }
 [initial]
 velocity = ["0.1*sin(2*pi*Z)", "0", "0.1*cos(2*pi*Z)"]
@@ -47,38 +48,70 @@ every = 0.1
 quantities = ["momentum", "energy"]
 snapshots = []
 TOML
+# So large that threads share the rows of a rank.
+sed 's/\[20, 23\]/[400, 253]/; s/until = 2.0/until = 0.02/; s/every = 0.5/every = 0.01/; /snapshots/d' solid.toml >large.toml
 
-for scene in solid gas; do
-  "$actio" run $scene.toml --out "$scene.one" --quiet
-  [ -n "$(hash_of "$scene.one")" ] || fail "no hash in $scene.one/summary.json"
-  for n in 1 2 3; do
-    ranks $n run $scene.toml --out "$scene.$n" --quiet
-    same "$scene.one" "$scene.$n"
-  done
-done
+check() {
+  [ -d "$1.one" ] || ACTIO_THREADS=1 "$actio" run "$1.toml" --out "$1.one" --quiet
+  [ -n "$(hash_of "$1.one")" ] || fail "no hash in $1.one/summary.json"
+  ACTIO_THREADS=$3 ranks "$2" run "$1.toml" --out "$1.$2.$3" --quiet 2>told.txt || fail "$(cat told.txt)"
+  same "$1.one" "$1.$2.$3"
+}
+for n in 1 2 4 7; do check solid $n 1; done
+for n in 3 7; do check gas $n 1; done
+check large 1 2
+check large 2 2
+grep -q '"rows_per_rank": 127,' large.2.2/summary.json || fail "$(cat large.2.2/summary.json)"
 
 # The control: another start has another state.
 "$actio" run solid.toml --out other --quiet --set 'initial.velocity=["0", "0.2001*(Y + 0.5)*X"]'
 [ "$(hash_of solid.one)" != "$(hash_of other)" ] || fail "another start has the same hash"
 
-# A run that is interrupted goes on with another number of ranks, and so does one of which a rank has died.
+# More ranks than cores are told.
+taskset -c 0 "$mpirun" --oversubscribe --bind-to none -n 2 "$actio_mpi" run solid.toml --out crowded --quiet 2>told.txt
+grep -q '^actio-mpi: 2 ranks share 1 cores' told.txt || fail "$(cat told.txt)"
+# Ranks with other registers use those of the least, and another program is refused.
+if grep -qw avx2 /proc/cpuinfo && grep -qw fma /proc/cpuinfo; then
+  ACTIO_REGISTERS=baseline ranks 1 run solid.toml --out baseline --quiet
+  on -n 1 "$actio_mpi" run solid.toml --out mixed --quiet : -n 1 -x ACTIO_REGISTERS=baseline "$actio_mpi" run \
+    solid.toml --out mixed --quiet 2>told.txt
+  grep -q '^actio-mpi: all ranks use registers of the kind baseline, since rank 1' told.txt || fail "$(cat told.txt)"
+  [ "$(hash_of mixed)" = "$(hash_of baseline)" ] || fail "registers of two kinds were mixed"
+  [ "$(hash_of mixed)" != "$(hash_of solid.one)" ] || fail "other registers round alike"
+fi
+cp "$actio_mpi" another && printf x >>another
+on -n 1 "$actio_mpi" run solid.toml --out unlike --quiet : -n 1 ./another run solid.toml --out unlike --quiet \
+  2>told.txt && fail "two programs shared a run"
+grep -q '^actio-mpi: the program of rank 1 is not that of rank 0' told.txt || fail "$(cat told.txt)"
+[ ! -e unlike ] || fail "two programs have made a folder"
+
+# A run that is interrupted goes on with another number of ranks, and on one does one of which a rank, or
+# mpirun, was killed; the others end then.
 long=(--set run.until=1200 --set run.every=40 --quiet)
 "$actio" run solid.toml --out whole "${long[@]}"
-for signal in TERM KILL; do
-  part=part_$signal
-  ranks 3 run solid.toml --out $part "${long[@]}" >/dev/null 2>&1 &
-  running=$!
+for ended in first last mpirun; do
+  part=part_$ended
+  running() { pgrep -f "^[^ ]*actio-mpi run solid.toml --out $part" | sort -n; }
+  "$mpirun" --oversubscribe -n 3 "$actio_mpi" run solid.toml --out $part "${long[@]}" >/dev/null 2>told.txt &
+  mpirun_is=$!
   for _ in $(seq 400); do [ -s $part/series.csv ] && [ "$(wc -l <$part/series.csv)" -gt 3 ] && break; sleep 0.02; done
-  # Rank 0 is asked to end; the last one is killed.
-  pids=$(pgrep -f "^[^ ]*actio-mpi run solid.toml --out $part" | sort -n || true)
-  if [ -n "$pids" ]; then
-    [ $signal = TERM ] && pid=$(head -1 <<<"$pids") || pid=$(tail -1 <<<"$pids")
-    kill -$signal "$pid" || true
-  fi
-  wait $running || true
-  while pgrep -f "^[^ ]*actio-mpi run solid.toml --out $part" >/dev/null; do sleep 0.1; done
-  ranks 2 resume $part --quiet >resumed.txt 2>&1 || fail "after $signal: $(cat resumed.txt)"
-  [ "$(hash_of whole)" = "$(hash_of $part)" ] || fail "after $signal the state is another one"
+  case $ended in
+    first) kill -TERM "$(running | head -1)" ;;
+    last) kill -KILL "$(running | tail -1)" ;;
+    mpirun) kill -KILL $mpirun_is ;;
+  esac || fail "the run had ended before its $ended"
+  since=$SECONDS
+  wait $mpirun_is 2>/dev/null || true
+  while running >/dev/null; do
+    [ $((SECONDS - since)) -le 10 ] || fail "$ended has ended, and ten seconds later other ranks have not"
+    sleep 0.05
+  done
+  [ ! -e $part/summary.json ] || [ $ended = first ] || fail "a run without its $ended has come to an end"
+  [ $ended != last ] || grep -q 'exited on signal 9' told.txt || fail "who was killed is not told: $(cat told.txt)"
+  go_on=("$actio")
+  [ $ended != first ] || go_on=(ranks 2)
+  "${go_on[@]}" resume $part --quiet >resumed.txt 2>&1 || fail "after the $ended: $(cat resumed.txt)"
+  [ "$(hash_of whole)" = "$(hash_of $part)" ] || fail "after the $ended the state is another one"
   cmp whole/series.csv $part/series.csv
 done
 
@@ -87,3 +120,12 @@ ranks 2 run apophis --out a --quiet >told.txt 2>&1 && fail "a body was shared am
 grep -q 'not shared among 2 ranks' told.txt || fail "$(cat told.txt)"
 ranks 2 run gas.toml --set system.mesh.cells='[4,4,3]' --out b --quiet >told.txt 2>&1 && fail "three planes on two ranks"
 grep -q 'at most 1 ranks' told.txt || fail "$(cat told.txt)"
+
+# A full disk ends a run on ranks as it ends another one. Where none can be mounted, that is left out.
+if unshare -rm true 2>/dev/null && mkdir full && unshare -rm mount -t tmpfs -o size=64k none full 2>/dev/null; then
+  full() { unshare -rm bash -c 'mount -t tmpfs -o size=64k none full && "$@" --out full/run --set run.every=0.001' bash "$@"; }
+  full "$actio" run solid.toml --quiet 2>told.txt && fail "a full disk went unnoticed" || one=$?
+  full timeout 120 "$mpirun" --oversubscribe -n 2 "$actio_mpi" run solid.toml --quiet 2>told_2.txt &&
+    fail "a full disk went unnoticed by two ranks" || two=$?
+  [ $one = 4 ] && [ $two = 4 ] && grep -qxF "$(cat told.txt)" told_2.txt || fail "$one, $two: $(cat told.txt told_2.txt)"
+fi

@@ -9,6 +9,7 @@
 #include "actio/fast_media/fast_forces.hpp"
 #include "actio/fast_media/fast_inversion.hpp"
 #include "actio/fast_media/fast_options.hpp"
+#include "actio/fast_media/fast_strains.hpp"
 #include "actio/fast_media/nodes_on_ranks.hpp"
 
 namespace actio::media {
@@ -197,6 +198,8 @@ class FastMedium {
     });
     return {0.5 * kinetic * density_ * box_.measure(), stored * density_};
   }
+  /// The largest strains of the cells at the last step, their rates half a step before.
+  Strains strains() const { return nodes_.strains(); }
   /// Kinetic plus stored energy now.
   double energy() const { return energies()[0] + energies()[1]; }
   /// The longest time step for which small motions about the state now are stable: two over the largest

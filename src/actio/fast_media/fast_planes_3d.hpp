@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actio/fast_media/fast_options.hpp"
+#include "actio/fast_media/fast_strains.hpp"
 #include "actio/fast_media/fast_sweep_3d.hpp"
 #include "actio/parallel/team.hpp"
 
@@ -80,34 +81,23 @@ class FusedPlanes3d {
         meeting.wait();
       }
     });
-    bool bad = false;
-    for (auto const& band : bands_) bad = bad || any_sign(band.signs);
-    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+    return all_sound(bands_, halo_);
   }
   /// Whether all cells of the state have positive Jacobians.
   bool examine() {
-    halo_.exchange(state_);
-    // Rows and planes a period further are made once more.
-    int const across = box_.cells[1] + 1, from = halo_.own().from,
-              to = std::min(halo_.own().to + 1, box_.cells[2] + 1);
-    std::vector<std::vector<Register>> further;
-    std::vector<Register const*> rows;
-    for (int k = from; k < to; ++k)
-      for (int j = 0; j < across; ++j) {
-        Register const* const row = plane(k == planes_ ? 0 : k) + row_offset(j == rows_ ? 0 : j);
-        rows.push_back(row);
-        if (k < planes_ && j < rows_) continue;
-        Space<double> by{0, 0, 0};
-        if (j == rows_) by = by + box_.shift(1);
-        if (k == planes_) by = by + box_.shift(2);
-        further.emplace_back(packs_, zero());
-        for (std::size_t s = 0; s < packs_; ++s) further.back()[s] = row[s] + registers(by);
-        rows.back() = further.back().data();
-      }
-    Examination3d examination{strips_, rows.data(), across, to - from};
-    run_with(registers_, examination);
-    bool const bad = any(examination.bad);
-    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+    look_at_cells([&](Band& band, RowsOfCells<Register> const& rows) {
+      Examination3d examination{strips_, rows.x, rows.across, rows.layers + 1};
+      run_with(registers_, examination);
+      band.signs = examination.bad;
+    });
+    return all_sound(bands_, halo_);
+  }
+  /// The strains of the state, their rates half a step back.
+  Strains strains() {
+    look_at_cells([&](Band& band, RowsOfCells<Register> const& rows) {
+      band.strains = strains_of(rows, strips_, box_.spacing, registers_);
+    });
+    return largest_strains(bands_, halo_);
   }
 
  private:
@@ -118,7 +108,8 @@ class FusedPlanes3d {
     std::vector<Register> above;  ///< those in the plane above
     std::vector<Register> room;   ///< forces, and rows
     std::vector<Layer3d> layers;
-    alignas(32) Quad::Bits signs;
+    Strains strains;               ///< that were seen last
+    alignas(32) Quad::Bits signs;  ///< set where a Jacobian was seen that is not positive
   };
 
   static Register zero() { return {Quad(0), Quad(0), Quad(0)}; }
@@ -163,6 +154,33 @@ class FusedPlanes3d {
     return out;
   }
   bool round() const { return box_.periodic(2); }
+  /// Calls `look(band, rows)` on a thread for each band, with the rows at the cells above its own planes.
+  template <class Look>
+  void look_at_cells(Look const& look) {
+    halo_.exchange(state_);
+    // Rows and planes a period further are made once more.
+    int const across = box_.cells[1] + 1, from = halo_.own().from,
+              to = std::min(halo_.own().to + 1, box_.cells[2] + 1);
+    std::vector<std::vector<Register>> further;
+    std::vector<Register const*> x, v;
+    for (int k = from; k < to; ++k)
+      for (int j = 0; j < across; ++j) {
+        Register const* const row = plane(k == planes_ ? 0 : k) + row_offset(j == rows_ ? 0 : j);
+        x.push_back(row), v.push_back(row + packs_);
+        if (k < planes_ && j < rows_) continue;
+        Space<double> by{0, 0, 0};
+        if (j == rows_) by = by + box_.shift(1);
+        if (k == planes_) by = by + box_.shift(2);
+        further.emplace_back(packs_, zero());
+        for (std::size_t s = 0; s < packs_; ++s) further.back()[s] = row[s] + registers(by);
+        x.back() = further.back().data();
+      }
+    as_team(static_cast<int>(bands_.size()), [&](int b, Meeting&) {
+      Band& band = bands_[static_cast<std::size_t>(b)];
+      int const first = across * (band.from - from);
+      look(band, {x.data() + first, v.data() + first, across, std::min(band.to + 1, to) - band.from - 1});
+    });
+  }
 
   /// Bands, their layers, and room for them.
   void prepare(FastOptions const& options) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actio/fast_media/fast_options.hpp"
+#include "actio/fast_media/fast_strains.hpp"
 #include "actio/fast_media/fast_sweep_2d.hpp"
 #include "actio/parallel/team.hpp"
 
@@ -67,22 +68,19 @@ class FusedRows2d {
   bool advance(long count);
   /// Whether all cells of the state have positive Jacobians.
   bool examine() {
-    halo_.exchange(state_);
-    auto const own = halo_.own();
-    std::vector<Register const*> rows;
-    for (int j = own.from; j < own.to; ++j) rows.push_back(row(j));
-    std::vector<Register> above;
-    if (own.to < box_.nodes(1)) {
-      rows.push_back(row(own.to));
-    } else if (box_.periodic(1)) {
-      Quad const x(box_.shift(1).x), y(box_.shift(1).y);
-      for (int s = 0; s < strips_.packs; ++s) above.push_back({row(0)[s].x + x, row(0)[s].y + y});
-      rows.push_back(above.data());
-    }
-    Examination2d examination{strips_, rows.data(), static_cast<int>(rows.size())};
-    run_with(registers_, examination);
-    bool const bad = any(examination.bad);
-    return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+    look_at_cells([&](Band& band, RowsOfCells<Register> const& rows) {
+      Examination2d examination{strips_, rows.x, rows.across};
+      run_with(registers_, examination);
+      band.signs = examination.bad;
+    });
+    return all_sound(bands_, halo_);
+  }
+  /// The strains of the state, their rates half a step back.
+  Strains strains() {
+    look_at_cells([&](Band& band, RowsOfCells<Register> const& rows) {
+      band.strains = strains_of(rows, strips_, box_.spacing, registers_);
+    });
+    return largest_strains(bands_, halo_);
   }
 
  private:
@@ -94,7 +92,8 @@ class FusedRows2d {
     std::vector<Register> forces;  ///< one row a level
     std::vector<Register> lifted;  ///< the first row of a period, where the next period has it
     std::vector<NodeRow2d> rows;
-    alignas(32) Quad::Bits signs;
+    Strains strains;               ///< that were seen last
+    alignas(32) Quad::Bits signs;  ///< set where a Jacobian was seen that is not positive
   };
 
   Register* row(int j) { return state_.data() + halo_.local(j) * stride_; }
@@ -174,6 +173,27 @@ class FusedRows2d {
                            round && k == 0});
     }
   }
+  /// Calls `look(band, rows)` on a thread for each band, with the rows at the cells above its own ones.
+  template <class Look>
+  void look_at_cells(Look const& look) {
+    halo_.exchange(state_);
+    auto const own = halo_.own();
+    std::vector<Register const*> x, v;
+    for (int j = own.from; j < own.to; ++j) x.push_back(row(j)), v.push_back(row(j) + strips_.packs);
+    std::vector<Register> above;
+    if (own.to < box_.nodes(1)) {
+      x.push_back(row(own.to)), v.push_back(row(own.to) + strips_.packs);
+    } else if (box_.periodic(1)) {
+      Quad const by_x(box_.shift(1).x), by_y(box_.shift(1).y);
+      for (int s = 0; s < strips_.packs; ++s) above.push_back({row(0)[s].x + by_x, row(0)[s].y + by_y});
+      x.push_back(above.data()), v.push_back(row(0) + strips_.packs);
+    }
+    as_team(static_cast<int>(bands_.size()), [&](int b, Meeting&) {
+      Band& band = bands_[static_cast<std::size_t>(b)];
+      int const first = band.from - own.from, left = static_cast<int>(x.size()) - first;
+      look(band, {x.data() + first, v.data() + first, std::min(band.to - band.from + 1, left), 1});
+    });
+  }
   Edges<double> rest() const {
     double const h1 = box_.spacing[0], h2 = box_.spacing[1];
     return {{h1, 0}, {h1, 0}, {0, h2}, {0, h2}};
@@ -224,9 +244,7 @@ bool FusedRows2d<Cell>::advance(long count) {
       meeting.wait();
     }
   });
-  bool bad = false;
-  for (auto const& band : bands_) bad = bad || any_sign(band.signs);
-  return !(halo_.alone() ? bad : halo_.ranks().any(bad));
+  return all_sound(bands_, halo_);
 }
 
 }  // namespace detail

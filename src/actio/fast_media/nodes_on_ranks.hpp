@@ -6,7 +6,7 @@
 namespace actio::media::detail {
 
 /// What can be asked of nodes.
-enum NodesCall : int { put, places, velocities, advance, examine, keep, restore };
+enum NodesCall : int { put, places, velocities, advance, examine, strains, keep, restore };
 
 /// Nodes of this process, or those of all ranks, seen from rank 0.
 /// @tparam Nodes  `FusedRows2d` or `FusedPlanes3d`
@@ -34,6 +34,10 @@ class NodesOnRanks {
   bool examine() {
     auto const asked = parts_->ask({.what = NodesCall::examine});
     return nodes_->examine();
+  }
+  auto strains() const {
+    auto const asked = parts_->ask({.what = NodesCall::strains});
+    return nodes_->strains();
   }
   void keep() {
     auto const asked = parts_->ask({.what = NodesCall::keep});
@@ -72,6 +76,9 @@ class PartOf final : public RankPart {
         break;
       case NodesCall::examine:
         nodes_.examine();
+        break;
+      case NodesCall::strains:
+        nodes_.strains();
         break;
       case NodesCall::keep:
         nodes_.keep();

@@ -1,6 +1,14 @@
 #include "actio/numbers/registers.hpp"
 
+#include <algorithm>
+
 namespace actio {
+namespace {
+Registers& best() {
+  static Registers registers = usable_registers().back();
+  return registers;
+}
+}  // namespace
 
 std::vector<Registers> usable_registers() {
   std::vector<Registers> all{Registers::plain};
@@ -13,5 +21,8 @@ std::vector<Registers> usable_registers() {
 #endif
   return all;
 }
+
+Registers best_registers() { return best(); }
+void use_at_most(Registers most) { best() = std::min(best(), most); }
 
 }  // namespace actio

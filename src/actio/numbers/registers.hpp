@@ -19,11 +19,11 @@ enum class Registers {
 
 /// Those that this machine has, the best last.
 std::vector<Registers> usable_registers();
-/// The best that this machine has.
-inline Registers best_registers() {
-  static Registers const best = usable_registers().back();
-  return best;
-}
+/// The best that this machine has, of those that \ref use_at_most has left.
+Registers best_registers();
+/// From now on none that are better. Machines that share a run use what the least of them has, since others
+/// round differently. Not while others ask for the best.
+void use_at_most(Registers most);
 /// Their name, for people.
 inline std::string name_of(Registers registers) {
   return registers == Registers::plain ? "baseline" : registers == Registers::avx2 ? "AVX2" : "AVX-512";

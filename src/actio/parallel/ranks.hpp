@@ -4,6 +4,7 @@
 // what one process would compute. So no bit depends on how many there are.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -32,6 +33,21 @@ class Ranks {
   virtual bool any(bool here) = 0;
   /// The largest number of all, none of which is a NaN.
   virtual double most(double here) = 0;
+
+  /// Rows of both neighbours at once: the lowest ones of this rank for the one below, the highest for the one
+  /// above; a neighbour that is none, -1, is left out.
+  /// @param beyond, before  where those of the neighbour above are put, and of the one below
+  template <class T>
+  void swap(int below, int above, std::span<T> lowest, std::span<T> beyond, std::span<T> highest,
+            std::span<T> before) {
+    using Clock = std::chrono::steady_clock;
+    auto const began = Clock::now();
+    exchange(below, std::as_bytes(lowest), above, std::as_writable_bytes(beyond));
+    exchange(above, std::as_bytes(highest), below, std::as_writable_bytes(before));
+    seconds_in_copies += std::chrono::duration<double>(Clock::now() - began).count();
+  }
+  /// That this rank has spent in \ref swap, waiting included.
+  double seconds_in_copies = 0;
 };
 
 /// Numbers as bytes.
@@ -43,6 +59,17 @@ std::span<std::byte> bytes_of(std::vector<T>& numbers) {
 template <class T>
 std::span<std::byte const> bytes_of(std::vector<T> const& numbers) {
   return std::as_bytes(std::span(numbers));
+}
+
+/// What each has, everywhere.
+/// @tparam T  copied byte by byte
+template <class T>
+std::vector<T> all_of(Ranks& ranks, T const& mine) {
+  std::vector<T> all(static_cast<std::size_t>(ranks.size()));
+  ranks.gather(std::as_bytes(std::span(&mine, 1)),
+               ranks.rank() == 0 ? bytes_of(all) : std::span<std::byte>{});
+  ranks.broadcast(bytes_of(all));
+  return all;
 }
 
 /// From the first to before the last of so many rows, those of one rank: as equal parts as there are.
@@ -99,10 +126,8 @@ class HaloRows {
                       wide = length * static_cast<std::size_t>(width_),
                       own = length * static_cast<std::size_t>(own_.count());
     std::span<T> const all(state);
-    ranks_->exchange(below_, std::as_bytes(all.subspan(wide, wide)), above_,
-                     std::as_writable_bytes(all.subspan(wide + own, wide)));
-    ranks_->exchange(above_, std::as_bytes(all.subspan(own, wide)), below_,
-                     std::as_writable_bytes(all.subspan(0, wide)));
+    ranks_->swap(below_, above_, all.subspan(wide, wide), all.subspan(wide + own, wide),
+                 all.subspan(own, wide), all.subspan(0, wide));
   }
 
  private:

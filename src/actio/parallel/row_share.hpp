@@ -87,8 +87,7 @@ class RowShare {
   /// @param beyond, before  where those of the neighbour above are put, and of the one below
   template <class T>
   void swap(std::span<T> lowest, std::span<T> beyond, std::span<T> highest, std::span<T> before) const {
-    ranks_->exchange(below(), std::as_bytes(lowest), above(), std::as_writable_bytes(beyond));
-    ranks_->exchange(above(), std::as_bytes(highest), below(), std::as_writable_bytes(before));
+    ranks_->swap(below(), above(), lowest, beyond, highest, before);
   }
   /// All rows, everywhere.
   /// @param field  all rows, of which each rank has its own

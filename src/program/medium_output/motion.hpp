@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "actio/fast_media/fast_strains.hpp"
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "program/registry/simulation.hpp"
 
@@ -138,6 +140,8 @@ class MediumMotion : public Motion {
   virtual double mass(std::size_t node) const = 0;    ///< of a node
   virtual media::BodyEnergies energies() const = 0;   ///< now
   virtual double dissipated() const { return 0; }     ///< by viscosity, energy
+  /// The largest strains of its cells at the last step, where steps find them faster than from their nodes.
+  virtual std::optional<media::Strains> strains() const { return {}; }
   /// The pressure of each cell beyond that of the stored energy, the multiplier of its volume; none where
   /// volumes are not kept.
   virtual std::vector<double> multipliers() const { return {}; }

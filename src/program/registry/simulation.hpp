@@ -93,6 +93,7 @@ struct Simulation {
   /// machine, since the digits may depend on it
   long steps_at_once = 1 << 14;
   bool on_ranks = false;    ///< whether its state is shared among ranks, where there are several
+  int shared_rows = 0;      ///< of nodes, or planes in space, that they share; 0: that is not told
   double bytes = 0;         ///< of memory that a run takes at most; 0: that is not told
   double shared_bytes = 0;  ///< of these, what ranks share
   double whole_bytes = 0;   ///< of these, what every rank has whole

@@ -24,7 +24,12 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
   if (scene.snapshots) out["snapshots"] = report.snapshots;
   out["wall_seconds"] = report.seconds;
   if (!report.hash.empty()) out["hash"] = report.hash;
-  if (on_several_ranks()) out["ranks"] = shared_ranks()->size();
+  if (on_several_ranks()) {
+    int const ranks = shared_ranks()->size(), rows = scene.simulation.shared_rows;
+    out["ranks"] = ranks;
+    if (rows > 0) out["rows_per_rank"] = (rows + ranks - 1) / ranks;  // or one less
+    out["seconds_in_copies"] = shared_ranks()->seconds_in_copies;
+  }
   out["evaluations"] = Json::object();
   out["skipped"] = Json::array();
   for (auto const& count : scene.simulation.quantities.counts()) {

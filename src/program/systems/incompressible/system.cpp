@@ -145,6 +145,7 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
   auto& medium = motion->medium();
   simulation.on_ranks = is_shared(medium.mesh());
   simulation.whole_bytes = simulation.bytes - bytes_of_program;
+  simulation.shared_rows = medium.mesh().grid[d - 1];
   double const stiffest = medium.largest_frequency(), edge = medium.shortest_edge();
   // Four tenths of the longest stable step, or a tenth of an edge: turns of 0.8 radians.
   simulation.step = read_step(file.section("method"), request.schedule,

@@ -41,9 +41,7 @@ double longest_step_of(Medium const& medium, Box const& box,
 template <class Box>
 media::FastOptions fast_options(Box const& box, std::string const& scene) {
   media::FastOptions out;
-  int const ranks = on_several_ranks() ? shared_ranks()->size() : 1;
-  if (box.count() > (Box::dimension == 2 ? 100000 : 30000))
-    out.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / ranks);
+  if (box.count() > (Box::dimension == 2 ? 100000 : 30000)) out.threads = threads_of_this_rank();
   out.ranks = shared_ranks(), out.told = scene;
   return out;
 }
@@ -107,6 +105,7 @@ class FastMotion final : public MediumMotion<Box::dimension> {
     for (int a = 0; a < d; ++a) mass *= cells_.box().share(a, index[static_cast<std::size_t>(a)]);
     return mass;
   }
+  std::optional<media::Strains> strains() const override { return medium_.strains(); }
   media::BodyEnergies energies() const override {
     auto const [kinetic, stored] = medium_.energies();
     return {kinetic, stored, 0};

@@ -136,6 +136,7 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   auto const optimised = optimised_of<Box>(mesh, material, *start);
   if (!optimised) return false;
   simulation.on_ranks = true, simulation.shared_bytes = bytes_of_fused_steps(mesh);
+  simulation.shared_rows = fast_box<Box>(mesh)->nodes(d - 1);
   simulation.bytes = checked_memory(request.file, mesh, true, request);
   keep_large_lists_apart();
   BoxCells<Box> const cells(*fast_box<Box>(mesh));
@@ -157,6 +158,10 @@ bool prepare_fast(Simulation& simulation, Request const& request, MediumMesh con
   finish<d>(simulation, request, optimised->motion(simulation.step, longest, start, request.file.written()),
             {nullptr, stored_energy_of<d>(material), density_of<d>(start)}, mesh,
             (d == 2 ? 1 : 5) * mesh.cell_count(), {loads, std::move(features)});
+  // A pass over the nodes makes several steps, and an examination follows each piece: of sixteen steps, but
+  // of a second at most.
+  double const second = 1e8 / ((d == 2 ? 1 : 5) * mesh.cell_count());
+  simulation.steps_at_once = std::max(simulation.steps_at_once, std::min(16L, static_cast<long>(second)));
   return true;
 }
 

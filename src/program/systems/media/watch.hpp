@@ -29,7 +29,7 @@ class StepWatch {
   /// @param longest  the longest stable step there, which has been found already
   void begin(double step, MediumMotion<d> const& motion, double longest) {
     step_ = step;
-    if (on_) found(deformation(motion), longest);
+    if (on_) found(strains(motion), longest);
   }
 
   /// How many steps may be made before the next look.
@@ -41,7 +41,8 @@ class StepWatch {
   void made(long count, MediumMotion<d>& motion, double time, Limit const& limit) {
     if (!on_ || (since_ += count) < due_) return;
     since_ = 0, unsought_ += due_;
-    Deformation const now = deformation(motion);
+    media::Strains const now = strains(motion);
+    double const rate = std::sqrt(now.rate);
     // A longer time is waited while the change since the last look is a small part of what is left to the
     // bound: if it went on, twice as fast each time, it would be seen before.
     double const change =
@@ -49,17 +50,18 @@ class StepWatch {
     last_[0] = now.squeeze, last_[1] = now.stretch;
     span_ = change < margin_ / 64 ? std::min(2 * span_, 16 * most_) : most_;
     // A quarter of the strain that would halve a cell, at the rate of now.
-    due_ = static_cast<long>(std::clamp(0.25 / (now.rate * step_), 1.0, static_cast<double>(span_)));
+    due_ = static_cast<long>(std::clamp(0.25 / (rate * step_), 1.0, static_cast<double>(span_)));
     if (!(now.squeeze > squeeze_ * (1 + slack_) || now.stretch > stretch_ * (1 + slack_)) && unsought_ < 4096)
       return;
     double const longest = limit();
     found(now, longest);
     if (step_ <= safe_part * longest) return;
+    Deformation const worst = deformation(motion);
     double const shorter = step_that_goes_on(motion, longest / 2);
     throw Error("medium: the step " + show(step_) + " is no longer stable at t = " + show(time) +
                 ": the longest stable step has fallen to " + show(longest) +
-                ", of which nine tenths are safe, and most deformed is " + motion.cells().name(now.cell) +
-                " with the Jacobian " + show(now.jacobian) +
+                ", of which nine tenths are safe, and most deformed is " + motion.cells().name(worst.cell) +
+                " with the Jacobian " + show(worst.jacobian) +
                 (shorter > 0 ? "; a step of " + show(shorter) + " would go on from there" : "") +
                 "; the state is that at t = " + show(time) +
                 (fluid_ ? ": a fluid resists no shear, and cells that are sheared for long tangle" : ""));
@@ -69,12 +71,14 @@ class StepWatch {
 
  private:
   struct Deformation {
-    double squeeze = 0;    // the largest square of the inverse of F
-    double stretch = 0;    // the largest square of F
-    double rate = 0;       // the fastest strain, per time
+    media::Strains strains;
     std::size_t cell = 0;  // with the largest squeeze
     double jacobian = 1;   // of it
   };
+  static media::Strains strains(MediumMotion<d> const& motion) {
+    auto const found = motion.strains();
+    return found ? *found : deformation(motion).strains;
+  }
   /// This step or, where it cannot be made, half of it and so on; 0: none can.
   static double step_that_goes_on(MediumMotion<d>& motion, double step) {
     for (int k = 0; k < 20; ++k, step /= 2) try {
@@ -85,7 +89,7 @@ class StepWatch {
     return 0;
   }
   /// The longest stable step is that of this deformation.
-  void found(Deformation const& now, double longest) {
+  void found(media::Strains const& now, double longest) {
     squeeze_ = std::max(squeeze_, now.squeeze), stretch_ = std::max(stretch_, now.stretch), unsought_ = 0;
     last_[0] = now.squeeze, last_[1] = now.stretch;
     margin_ = std::log(longest / step_), slack_ = std::clamp(margin_ / 5, 0.002, 0.5);
@@ -115,15 +119,14 @@ class StepWatch {
       for (int p = 0; p < cells.points(); ++p) {
         Matrix<double, d, d> const back = inverse(cells.edges(from, p)), F = cells.edges(at, p) * back + more;
         double const J = media::small_determinant(F), squeeze = square(media::cofactors(F)) / (J * J);
-        if (squeeze > out.squeeze) out.squeeze = squeeze, out.cell = c, out.jacobian = J;
-        out.stretch = std::max(out.stretch, square(F));
+        if (squeeze > out.strains.squeeze) out.strains.squeeze = squeeze, out.cell = c, out.jacobian = J;
+        out.strains.stretch = std::max(out.strains.stretch, square(F));
         if (p > 0) continue;
         Matrix<double, d, d> const L =
             (cells.edges(rate, p) * back + cells.common(correction, rate)) * inverse(F);
-        out.rate = std::max(out.rate, 0.25 * square(L + L.transpose()));
+        out.strains.rate = std::max(out.strains.rate, 0.25 * square(L + L.transpose()));
       }
     }
-    out.rate = std::sqrt(out.rate);
     return out;
   }
 
