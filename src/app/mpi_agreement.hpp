@@ -23,6 +23,7 @@ struct RankKind {
   std::uint64_t host = 0;     ///< of the name of its machine
   cpu_set_t cores{};          ///< on which it may run
   Registers registers = best_registers();
+  bool known = true;  ///< whether those that its environment names are any
 
   /// This one. The environment variable ACTIO_REGISTERS says that it is to use no better registers than
   /// those: baseline, AVX2 or AVX-512.
@@ -34,9 +35,11 @@ struct RankKind {
     ::gethostname(name, sizeof name - 1);
     out.host = scene::fingerprint_of(name);
     ::sched_getaffinity(0, sizeof out.cores, &out.cores);
-    if (char const* const said = std::getenv("ACTIO_REGISTERS"))
-      for (Registers const one : usable_registers())
-        if (name_of(one) == said) out.registers = one;
+    if (char const* const said = std::getenv("ACTIO_REGISTERS")) {
+      out.known = false;
+      for (Registers const one : {Registers::plain, Registers::avx2, Registers::avx512})
+        if (name_of(one) == said) out.known = true, out.registers = std::min(out.registers, one);
+    }
     return out;
   }
   /// Whether both have the same cores.
@@ -45,7 +48,7 @@ struct RankKind {
 
 /// Before a run: all ranks use the registers of the least of them, and each as many threads as are its part
 /// of the cores. Rank 0 tells what its user does not expect.
-/// @return whether all are one program; they end otherwise, which rank 0 has told
+/// @return whether all are one program that can run; otherwise rank 0 has told why not
 inline bool agree_on_run(Ranks& ranks) {
   std::vector<RankKind> const all = all_of(ranks, RankKind::own());
   auto const tell = [&](std::string const& line) {
@@ -57,6 +60,9 @@ inline bool agree_on_run(Ranks& ranks) {
       return tell("the program of rank " + number(one) +
                   " is not that of rank 0, and would round differently; all ranks need the same file"),
              false;
+  for (auto const& one : all)
+    if (!one.known)
+      return tell("rank " + number(one) + ": ACTIO_REGISTERS must be baseline, AVX2 or AVX-512"), false;
   auto const& least = *std::ranges::min_element(all, {}, &RankKind::registers);
   if (least.registers < all[0].registers)
     tell("all ranks use registers of the kind " + name_of(least.registers) + ", since rank " + number(least) +
@@ -64,7 +70,7 @@ inline bool agree_on_run(Ranks& ranks) {
   use_at_most(least.registers);
   auto const& own = all[static_cast<std::size_t>(ranks.rank())];
   auto const beside = std::ranges::count_if(all, [&](auto const& one) { return own.beside(one); });
-  int const cores = std::max(1, CPU_COUNT(&own.cores));
+  int const cores = std::max(1, CPU_COUNT(&own.cores) ? CPU_COUNT(&own.cores) : scene::cores_of_this_rank());
   scene::cores_of_this_rank() = std::max(1, cores / static_cast<int>(beside));
   bool const crowded = beside > cores;
   if (ranks.any(crowded))

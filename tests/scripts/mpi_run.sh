@@ -79,6 +79,8 @@ if grep -qw avx2 /proc/cpuinfo && grep -qw fma /proc/cpuinfo; then
   [ "$(hash_of mixed)" = "$(hash_of baseline)" ] || fail "registers of two kinds were mixed"
   [ "$(hash_of mixed)" != "$(hash_of solid.one)" ] || fail "other registers round alike"
 fi
+ACTIO_REGISTERS=avx3 ranks 2 run solid.toml --out unlike --quiet 2>told.txt && fail "unknown registers were taken"
+grep -q '^actio-mpi: rank 0: ACTIO_REGISTERS must be' told.txt || fail "$(cat told.txt)"
 cp "$actio_mpi" another && printf x >>another
 on -n 1 "$actio_mpi" run solid.toml --out unlike --quiet : -n 1 ./another run solid.toml --out unlike --quiet \
   2>told.txt && fail "two programs shared a run"

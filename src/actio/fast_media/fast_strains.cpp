@@ -74,7 +74,7 @@ struct StrainSweep {
       }
       raise(most[0], there, back * over), raise(most[1], there, forth);
       if (p > 0) continue;
-      // D = sym(sum of g_k c_k) over the determinant, g the edges of the velocities.
+      // The velocity gradient is the sum of g_k c_k over the determinant, g_k the edges of the velocities.
       Vector g[d];
       edges(v, 0, g);
       Quad twice(0);
