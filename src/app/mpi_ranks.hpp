@@ -72,6 +72,13 @@ class MpiRanks final : public Ranks {
     wait(request);
     return found != 0;
   }
+  double most(double here) override {
+    double found = here;
+    MPI_Request request;
+    MPI_Iallreduce(&here, &found, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD, &request);
+    wait(request);
+    return found;
+  }
 
  private:
   /// Messages are of less than 2^31 bytes.

@@ -26,6 +26,11 @@ struct NodesCall {
 inline void agree(Ranks& ranks, NodesCall& call) {
   ranks.broadcast(std::as_writable_bytes(std::span(&call, 1)));
 }
+/// A number for a medium that several ranks have.
+inline int next_medium() {
+  static int made = 0;
+  return ++made;
+}
 /// The same on the way out: a rank that is gone need not hear it.
 inline void say_last(Ranks& ranks, NodesCall call) noexcept {
   try {
@@ -51,8 +56,7 @@ class NodesOnRanks {
   NodesOnRanks(Box const& box, Cell const& cell, double dt, Options const& options)
       : nodes_(std::make_unique<Nodes>(box, cell, dt, options)) {
     if (!options.ranks || options.ranks->size() == 1) return;
-    static int made = 0;
-    call_.reset(new Call{*options.ranks, ++made});
+    call_.reset(new Call{*options.ranks, next_medium()});
     ask(NodesCall::make, 0, dt);
     std::string told = options.told;
     agree(*options.ranks, told);

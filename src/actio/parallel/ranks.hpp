@@ -30,13 +30,13 @@ class Ranks {
   virtual void scatter(std::span<std::byte const> all, std::span<std::byte> mine) = 0;
   /// Whether it is so anywhere.
   virtual bool any(bool here) = 0;
+  /// The largest number of all, none of which is a NaN.
+  virtual double most(double here) = 0;
 };
 
 /// Numbers as bytes.
 template <class T>
-std::span<std::byte> bytes_of(std::vector<T>& numbers) {
-  return std::as_writable_bytes(std::span(numbers));
-}
+std::span<std::byte> bytes_of(std::vector<T>& numbers) { return std::as_writable_bytes(std::span(numbers)); }
 /// \copydoc bytes_of
 template <class T>
 std::span<std::byte const> bytes_of(std::vector<T> const& numbers) {

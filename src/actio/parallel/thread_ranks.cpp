@@ -78,6 +78,17 @@ class ThreadRanks final : public Ranks {
     });
     return found;
   }
+  double most(double here) override {
+    double found = here;
+    show(std::as_bytes(std::span(&here, 1)), [&] {
+      for (auto const& theirs : table_.shown) {
+        double one = 0;
+        std::memcpy(&one, theirs.data(), sizeof one);
+        found = std::max(found, one);
+      }
+    });
+    return found;
+  }
 
  private:
   template <class Read>
