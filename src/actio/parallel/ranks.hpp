@@ -36,7 +36,9 @@ class Ranks {
 
 /// Numbers as bytes.
 template <class T>
-std::span<std::byte> bytes_of(std::vector<T>& numbers) { return std::as_writable_bytes(std::span(numbers)); }
+std::span<std::byte> bytes_of(std::vector<T>& numbers) {
+  return std::as_writable_bytes(std::span(numbers));
+}
 /// \copydoc bytes_of
 template <class T>
 std::span<std::byte const> bytes_of(std::vector<T> const& numbers) {
