@@ -11,6 +11,7 @@
 
 #include "actio/incompressible_media/two_colour_multigrid.hpp"
 #include "actio/numbers/errors.hpp"
+#include "actio/parallel/thread_ranks.hpp"
 #include "refused.hpp"
 
 using namespace actio;
@@ -285,6 +286,50 @@ BOOST_AUTO_TEST_CASE(units_change_no_bit_and_registers_no_more_than_the_last_dig
   Pressures in_place = r;
   solver.apply(in_place.data(), in_place.data());
   BOOST_CHECK(in_place == x);
+}
+
+BOOST_AUTO_TEST_CASE(ranks_change_no_bit) {
+  Box ring = {{24, 64}}, tube = {{24, 64}, "l"};
+  ring.periodic = tube.periodic = {false, true};
+  double const none = std::numeric_limits<double>::quiet_NaN();
+  for (Box const& box : {stretched(19, 73), stirred(20, 68, "lrba"), Box{{7, 66}, "b"}, ring, tube}) {
+    Eigen::MatrixXd const S = box.matrix();
+    NinePointMatrix const whole = nine_points(box, S);
+    Pressures r = random_vector(S.rows());
+    r.array() -= r.mean();
+    TwoColourMultigrid alone;
+    alone.build(whole);
+    Pressures const x = applied(alone, r);
+    for (int const count : {2, 3, 4}) {
+      BOOST_CHECK(TwoColourMultigrid::can_be_shared(box.cells[1], count));
+      on_thread_ranks(count, [&](Ranks& ranks) {
+        RowShare const rows(&ranks, box.cells[1], box.periodic[1]);
+        auto const inside = [&](int beyond) {
+          std::vector<char> out(whole.size());
+          for_each(rows.with(beyond, beyond, box.cells[0]), [&](std::size_t k) { out[k] = true; });
+          return out;
+        };
+        // What a rank does not have.
+        NinePointMatrix mine = whole;
+        Pressures given = r;
+        auto const seen = inside(3), near = inside(1), own = inside(0);
+        for (std::size_t k = 0; k < seen.size(); ++k) {
+          if (!near[k]) given[static_cast<Eigen::Index>(k)] = none;
+          if (seen[k]) continue;
+          for (auto* part : {&mine.self, &mine.east, &mine.north, &mine.north_east, &mine.north_west})
+            (*part)[k] = none;
+        }
+        TwoColourMultigrid shared(best_registers(), rows);
+        for (int again = 0; again < 2; ++again) shared.build(mine);
+        Pressures const found = applied(shared, given);
+        bool same = true;
+        for (std::size_t k = 0; k < near.size(); ++k)
+          same = same && (!near[k] || found[static_cast<Eigen::Index>(k)] == x[static_cast<Eigen::Index>(k)]);
+        BOOST_CHECK_MESSAGE(same, "other bits on " << count << " ranks, " << box.cells[0] << " x "
+                                                   << box.cells[1] << ", rank " << ranks.rank());
+      });
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(small_boxes_are_solved_at_once) {

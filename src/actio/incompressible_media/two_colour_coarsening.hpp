@@ -155,10 +155,11 @@ struct Interpolation {
 ///
 /// Row by row of A: the row of A P first, over the nine sites from which the site and its neighbours are
 /// interpolated, then times the column of P^T.
+/// @param made  rows of the result that are complete
 template <class FineMatrix>
-CoarseMatrix coarsened(FineMatrix const& matrix, Interpolation const& p) {
+CoarseMatrix coarsened(FineMatrix const& matrix, Interpolation const& p, RowRange const& made) {
   CoarseMatrix out(p.coarse);
-  p.fine.each_site([&](Diagonals s) {
+  p.fine.each_site({2 * made.from - 2, 2 * made.to + 1}, [&](Diagonals s) {
     Parents const pu(s.u), pv(s.v);
     int const u0 = (s.u - 1) >> 1, v0 = (s.v - 1) >> 1, width = 3 - (s.u & 1), height = 3 - (s.v & 1);
     bool const inside = !p.near_the_rim(s);
@@ -192,7 +193,7 @@ CoarseMatrix coarsened(FineMatrix const& matrix, Interpolation const& p) {
     }
   });
   // What leads to cells that are not there.
-  out.lattice.each_site([&](Diagonals s) {
+  out.lattice.each_site(made, [&](Diagonals s) {
     for (int d = 0; d < 2; ++d)
       for (int x = 0; x < 3; ++x)
         for (int y = 0; y < 3; ++y)

@@ -12,6 +12,8 @@
 #include <array>
 #include <cstddef>
 
+#include "actio/parallel/ranks.hpp"
+
 namespace actio::media::detail {
 
 /// A site, along the diagonals.
@@ -95,8 +97,20 @@ struct TwoColourLattice {
   /// Calls f(site) for each site, row by row.
   template <class F>
   void each_site(F const& f) const {
-    for (int j = low(); j < high(); ++j)
-      for (int i = j & 1; i < columns; i += 2) f(Diagonals::of(i, j));
+    each_site({low(), high()}, f);
+  }
+  /// The same of some rows, of which those beyond an end of a period are those of the other end; others that
+  /// are not there are left out. Rows come in ascending order within one period.
+  template <class F>
+  void each_site(RowRange const& rows, F const& f) const {
+    auto const over = [&](int from, int to) {
+      for (int j = std::max(from, low()); j < std::min(to, high()); ++j)
+        for (int i = j & 1; i < columns; i += 2) f(Diagonals::of(i, j));
+    };
+    if (rows.count() >= high() - low()) return over(low(), high());
+    if (periodic[1]) over(low(), rows.to - to[0]);
+    over(rows.from, rows.to);
+    if (periodic[1]) over(rows.from + to[0], high());
   }
 };
 

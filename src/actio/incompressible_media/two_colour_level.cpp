@@ -2,6 +2,17 @@
 
 namespace actio::media::detail {
 
+namespace {
+
+/// Parts of rows of a field of two numbers a site, with the room around their sites.
+std::span<float> parts(std::vector<float>& field, TwoColourLattice const& lattice, int row, int p,
+                       int count) {
+  auto const from = static_cast<std::size_t>(lattice.part(2, row, p, 0) - lanes / 2);
+  return std::span(field).subspan(from, static_cast<std::size_t>(2 * lattice.stride() * count));
+}
+
+}  // namespace
+
 std::vector<StoredEntry> const& stored_entries(bool of_cells) {
   static std::vector<StoredEntry> const cells{{0, 0, 1, 0}, {0, 0, 0, 1},  {1, 1, 1, 0}, {1, 1, 0, 1},
                                               {0, 1, 0, 0}, {0, 1, -1, 0}, {0, 1, 0, 1}, {0, 1, -1, 1}};
@@ -17,8 +28,8 @@ std::vector<StoredEntry> const& stored_entries(bool of_cells) {
 }
 
 template <class Matrix>
-void Level::take(Matrix const& m, double factor) {
-  lattice = m.lattice;
+void Level::take(Matrix const& m, double factor, RowShare const& shared) {
+  lattice = m.lattice, share = shared;
   auto const& stored = stored_entries(std::is_same_v<Matrix, CellMatrix>);
   numbers = 2 + static_cast<int>(stored.size());
   matrix.assign(lattice.room(numbers), 0.0f);
@@ -33,7 +44,8 @@ void Level::take(Matrix const& m, double factor) {
   std::ptrdiff_t const stride = lattice.stride();
   float* const data = matrix.data();
   bool const closed = lattice.periodic[0] || lattice.periodic[1];
-  lattice.each_site([&](Diagonals s) {
+  RowRange const seen{own().from - 2, own().to + 2};
+  lattice.each_site(seen, [&](Diagonals s) {
     std::ptrdiff_t const here = lattice.at(numbers, s, 0);
     for (int c = 0; c < 2; ++c) {
       if (!lattice.holds(c, s)) continue;
@@ -77,8 +89,8 @@ void Level::take(Matrix const& m, double factor) {
     }
 }
 
-template void Level::take(CellMatrix const&, double);
-template void Level::take(CoarseMatrix const&, double);
+template void Level::take(CellMatrix const&, double, RowShare const&);
+template void Level::take(CoarseMatrix const&, double, RowShare const&);
 
 void Level::join(Interpolation const& p) {
   Level next;
@@ -100,21 +112,39 @@ void Level::join(Interpolation const& p) {
       });
     }
   rim.clear();
-  lattice.each_site([&](Diagonals s) {
+  // Copies of rows are beyond the ends of a period.
+  TwoColourLattice upper = p.coarse;
+  upper.periodic[1] = upper.periodic[1] && share.alone();
+  int const period = share.alone() || !lattice.periodic[1] ? 0 : lattice.to[0];
+  RowRange const seen{own().from - 2, own().to + 2};
+  lattice.each_site(seen, [&](Diagonals s) {
     if (!p.at_the_rim(s)) return;
+    int const turns = s.row() < seen.from ? 1 : s.row() >= seen.to ? -1 : 0;
+    Diagonals const here = Diagonals::of(s.column(), s.row() + turns * period);
     for (int c = 0; c < 2; ++c) {
-      Shares const share = p.of(s, c);
-      if (!lattice.holds(c, s) || (share.own == 1 && share.other == 0)) continue;
-      Interpolation::each_parent(s, [&](Diagonals parent, double w) {
+      Shares const share_of = p.of(s, c);
+      if (!lattice.holds(c, s) || (share_of.own == 1 && share_of.other == 0)) continue;
+      Interpolation::each_parent(here, [&](Diagonals parent, double w) {
         for (int d = 0; d < 2; ++d) {
-          double const more = w * (d == c ? share.own - 1 : share.other);
+          double const more = w * (d == c ? share_of.own - 1 : share_of.other);
+          Diagonals const to = upper.wrapped(parent);
           if (more != 0 && p.coarse.holds(d, parent))
             rim.push_back(
-                {lattice.at(2, s, c), next.in_row(p.coarse.wrapped(parent), d), static_cast<float>(more)});
+                {lattice.at(2, here, c), next.in_row(to, d), here.row(), to.row(), static_cast<float>(more)});
         }
       });
     }
   });
+}
+
+void Level::settle(std::vector<float>& field) const {
+  if (share.alone() || !lattice.periodic[1]) return;
+  int const rows = lattice.to[0];
+  auto const put = [&](int from, int to) {
+    std::ranges::copy(parts(field, lattice, from, 0, 4), parts(field, lattice, to, 0, 4).begin());
+  };
+  if (own().from == 0) put(-2, rows - 2);
+  if (own().to == rows) put(rows, 0);
 }
 
 void Level::close_periodic(std::vector<float>& field, int j, int p, int c) const {
@@ -134,18 +164,43 @@ void Level::close_periodic(std::vector<float>& field, int j, int p, int c) const
                   sizeof(float) * static_cast<std::size_t>(lattice.stride() - 1));
 }
 
-void Level::close_rows() {
+void Level::close_rows(RowRange const& of) {
   int const sites = lattice.sites(), high = lattice.high();
   for (int c = 0; c < 2; ++c) {
     if (lattice.periodic[0])
-      for (int j = 0; j < high; ++j)
+      for (int j = of.from; j < of.to; ++j)
         rows[in_row(j, c, -1)] = rows[in_row(j, c, sites - 1)],
                           rows[in_row(j, c, sites)] = rows[in_row(j, c, 0)];
-    if (lattice.periodic[1])
+    if (lattice.periodic[1] && of.count() == high)
       for (auto [to, from] : {std::array{-1, high - 1}, {high, 0}})
         std::memcpy(&rows[in_row(to, c, -1)], &rows[in_row(from, c, -1)],
                     sizeof(float) * static_cast<std::size_t>(sites + 2));
   }
+}
+
+void Level::copy_class(int parity, int q) {
+  if (share.alone()) return;
+  RowRange const mine = own();
+  // One of two rows is of this class.
+  auto const one = [&](int of_two) {
+    int const row = of_two + ((of_two + parity) & 1);
+    return parts(x, lattice, row, lattice.part_of_class(row, q), 1);
+  };
+  share.swap(one(mine.from), one(mine.to), one(mine.to - 2), one(mine.from - 2));
+}
+
+void Level::copy_rows(std::vector<float>& field) const {
+  if (share.alone()) return;
+  RowRange const mine = own();
+  auto const two = [&](int row) { return parts(field, lattice, row, 0, 4); };
+  share.swap(two(mine.from), two(mine.to), two(mine.to - 2), two(mine.from - 2));
+}
+
+void Level::give_whole(Level& next) const {
+  if (share.alone()) return;
+  std::vector<int> cuts;
+  for (int const cut : share.cuts()) cuts.push_back(halved(cut));
+  RowShare(share.ranks(), cuts, share.round()).whole(parts(next.r, next.lattice, 0, 0, 2 * cuts.back()));
 }
 
 }  // namespace actio::media::detail

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "actio/incompressible_media/two_colour_coarsening.hpp"
+#include "actio/parallel/row_share.hpp"
 
 namespace actio::media::detail {
 
@@ -53,6 +54,7 @@ struct Terms {
 /// An entry of P beside the bilinear weights.
 struct RimWeight {
   std::ptrdiff_t fine, coarse;  ///< places in a field of the fine lattice and in the rows of the coarse one
+  int fine_row, coarse_row;     ///< rows of these
   float weight;                 ///< that is added to the bilinear one
 };
 
@@ -63,8 +65,12 @@ struct PartParents {
 };
 
 /// A lattice with its matrix and the fields of a cycle.
+///
+/// Of a lattice that is shared, a rank goes over its own rows, and has two of each neighbour as this one has
+/// them: beyond the ends of a period, too, they are where `TwoColourLattice` has room for copies.
 struct Level {
   TwoColourLattice lattice;                                  ///< the lattice
+  RowShare share;                                            ///< of its rows
   int numbers = 0;                                           ///< stored of the matrix at each site
   std::vector<float> matrix;                                 ///< these numbers
   std::array<std::array<std::array<Terms, 2>, 2>, 4> terms;  ///< by row modulo 4, part and colour
@@ -77,10 +83,23 @@ struct Level {
   std::vector<RimWeight> rim;  ///< between this lattice and the next one
 
   /// With the entries of a matrix by sites, times a factor.
+  /// @param rows  that are shared
   template <class Matrix>
-  void take(Matrix const& m, double factor);
+  void take(Matrix const& m, double factor, RowShare const& rows);
+  /// The row of a place in a field of two numbers a site.
+  static int row_of(TwoColourLattice const& lattice, std::ptrdiff_t place) {
+    return static_cast<int>(place / (4 * lattice.stride())) - 3;
+  }
+  /// The rows of this rank.
+  RowRange own() const { return share.own(); }
+  /// Those of the next lattice that this rank makes from its own.
+  static int halved(int row) { return (row + 1) >> 1; }
+  RowRange own_of_next() const { return {halved(own().from), halved(own().to)}; }
   /// Makes the way to the next lattice.
   void join(Interpolation const& p);
+
+  /// Puts copies that are beyond the ends of a period where the rows themselves are.
+  void settle(std::vector<float>& field) const;
 
   /// From one row of `rows` to the next of the same colour is twice this.
   std::ptrdiff_t row_stride() const { return 2 * lanes * (lattice.blocks() + 1); }
@@ -101,7 +120,8 @@ struct Level {
             relax(j, p, c, t.term.data(), t.term.data() + t.before);
           }
         });
-    for (int j = lattice.low(); j < lattice.high(); ++j)
+    RowRange const mine = own();
+    for (int j = mine.from; j < mine.to; ++j)
       for (int p = 0; p < 2; ++p)
         for (int c = 0; c < 2; ++c) {
           // The equation of a cell held when it was swept.
@@ -114,6 +134,7 @@ struct Level {
           });
           close(rest, j, p, c);
         }
+    copy_rows(rest);
   }
   /// The sweep after it.
   [[gnu::always_inline]] void sweep_back() {
@@ -128,7 +149,8 @@ struct Level {
   /// The right side of the next lattice.
   [[gnu::always_inline]] void restrict_to(Level& next) const {
     TwoColourLattice const& l = next.lattice;
-    for (int j = 0; j < l.high(); ++j)
+    RowRange const made = own_of_next();
+    for (int j = made.from; j < made.to; ++j)
       for (int c = 0; c < 2; ++c) {
         int const p = j & 1;
         float const* const from = rest.data() + lattice.part(2, 2 * j, p, c);
@@ -142,8 +164,9 @@ struct Level {
           store(to + k, load(from + k) + 0.5f * edges + 0.25f * corners);
         }
       }
-    for (RimWeight const& w : rim) next.rows[w.coarse] += w.weight * rest[w.fine];
-    for (int j = 0; j < l.high(); ++j)
+    for (RimWeight const& w : rim)
+      if (w.coarse_row >= made.from && w.coarse_row < made.to) next.rows[w.coarse] += w.weight * rest[w.fine];
+    for (int j = made.from; j < made.to; ++j)
       for (int c = 0; c < 2; ++c)
         for (std::ptrdiff_t a = 0; a < lanes * l.blocks(); a += lanes) {
           float const* const from = next.rows.data() + next.in_row(j, c, 0) + 2 * a;
@@ -154,11 +177,13 @@ struct Level {
           store(next.r.data() + l.part(2, j, 0, c) + a, even);
           store(next.r.data() + l.part(2, j, 1, c) + a, odd);
         }
+    if (next.share.alone()) give_whole(next);
   }
   /// Adds what the next lattice has found.
   [[gnu::always_inline]] void interpolate_from(Level& next) {
-    next.put_in_rows();
-    for (int j = lattice.low(); j < lattice.high(); ++j)
+    RowRange const mine = own(), above = own_of_next();
+    next.put_in_rows(share.alone() ? above : RowRange{above.from - 1, above.to + 1});
+    for (int j = mine.from; j < mine.to; ++j)
       for (int p = 0; p < 2; ++p)
         for (int c = 0; c < 2; ++c) {
           PartParents const& parent = parents[j & 3][p];
@@ -171,10 +196,12 @@ struct Level {
             store(to + a, load(to + a) + weight * sum);
           }
         }
-    for (RimWeight const& w : rim) x[w.fine] += w.weight * next.rows[w.coarse];
-    for (int j = lattice.low(); j < lattice.high(); ++j)
+    for (RimWeight const& w : rim)
+      if (w.fine_row >= mine.from && w.fine_row < mine.to) x[w.fine] += w.weight * next.rows[w.coarse];
+    for (int j = mine.from; j < mine.to; ++j)
       for (int p = 0; p < 2; ++p)
         for (int c = 0; c < 2; ++c) close(x, j, p, c);
+    copy_rows(x);
   }
 
  private:
@@ -225,18 +252,27 @@ struct Level {
   [[gnu::always_inline]] void each_class(bool back, F const& f) {
     for (int n = 0; n < 4; ++n) {
       int const number = back ? 3 - n : n, parity = number >> 1, q = number & 1;
-      int const low = lattice.low();
-      for (int j = low + ((low + parity) & 1); j < lattice.high(); j += 2) f(j, lattice.part_of_class(j, q));
+      RowRange const mine = own();
+      for (int j = mine.from + ((mine.from + parity) & 1); j < mine.to; j += 2)
+        f(j, lattice.part_of_class(j, q));
+      copy_class(parity, q);
     }
   }
+  /// The neighbours' rows of the solution of one class of sites, which they have just swept.
+  void copy_class(int parity, int q);
+  /// Two rows of both neighbours of a field.
+  void copy_rows(std::vector<float>& field) const;
+  /// The right side of the next lattice everywhere, where ranks have made parts of it.
+  void give_whole(Level& next) const;
   /// Copies what is round the corner of a periodic direction.
   [[gnu::always_inline]] void close(std::vector<float>& field, int j, int p, int c) const {
     if (lattice.periodic[0] || lattice.periodic[1]) close_periodic(field, j, p, c);
   }
   void close_periodic(std::vector<float>& field, int j, int p, int c) const;
-  /// The solution with the sites of each row in order.
-  [[gnu::always_inline]] void put_in_rows() {
-    for (int j = 0; j < lattice.high(); ++j)
+  /// The solution with the sites of each row in order, of rows that are there or copies.
+  [[gnu::always_inline]] void put_in_rows(RowRange of) {
+    if (!lattice.periodic[1]) of = {std::max(of.from, 0), std::min(of.to, lattice.high())};
+    for (int j = of.from; j < of.to; ++j)
       for (int c = 0; c < 2; ++c) {
         for (std::ptrdiff_t a = 0; a < lanes * lattice.blocks(); a += lanes) {
           float* const to = rows.data() + in_row(j, c, 0) + 2 * a;
@@ -247,9 +283,9 @@ struct Level {
           store(to, first), store(to + lanes, second);
         }
       }
-    if (lattice.periodic[0] || lattice.periodic[1]) close_rows();
+    if (lattice.periodic[0] || lattice.periodic[1]) close_rows(of);
   }
-  void close_rows();
+  void close_rows(RowRange const& of);
 };
 
 }  // namespace actio::media::detail

@@ -22,6 +22,9 @@ constexpr char const* name = "multigrid for pressures";
 /// Cells below which a lattice is solved by its Cholesky factors.
 constexpr int few = 80;
 
+/// Rows of a shared lattice that each rank has at least. Coarser ones every rank has whole.
+constexpr int fewest_rows = 16;
+
 /// The factors of the coarsest matrix.
 struct Coarsest {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors;
@@ -108,13 +111,14 @@ struct Sides {
   double pin = 0;          ///< this sum; 0: there is none
   bool closed = false;     ///< whether constants are in the kernel of the matrix, without the pin
 
-  explicit Sides(NinePointMatrix const& m) {
+  Sides(NinePointMatrix const& m, RowShare const& rows) {
     std::vector<double> const ones(m.size(), 1.0);
-    std::vector<double> sums(m.size());
+    std::vector<double> sums(m.size()), selves = m.self;
     m.product(ones.data(), sums.data());
+    rows.whole(std::span(sums)), rows.whole(std::span(selves));
     std::size_t open = 0;
     for (std::size_t k = 0; k < sums.size(); ++k)
-      if (std::abs(sums[k]) > 1e-10 * m.self[k]) ++open, pinned = k;
+      if (std::abs(sums[k]) > 1e-10 * selves[k]) ++open, pinned = k;
     closed = open <= 1;
     if (open == 1) pin = std::exchange(sums[pinned], 0.0);
     for (std::size_t side = 0; side < 4; ++side) {
@@ -125,7 +129,7 @@ struct Sides {
       double sum = 0, self = 0;
       for (int k = corner; k < along - corner; ++k) {
         std::size_t const at = axis == 0 ? m.at(across, k) : m.at(k, across);
-        sum += std::abs(sums[at]), self += m.self[at];
+        sum += std::abs(sums[at]), self += selves[at];
       }
       walls[side] = sum <= 0.05 * self;
     }
@@ -133,7 +137,7 @@ struct Sides {
 };
 
 /// Refuses what has no hierarchy.
-void require_sound(NinePointMatrix const& m) {
+void require_sound(NinePointMatrix const& m, RowShare const& rows) {
   for (int axis = 0; axis < 2; ++axis) {
     if (m.cells[axis] < 2)
       throw OutsideDomain(name, "a box needs two cells along each direction", m.cells[axis], 2);
@@ -142,12 +146,18 @@ void require_sound(NinePointMatrix const& m) {
           name, "cells along a periodic direction must be a multiple of four; cells, less such a multiple",
           m.cells[axis] % 4, 0);
   }
-  for (auto const* part : {&m.self, &m.east, &m.north, &m.north_east, &m.north_west}) {
-    Size size{part->data(), part->size()};
-    run_with(Registers::plain, size);
-    if (!std::isfinite(size.sum)) throw NotFinite(name);
-  }
-  double const least = *std::min_element(m.self.begin(), m.self.end());
+  bool finite = true;
+  double least = HUGE_VAL;
+  for (RowRange const& of : rows.with(0, 0, m.cells[0]))
+    for (auto const* part : {&m.self, &m.east, &m.north, &m.north_east, &m.north_west}) {
+      Size size{part->data() + of.from, static_cast<std::size_t>(of.count())};
+      run_with(Registers::plain, size);
+      finite = finite && std::isfinite(size.sum);
+      if (part == &m.self)
+        least = std::min(least, *std::min_element(m.self.data() + of.from, m.self.data() + of.to));
+    }
+  if (rows.any(!finite)) throw NotFinite(name);
+  least = -rows.most(-least);
   if (!(least > 0)) throw OutsideDomain(name, "the diagonal must be positive; its least entry", least, 0);
 }
 
@@ -158,6 +168,7 @@ using namespace detail;
 
 /// The lattices, from the finest to the coarsest.
 struct TwoColourMultigrid::Hierarchy {
+  RowShare rows;                           ///< of cells
   Registers registers = Registers::plain;  ///< for which cycles are compiled
   std::array<int, 2> cells{};              ///< of the box
   std::vector<Level> levels;               ///< the finest first
@@ -165,12 +176,14 @@ struct TwoColourMultigrid::Hierarchy {
   double factor = 1;                       ///< by which the matrix is multiplied
   std::size_t pinned = 0;                  ///< number of the only cell whose row has a sum, if there is one
   double pin = 0;                          ///< this sum; 0: there is none
+  bool has_pinned = false;                 ///< whether that cell is in a row of this rank's lattice
   bool floats = false;                     ///< whether constants are in the kernel of the matrix
   std::ptrdiff_t in_field = 0;             ///< where the cell is in a field
 };
 
-TwoColourMultigrid::TwoColourMultigrid(Registers registers) : hierarchy_(std::make_unique<Hierarchy>()) {
-  hierarchy_->registers = registers;
+TwoColourMultigrid::TwoColourMultigrid(Registers registers, RowShare rows)
+    : hierarchy_(std::make_unique<Hierarchy>()) {
+  hierarchy_->registers = registers, hierarchy_->rows = std::move(rows);
 }
 TwoColourMultigrid::TwoColourMultigrid(TwoColourMultigrid&&) noexcept = default;
 TwoColourMultigrid& TwoColourMultigrid::operator=(TwoColourMultigrid&&) noexcept = default;
@@ -180,41 +193,59 @@ bool TwoColourMultigrid::can_be_coarsened(std::array<int, 2> cells, std::array<b
   return cells[0] >= 2 && cells[1] >= 2 && TwoColourLattice::of_cells(cells, periodic).can_be_coarsened();
 }
 
+bool TwoColourMultigrid::can_be_shared(int rows, int ranks) { return rows >= fewest_rows * ranks; }
+
 void TwoColourMultigrid::build(NinePointMatrix const& matrix) {
-  require_sound(matrix);
   Hierarchy& h = *hierarchy_;
   h.cells = matrix.cells;
+  if (h.rows.alone()) h.rows = RowShare(nullptr, matrix.cells[1], matrix.periodic[1]);
+  require_sound(matrix, h.rows);
   CellMatrix cells(matrix);
   // A power of two brings the largest entry near 1.
-  h.factor = std::ldexp(1.0, -std::ilogb(*std::max_element(matrix.self.begin(), matrix.self.end())));
+  double largest = 0;
+  for_each(h.rows.with(0, 0, h.cells[0]),
+           [&](std::size_t k) { largest = std::max(largest, matrix.self[k]); });
+  h.factor = std::ldexp(1.0, -std::ilogb(h.rows.most(largest)));
 
-  Sides const sides(matrix);
+  Sides const sides(matrix, h.rows);
   h.pinned = cells.pinned = sides.pinned, h.pin = cells.pin = sides.pin, h.in_field = cells.place(h.pinned);
   h.floats = sides.closed && sides.pin == 0;
-
+  std::vector<int> cuts = h.rows.cuts();
+  cuts.front() = cells.lattice.low(), cuts.back() = cells.lattice.high();
+  RowShare rows(h.rows.ranks(), cuts, h.rows.round());
   std::size_t number = 0;
   auto const go_on = [&](auto const& m) -> std::optional<CoarseMatrix> {
     if (h.levels.size() <= number) h.levels.emplace_back();
     Level& level = h.levels[number++];
-    level.take(m, h.factor);
+    level.take(m, h.factor, rows);
     if (count(m.lattice) <= few || !m.lattice.can_be_coarsened()) {
       h.coarsest.take(m, h.factor, sides.closed);
       return {};
     }
     Interpolation const p(m.lattice, sides.walls);
     level.join(p);
-    return coarsened(m, p);
+    auto next = coarsened(m, p, level.own_of_next());
+    for (int& cut : cuts) cut = Level::halved(cut);
+    rows = RowShare(rows.ranks(), cuts, rows.round());
+    std::span const entries(next.sites);
+    if (rows.fewest() >= fewest_rows)
+      rows.exchange(entries, 2);
+    else
+      rows.whole(entries), cuts = {cuts.front(), cuts.back()}, rows = RowShare(nullptr, cuts, rows.round());
+    return next;
   };
   for (auto next = go_on(cells); next;) next = go_on(*next);
   h.levels.resize(number);
+  Level const& finest = h.levels.front();
+  int const row = Level::row_of(finest.lattice, h.in_field);
+  h.has_pinned = row >= finest.own().from && row < finest.own().to;
 }
 
 void TwoColourMultigrid::apply(double const* r, double* delta) {
   Hierarchy& h = *hierarchy_;
   Level& finest = h.levels.front();
   std::size_t const count = static_cast<std::size_t>(h.cells[0]) * static_cast<std::size_t>(h.cells[1]);
-  Size size{r, count};
-  run_with(h.registers, size);
+  Size const size = size_of(r, h.rows, h.cells[0], h.registers);
   if (size.largest == 0 || !std::isfinite(size.sum)) {
     std::fill_n(delta, count,
                 size.largest == 0 && size.sum == 0 ? 0.0 : std::numeric_limits<double>::quiet_NaN());
@@ -222,20 +253,26 @@ void TwoColourMultigrid::apply(double const* r, double* delta) {
   }
   double const scale = std::ldexp(1.0, -std::ilogb(size.largest));
   double const cells = static_cast<double>(count);
-  Transfer<true> take{finest.lattice, finest.r.data(), r, h.cells[0], h.cells[1], scale};
+  Ranges const given = h.rows.with(0, 1, 1), found = h.rows.with(1, 1, 1);
+  Transfer<true> take{finest.lattice, finest.r.data(), r, h.cells[0], h.cells[1], given, scale};
   if (h.floats) take.more = -size.sum / cells;
   run_with(h.registers, take);
   // S = S' + pin e e^T with S' 1 = 0: the equations add up to pin times the pressure of the pinned cell.
-  if (h.pin != 0) finest.r[h.in_field] = static_cast<float>(scale * (r[h.pinned] - size.sum));
+  if (h.pin != 0 && h.has_pinned) finest.r[h.in_field] = static_cast<float>(scale * (r[h.pinned] - size.sum));
   Cycle cycle{h.levels, h.coarsest};
   run_with(h.registers, cycle);
-  Transfer<false> give{finest.lattice, finest.x.data(), delta, h.cells[0], h.cells[1], h.factor / scale};
-  if (h.pin != 0) give.more = size.sum / h.pin - give.factor * static_cast<double>(finest.x[h.in_field]);
+  finest.settle(finest.x);
+  Transfer<false> give{finest.lattice, finest.x.data(), delta,           h.cells[0],
+                       h.cells[1],     found,           h.factor / scale};
+  if (h.pin != 0) {
+    // Of the rank that has it.
+    double const here = h.has_pinned ? static_cast<double>(finest.x[h.in_field]) : -HUGE_VAL;
+    give.more = size.sum / h.pin - give.factor * (h.rows.alone() ? here : h.rows.ranks()->most(here));
+  }
   run_with(h.registers, give);
   if (!h.floats) return;
-  Size found{delta, count};
-  run_with(h.registers, found);
-  for (std::size_t k = 0; k < count; ++k) delta[k] -= found.sum / cells;
+  double const mean = size_of(delta, h.rows, h.cells[0], h.registers).sum / cells;
+  for_each(h.rows.with(1, 1, h.cells[0]), [&](std::size_t k) { delta[k] -= mean; });
 }
 
 }  // namespace actio::media

@@ -5,6 +5,7 @@
 
 #include "actio/incompressible_media/nine_point_matrix.hpp"
 #include "actio/numbers/registers.hpp"
+#include "actio/parallel/row_share.hpp"
 
 namespace actio::media {
 
@@ -36,8 +37,15 @@ class TwoColourMultigrid {
   /// multiple of four. The more often it can be halved, the better.
   static bool can_be_coarsened(std::array<int, 2> cells, std::array<bool, 2> periodic);
 
+  /// Whether a box of so many rows of cells can be shared by so many ranks: the finest lattice is, and
+  /// coarser ones down to where each rank would have a few rows.
+  static bool can_be_shared(int rows, int ranks);
+
   /// Cycles that are compiled for these registers.
-  explicit TwoColourMultigrid(Registers registers = best_registers());
+  /// @param rows  of cells, that ranks share; by default this process is alone. All ranks then make the same
+  ///   calls. Of the matrix each has its own rows and three around them, of r its own and one, and delta is
+  ///   found for its own and one.
+  explicit TwoColourMultigrid(Registers registers = best_registers(), RowShare rows = {});
   TwoColourMultigrid(TwoColourMultigrid&&) noexcept;             ///< with its hierarchy
   TwoColourMultigrid& operator=(TwoColourMultigrid&&) noexcept;  ///< with its hierarchy
   ~TwoColourMultigrid();                                         ///< with its hierarchy

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "actio/incompressible_media/two_colour_level.hpp"
+#include "actio/numbers/registers.hpp"
 
 namespace actio::media::detail {
 
@@ -37,6 +38,19 @@ struct Size {
     for (; k < count; ++k) largest = std::max(largest, std::abs(x[k])), sum += x[k];
   }
 };
+/// Those of all ranks, row by row, so that the sum is the same on any number of them.
+inline Size size_of(double const* x, RowShare const& rows, int columns, Registers registers) {
+  Size out{x, 0};
+  double largest = 0;
+  out.sum = rows.sum([&](int j) {
+    Size one{x + static_cast<std::ptrdiff_t>(j) * columns, static_cast<std::size_t>(columns)};
+    run_with(registers, one);
+    largest = std::max(largest, one.largest);
+    return one.sum;
+  });
+  out.largest = rows.most(largest);
+  return out;
+}
 
 /// Between the numbers of the cells, row by row, and a field of the finest lattice.
 ///
@@ -48,24 +62,26 @@ struct Transfer {
   float* field;                     ///< of it, two numbers a site
   Cells* cells;                     ///< the numbers of the cells
   int columns, rows;                ///< of cells
+  Ranges const& through;            ///< rows that are gone through
   double factor;                    ///< by which they are multiplied
   double more = 0;                  ///< what is added to the numbers of the cells
 
   [[gnu::always_inline]] void operator()() {
     constexpr int width = 4 * lanes;
     double end[width] = {};
-    for (int j = 0; j < rows; ++j)
-      for (int i = 0; i < columns; i += width) {
-        Cells* const at = cells + static_cast<std::ptrdiff_t>(j) * columns + i;
-        if (i + width <= columns) {
-          four(at, j, i / 4);
-          continue;
+    for (RowRange const& range : through)
+      for (int j = range.from; j < range.to; ++j)
+        for (int i = 0; i < columns; i += width) {
+          Cells* const at = cells + static_cast<std::ptrdiff_t>(j) * columns + i;
+          if (i + width <= columns) {
+            four(at, j, i / 4);
+            continue;
+          }
+          std::size_t const bytes = sizeof(double) * static_cast<std::size_t>(columns - i);
+          if constexpr (in) std::memcpy(end, at, bytes);
+          four(static_cast<Cells*>(end), j, i / 4);
+          if constexpr (!in) std::memcpy(at, end, bytes);
         }
-        std::size_t const bytes = sizeof(double) * static_cast<std::size_t>(columns - i);
-        if constexpr (in) std::memcpy(end, at, bytes);
-        four(static_cast<Cells*>(end), j, i / 4);
-        if constexpr (!in) std::memcpy(at, end, bytes);
-      }
   }
 
  private:
