@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_on_three_ranks) {
   on_thread_ranks(3, [&](Ranks& ranks) {
     FastOptions options;
     options.ranks = &ranks;
-    share_media(
+    share_parts(
         ranks, [&](std::string const&, double step) { return medium_part(rubber, box, step, options); },
         [&] {
           FastMedium2d shared(rubber, box, 0.02, 1, placed, at_rest, options);

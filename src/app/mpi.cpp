@@ -155,7 +155,7 @@ int run_on_ranks(int argc, char** argv) {
     // Rank 0 says when to end; where it is gone, mpirun ends the others.
     if (ranks.rank() > 0) listen_for_interrupts();
     try {
-      media::share_media(ranks, part_of_medium, [&] { status = app::command(argc, argv); });
+      share_parts(ranks, part_of_medium, [&] { status = app::command(argc, argv); });
     } catch (std::exception const& error) {
       say(stderr, "rank " + std::to_string(ranks.rank()) + ": " + error.what() + "\n");
       MPI_Abort(MPI_COMM_WORLD, 3);

@@ -38,7 +38,7 @@ void check_ranks(Medium const& medium, Box const& box, double dt, Placement cons
         on_thread_ranks(ranks, [&](Ranks& here) {
           FastOptions options;
           options.threads = threads, options.levels = levels, options.ranks = &here;
-          share_media(
+          share_parts(
               here, [&](std::string const&, double step) { return medium_part(medium, box, step, options); },
               [&] { together = run(medium, box, dt, placement, velocity, options); });
         });
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(what_throws_ends_all_ranks) {
                                       [&](Ranks& here) {
                                         FastOptions options;
                                         options.ranks = &here;
-                                        share_media(
+                                        share_parts(
                                             here,
                                             [&](std::string const&, double step) {
                                               if (here.rank() == failing) throw std::domain_error("a part");

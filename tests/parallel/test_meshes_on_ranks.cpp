@@ -29,10 +29,10 @@ struct Body {
   MediumOnMesh<d> medium(Ranks* ranks) const { return {mesh, law, start, stepping, sides, loads, ranks}; }
   /// Does this with media that these ranks share.
   void share(Ranks& here, std::function<void()> const& work) const {
-    share_media(
+    share_parts(
         here,
         [&](std::string const&, double) {
-          return std::make_unique<BodyPart<d>>(here, mesh, law, start.density, stepping, sides, loads);
+          return std::make_unique<BodyOnRank<d>>(here, "", mesh, law, start.density, stepping, sides, loads);
         },
         work);
   }

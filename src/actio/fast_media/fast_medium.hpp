@@ -311,10 +311,10 @@ class FastMedium {
   long steps_ = 0, kept_at_ = 0;
 };
 
-/// The part of a medium on a rank other than the first, for \ref share_media: of the same medium, box and
+/// The part of a medium on a rank other than the first, for \ref share_parts: of the same medium, box and
 /// options as the \ref FastMedium of rank 0.
 template <class Medium, class Box>
-std::unique_ptr<MediumPart> medium_part(Medium const& medium, Box const& box, double dt,
+std::unique_ptr<RankPart> medium_part(Medium const& medium, Box const& box, double dt,
                                         FastOptions const& options) {
   return std::make_unique<detail::PartOf<detail::NodesOf<Medium, Box>>>(
       box, detail::cell_on(medium, box.spacing), dt, options);

@@ -13,7 +13,7 @@ struct FastOptions {
   int levels = 0;                          ///< in the plane: steps in one pass; 0: as the cache allows
   Registers registers = best_registers();  ///< for which the steps are compiled
   Ranks* ranks = nullptr;  ///< processes among which rows or planes are shared; null: this one
-  std::string told = {};                   ///< of the medium, to the other ranks (\ref share_media)
+  std::string told = {};                   ///< of the medium, to the other ranks (\ref share_parts)
 };
 
 }  // namespace actio::media

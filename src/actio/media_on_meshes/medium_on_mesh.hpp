@@ -18,7 +18,7 @@
 // kink, as discs and balls of blocks have, its nodes are off by the first order, and by 1.5 in the mean.
 #pragma once
 
-#include "actio/media_on_meshes/body_part.hpp"
+#include "actio/media_on_meshes/body_on_rank.hpp"
 #include "actio/media_on_meshes/body_start.hpp"
 
 namespace actio::media {
@@ -35,7 +35,7 @@ class MediumOnMesh : BodyMotion<d> {
 
   /// @param ranks  others that make its steps with this one, where these are explicit and each
   ///   has a node; null: there are none
-  /// @param told   of the medium, to them (\ref share_media); each makes a \ref BodyPart of it
+  /// @param told   of the medium, to them (\ref share_parts); each makes a \ref BodyOnRank of it
   /// @throws OutsideDomain, NotFinite  where the step, the density or the start is none
   /// @throws UnknownSide, NotABodyMesh  where sides and loads do not fit the mesh
   /// @throws BodyCellInverts  with step 0, where a cell is inside out at the start
@@ -66,8 +66,8 @@ class MediumOnMesh : BodyMotion<d> {
     begin();
     if (ranks && ranks->size() > 1 && stepping.conserve == Conserve::form &&
         ranks->size() <= static_cast<int>(mesh_.nodes.size()))
-      on_ranks_ =
-          std::make_unique<BodyOnRanks<d>>(*ranks, told, mesh_, law, start.density, stepping, sides, loads);
+      part_ =
+          std::make_unique<BodyOnRank<d>>(*ranks, told, mesh_, law, start.density, stepping, sides, loads);
   }
 
   /// So many steps on.
@@ -81,9 +81,9 @@ class MediumOnMesh : BodyMotion<d> {
       throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
                           0);
     look_ahead(0);
-    if (on_ranks_ && count > 0) {
-      long const made = on_ranks_->make({steps_, count, stepping_.step, is_told_}, state_, forces_);
-      steps_ += made, is_told_ = true;
+    if (part_ && count > 0) {
+      long const made = part_->make(state_, forces_, is_known_, count, stepping_.step, steps_);
+      steps_ += made, is_known_ = true;
       if (made == count) return;
       // What fails on a rank fails here again, and says why.
       go_on(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
@@ -271,8 +271,8 @@ class MediumOnMesh : BodyMotion<d> {
   BodyStepping stepping_;
   using BodyMotion<d>::steps_of_, BodyMotion<d>::state_, BodyMotion<d>::kept_, BodyMotion<d>::forces_;
   using BodyMotion<d>::fractions_, BodyMotion<d>::put_back, BodyMotion<d>::in_parts, BodyMotion<d>::attempt;
-  std::unique_ptr<BodyOnRanks<d>> on_ranks_;  // null: there are no others
-  bool is_told_ = false;                      // whether they have this state
+  std::unique_ptr<BodyOnRank<d>> part_;  // on this rank; null: there are no others
+  bool is_known_ = false;                // whether they have this state
   long steps_ = 0;
   bool ahead_ = false;  // the state is one between two steps, and what was kept is that of the last step
 
@@ -282,14 +282,14 @@ class MediumOnMesh : BodyMotion<d> {
     return out;
   }
   void begin() {
-    is_told_ = false;
+    is_known_ = false;
     LeastJacobian const least = steps_of_.forces.forces(state_.x, time(), forces_, state_.x_rest);
     if (!(least.jacobian > 0))
       throw BodyCellInverts(least.cell, mesh_.cell_name(least.cell), least.jacobian, {});
   }
   /// From the state now, which is kept, to another time.
   void go_on(double h, double end) {
-    is_told_ = false;
+    is_known_ = false;
     LeastJacobian least;
     try {
       least = in_parts(h, time(), end);

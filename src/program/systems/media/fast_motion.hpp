@@ -180,7 +180,7 @@ class OptimisedMediumOf final : public OptimisedMedium<Box::dimension> {
                                           std::string const& scene) const override {
     return std::make_unique<FastMotion<Medium, Box>>(medium_, box_, density_, step, longest, *start, scene);
   }
-  std::unique_ptr<media::MediumPart> part(double step) const override {
+  std::unique_ptr<RankPart> part(double step) const override {
     return media::medium_part(medium_, box_, step, fast_options(box_, ""));
   }
 

@@ -98,10 +98,10 @@ template <int d>
 std::unique_ptr<MotionOnMesh<d>> GenericMedium<d>::motion() { return std::make_unique<MeshMotion<d>>(*this); }
 
 template <int d>
-std::unique_ptr<media::MediumPart> GenericMedium<d>::part() const {
-  return std::make_unique<media::BodyPart<d>>(*shared_ranks(), mesh, stored_energy_of<d>(material),
-                                              start_of<d>(start).density, stepping(), loads.sides,
-                                              loads.loads);
+std::unique_ptr<RankPart> GenericMedium<d>::part() const {
+  return std::make_unique<media::BodyOnRank<d>>(*shared_ranks(), scene, mesh, stored_energy_of<d>(material),
+                                                start_of<d>(start).density, stepping(), loads.sides,
+                                                loads.loads);
 }
 
 /// Along a line.

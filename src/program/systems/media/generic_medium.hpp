@@ -58,7 +58,7 @@ struct GenericMedium {
   /// The motion, which has no step before it is begun with one.
   std::unique_ptr<MotionOnMesh<d>> motion();
   /// The part of it on this rank, which is not the first.
-  std::unique_ptr<media::MediumPart> part() const;
+  std::unique_ptr<RankPart> part() const;
 };
 
 }  // namespace actio::scene

@@ -110,7 +110,7 @@ class OptimisedMedium {
                                                   std::shared_ptr<MediumStart> start,
                                                   std::string const& scene) const = 0;
   /// The part of it on this rank, which is not the first.
-  virtual std::unique_ptr<media::MediumPart> part(double step) const = 0;
+  virtual std::unique_ptr<RankPart> part(double step) const = 0;
 };
 /// Of a material in the plane. Null where the optimised implementation does not know it.
 std::unique_ptr<OptimisedMedium<2>> optimised_medium(Material const& material, media::FastBox2d const& box,

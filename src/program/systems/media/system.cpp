@@ -273,8 +273,7 @@ Simulation prepare_medium(Request const& request) {
 
 /// The part of a medium of d dimensions.
 template <int d>
-std::unique_ptr<media::MediumPart> part_of(SceneFile const& file, MediumMesh const& mesh, bool fluid,
-                                           double step) {
+std::unique_ptr<RankPart> part_of(SceneFile const& file, MediumMesh const& mesh, bool fluid, double step) {
   Material const material = read_material(file.section("system"), fluid, d);
   auto const start = std::make_shared<MediumStart>(read_medium_start(file, d));
   MediumMethod const method = read_medium_method(file);
@@ -288,7 +287,7 @@ std::unique_ptr<media::MediumPart> part_of(SceneFile const& file, MediumMesh con
 
 }  // namespace
 
-std::unique_ptr<media::MediumPart> part_of_medium(std::string const& scene, double step) {
+std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) {
   SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
   bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
   MediumMesh const mesh = read_medium_mesh(file);

@@ -2,7 +2,7 @@
 // keys, and a motion made from a scene.
 #pragma once
 
-#include "actio/fast_media/nodes_on_ranks.hpp"
+#include "actio/parallel/parts_on_ranks.hpp"
 #include "program/registry/system.hpp"
 
 namespace actio::scene {
@@ -14,6 +14,6 @@ System medium_system(bool fluid, std::string name, std::string title, std::strin
 
 /// The part of the medium of a scene on this rank, which is not the first.
 /// @param scene  as a text, of which rank 0 has made a motion with steps of this length
-std::unique_ptr<media::MediumPart> part_of_medium(std::string const& scene, double step);
+std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step);
 
 }  // namespace actio::scene
