@@ -194,6 +194,33 @@ BOOST_AUTO_TEST_CASE(a_line) {
   check_ranks(body);
 }
 
+// A state that was taken on some ranks is gone on from on others.
+BOOST_AUTO_TEST_CASE(a_run_goes_on_with_another_number_of_ranks) {
+  Body<2> const body = loaded();
+  auto alone = body.medium(nullptr);
+  alone.step(30);
+  std::vector<double> state;
+  for (int const ranks : {3, 1, 2})
+    body.on_ranks(ranks, [&](Ranks& here) {
+      auto medium = body.medium(&here);
+      if (!state.empty()) medium.restore(state);
+      medium.step(10), state = medium.remember();
+    });
+  BOOST_TEST((state == alone.remember()));
+}
+
+BOOST_AUTO_TEST_CASE(ranks_with_different_meshes_are_refused) {
+  Body<2> const body = loaded();
+  on_thread_ranks(3, [&](Ranks& here) {
+    Body<2> mine = body;
+    if (here.rank() == 2) mine.mesh.nodes[40][0] += 1e-9;
+    mine.share(here, [&] {
+      BOOST_TEST(message_of([&] { mine.medium(&here); }) ==
+                 "nodes on several ranks: the mesh is not the same on all of them");
+    });
+  });
+}
+
 // What ends steps on one rank ends them on all, with the words and the state of one.
 BOOST_AUTO_TEST_CASE(what_fails_on_a_rank_is_told_as_on_one) {
   Body<2> crushed = loaded();

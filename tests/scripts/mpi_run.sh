@@ -48,7 +48,39 @@ quantities = ["momentum", "energy"]
 snapshots = []
 TOML
 
-for scene in solid gas; do
+# Triangles of a file, with a pressure, a moved side and one that slides.
+awk 'BEGIN {
+  n = 8
+  print "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 1 \"left\"\n1 2 \"right\"\n1 3 \"bottom\""
+  print "$EndPhysicalNames\n$Nodes\n" (n + 1) ^ 2
+  for (k = 0; k < (n + 1) ^ 2; ++k) print k + 1, k % (n + 1) / n, int(k / (n + 1)) / n, 0
+  print "$EndNodes\n$Elements\n" 2 * n * n + 3 * n
+  for (k = 1; k <= n; ++k) {
+    a = 1 + (k - 1) * (n + 1)
+    print ++e, 1, 2, 1, 1, a + n + 1, a "\n" ++e, 1, 2, 2, 2, a + n, a + 2 * n + 1 "\n" ++e, 1, 2, 3, 3, k, k + 1
+    for (b = a; b < a + n; ++b) print ++e, 2, 2, 9, 1, b, b + 1, b + n + 2 "\n" ++e, 2, 2, 9, 1, b, b + n + 2, b + n + 1
+  }
+  print "$EndElements"
+}' >square.msh
+cat >mesh.toml <<'TOML'
+[system]
+kind = "elastic_body"
+mesh = { shape = "file", file = "square.msh" }
+material = { name = "neo_hookean", mu = 1, kappa = 3 }
+boundary = { bottom = "sliding" }
+[system.load]
+motion.left = ["X - 0.1*t^2", "Y + 0.1*t^2"]
+pressure.right = "0.2*sin(3*t)"
+gravity = "0.1*y"
+[run]
+until = 1
+every = 0.25
+[output]
+quantities = ["momentum", "energy", "min_jacobian"]
+snapshots = ["jacobian"]
+TOML
+
+for scene in solid gas mesh; do
   "$actio" run $scene.toml --out "$scene.one" --quiet
   [ -n "$(hash_of "$scene.one")" ] || fail "no hash in $scene.one/summary.json"
   for n in 1 2 3; do
@@ -81,6 +113,14 @@ for signal in TERM KILL; do
   [ "$(hash_of whole)" = "$(hash_of $part)" ] || fail "after $signal the state is another one"
   cmp whole/series.csv $part/series.csv
 done
+
+# A run that turns a cell inside out ends on ranks with the words of one, and leaves what that leaves.
+crush=(--set 'system.load.pressure.right="20"' --quiet)
+"$actio" run mesh.toml --out crushed.one "${crush[@]}" 2>one.txt && fail "nothing was turned inside out"
+ranks 2 run mesh.toml --out crushed.two "${crush[@]}" 2>two.txt && fail "nothing was turned inside out on ranks"
+grep -q 'inside out' one.txt || fail "$(cat one.txt)"
+diff <(sed 's/crushed.one/OUT/' one.txt) <(sed 's/crushed.two/OUT/; /^---/,$d' two.txt)
+same crushed.one crushed.two
 
 # What ranks cannot share, and more ranks than rows, is refused.
 ranks 2 run apophis --out a --quiet >told.txt 2>&1 && fail "a body was shared among ranks"

@@ -41,6 +41,7 @@ template <int d>
 class BodyOnRank final : public RankPart, BodyMotion<d> {
  public:
   /// Made on all ranks, with the same arguments as \ref MediumOnMesh.
+  /// @throws Error  on all ranks, where they have not the same mesh
   /// @param told  of the body, from rank 0 to the others (\ref share_parts)
   BodyOnRank(Ranks& ranks, std::string const& told, BodyMesh const& mesh,
              std::shared_ptr<StoredEnergy<d> const> law,
@@ -48,6 +49,7 @@ class BodyOnRank final : public RankPart, BodyMotion<d> {
              BodySides<d> const& sides, BodyLoads<d> const& loads)
       : BodyOnRank(std::make_unique<SharedNodes>(ranks, mesh.nodes, mesh.cells, corner_count(mesh.shape)),
                    told, mesh, std::move(law), density, stepping, loads) {
+    shared_->require_same();
     // Sides that slide have one normal on all ranks.
     steps_of_.held = HeldNodes<d>(mesh, sides).among(shared_->nodes());
     auto& body = steps_of_.forces.body;

@@ -1,6 +1,7 @@
 #include "actio/parallel/shared_nodes.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace actio {
@@ -27,6 +28,14 @@ void share_out(std::vector<std::array<double, 3>> const& places, std::span<int> 
   share_out(places, nodes.subspan(count), first + lower, ranks - lower, owners);
 }
 
+/// A whole number below 2^53 that other bytes hardly have (FNV-1a).
+double fingerprint_of(std::initializer_list<std::span<std::byte const>> lists) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (auto const& list : lists)
+    for (std::byte const one : list) hash = (hash ^ static_cast<std::uint64_t>(one)) * 1099511628211u;
+  return static_cast<double>(hash >> 11);
+}
+
 }  // namespace
 
 std::vector<int> owners_of_nodes(std::vector<std::array<double, 3>> const& places, int ranks) {
@@ -39,6 +48,7 @@ std::vector<int> owners_of_nodes(std::vector<std::array<double, 3>> const& place
 SharedNodes::SharedNodes(Ranks& ranks, std::vector<std::array<double, 3>> const& places, Cells const& cells,
                          int corners)
     : ranks_(ranks),
+      fingerprint_(fingerprint_of({bytes_of(places), bytes_of(cells)})),
       sent_(static_cast<std::size_t>(ranks.size())),
       received_(static_cast<std::size_t>(ranks.size())) {
   std::vector<int> const owners = owners_of_nodes(places, ranks.size());
@@ -73,6 +83,11 @@ SharedNodes::SharedNodes(Ranks& ranks, std::vector<std::array<double, 3>> const&
   order_.resize(places.size());
   std::iota(order_.begin(), order_.end(), 0);
   std::ranges::stable_sort(order_, {}, owner);
+}
+
+void SharedNodes::require_same() const {
+  double const most = ranks_.most(fingerprint_), least = -ranks_.most(-fingerprint_);
+  if (most != least) throw Error("nodes on several ranks: the mesh is not the same on all of them");
 }
 
 void SharedNodes::complete(std::vector<double>& values) const {

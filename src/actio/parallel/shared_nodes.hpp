@@ -11,6 +11,7 @@
 #include <array>
 #include <vector>
 
+#include "actio/numbers/errors.hpp"
 #include "actio/parallel/ranks.hpp"
 
 namespace actio {
@@ -36,6 +37,8 @@ class SharedNodes {
   std::vector<int> const& cells() const { return cells_; }  ///< numbers of the cells here, increasing
   bool own(std::size_t here) const { return own_[here]; }   ///< whether one of those is no copy
 
+  /// @throws Error  on all ranks, where they have not been given the same places and cells
+  void require_same() const;
   /// Copies of values get those that their ranks have.
   /// @param values  of the nodes here, equally many of each
   void complete(std::vector<double>& values) const;
@@ -45,11 +48,10 @@ class SharedNodes {
   void gather(std::vector<double> const& here, std::vector<double>& all) const;
   /// The other way round, with copies.
   void scatter(std::vector<double> const& all, std::vector<double>& here) const;
-  /// Memory, bytes.
-  std::size_t bytes() const;
 
  private:
   Ranks& ranks_;
+  double fingerprint_;  // of places and cells
   std::vector<int> nodes_, cells_;
   std::vector<bool> own_;
   std::vector<std::vector<int>> sent_, received_;  // nodes here, by the rank to which or from which

@@ -92,9 +92,11 @@ struct Simulation {
   /// so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the
   /// machine, since the digits may depend on it
   long steps_at_once = 1 << 14;
-  bool on_ranks = false;  ///< whether its state is shared among ranks, where there are several
+  bool on_ranks = false;    ///< whether its state is shared among ranks, where there are several
   double bytes = 0;         ///< of memory that a run takes at most; 0: that is not told
   double shared_bytes = 0;  ///< of these, what ranks share
+  double part_bytes = 0;    ///< besides these, of which each rank has its part
+  double begin_bytes = 0;   ///< that each of the other ranks takes while it begins
   /// why it can take no step from its start, for instance since the step is too long; empty where it can
   std::string failure;
   Companion companion;                        ///< from which the error is estimated

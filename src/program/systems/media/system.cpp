@@ -203,8 +203,14 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
                      Material const& material, MediumMethod const& method,
                      std::shared_ptr<MediumStart> const& start) {
   simulation.on_ranks = method.conserve == media::Conserve::form;
+  simulation.part_bytes = bytes_of_plain_steps(mesh, request);
+  simulation.begin_bytes = bytes_to_begin(mesh, request);
   auto generic = generic_medium<d>(request.file, mesh, material, method, start);
   generic.scene = request.file.written();
+  if (on_several_ranks() && shared_ranks()->size() > static_cast<int>(generic.mesh.nodes.size()))
+    medium_keys.mesh.table(request.file)
+        .fail("shape", fmt::format("mesh: {} nodes are shared among {} ranks, and each has one at least",
+                                   generic.mesh.nodes.size(), shared_ranks()->size()));
   auto features = features_of<d>(request.file, mesh, generic.loads, material, start->uniform);
   {
     MeshCells<d> const cells(generic.mesh);
@@ -288,12 +294,17 @@ std::unique_ptr<RankPart> part_of(SceneFile const& file, MediumMesh const& mesh,
 }  // namespace
 
 std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) {
-  SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
-  bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
-  MediumMesh const mesh = read_medium_mesh(file);
-  if (mesh.dimension == 1) return part_of<1>(file, mesh, fluid, step);
-  if (mesh.dimension == 2) return part_of<2>(file, mesh, fluid, step);
-  return part_of<3>(file, mesh, fluid, step);
+  try {
+    SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
+    bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
+    MediumMesh const mesh = read_medium_mesh(file);
+    if (mesh.dimension == 1) return part_of<1>(file, mesh, fluid, step);
+    if (mesh.dimension == 2) return part_of<2>(file, mesh, fluid, step);
+    return part_of<3>(file, mesh, fluid, step);
+  } catch (SceneError const& error) {
+    // Rank 0 has read the same: it is a matter of this machine, and ends all ranks.
+    throw std::runtime_error(error.what());
+  }
 }
 
 System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
