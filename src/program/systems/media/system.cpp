@@ -301,8 +301,8 @@ std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) 
     if (mesh.dimension == 1) return part_of<1>(file, mesh, fluid, step);
     if (mesh.dimension == 2) return part_of<2>(file, mesh, fluid, step);
     return part_of<3>(file, mesh, fluid, step);
-  } catch (SceneError const& error) {
-    // Rank 0 has read the same: it is a matter of this machine, and ends all ranks.
+  } catch (std::exception const& error) {
+    // Rank 0 has made the same: it is a matter of this machine, and ends all ranks.
     throw std::runtime_error(error.what());
   }
 }
