@@ -132,7 +132,7 @@ void tell_memory(Scene const& scene, int ranks) {
        fmt::format("at most about {} on rank 0, which has all nodes when rows are written, and {} on each of "
                    "the others, beside what MPI takes",
                    size_text(bytes - shared * (1 - 1.0 / ranks) + part),
-                   size_text(bytes_of_program + scene.simulation.begin_bytes + shared / ranks + part)));
+                   size_text(bytes_of_program + scene.simulation.whole_bytes + shared / ranks + part)));
 }
 
 }  // namespace

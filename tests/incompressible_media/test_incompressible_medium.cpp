@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(velocities_change_no_volume) {
   for (auto const& one : v) flat.insert(flat.end(), one.begin(), one.end());
   for (auto const& one : cells.places()) places.insert(places.end(), one.begin(), one.end());
   MeshVolumes<PlaneCell> const volumes(cells.mesh());
-  volumes.slopes({places, {}}, slopes), volumes.rates(slopes, flat, rates);
+  volumes.slopes({places, {}}, slopes, volumes.all()), volumes.rates(slopes, flat, rates, volumes.all());
   double most = 0;
   for (double const one : rates) most = std::max(most, std::abs(one));
   BOOST_TEST(most <= 1e-14);

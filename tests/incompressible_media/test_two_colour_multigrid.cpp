@@ -289,10 +289,10 @@ BOOST_AUTO_TEST_CASE(units_change_no_bit_and_registers_no_more_than_the_last_dig
 }
 
 BOOST_AUTO_TEST_CASE(ranks_change_no_bit) {
-  Box ring = {{24, 64}}, tube = {{24, 64}, "l"};
-  ring.periodic = tube.periodic = {false, true};
+  Box ring = {{13, 64}}, wide = {{24, 64}}, tube = {{24, 64}, "l"};
+  ring.periodic = wide.periodic = tube.periodic = {false, true};
   double const none = std::numeric_limits<double>::quiet_NaN();
-  for (Box const& box : {stretched(19, 73), stirred(20, 68, "lrba"), Box{{7, 66}, "b"}, ring, tube}) {
+  for (Box const& box : {stretched(19, 73), stirred(20, 68, "lrba"), Box{{7, 66}, "b"}, ring, wide, tube}) {
     Eigen::MatrixXd const S = box.matrix();
     NinePointMatrix const whole = nine_points(box, S);
     Pressures r = random_vector(S.rows());

@@ -139,24 +139,41 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
   }
 
   bool forces(std::vector<double> const& y, double t, std::vector<double>& f) const override {
-    if (stores_) {
-      LeastJacobian const least = forces_.forces(y, t, f);
-      if (!(least.jacobian > 0))
-        throw BodyCellInverts(least.cell, mesh_->cell_name(least.cell), least.jacobian, {});
-    } else {
-      f.assign(y.size(), 0);
-      forces_.loads.add_forces(forces_.body, y, t, f);
+    MeshShare const& share = this->share();
+    bool failed = false;
+    try {
+      if (stores_) {
+        failed = !(forces_.forces(y, t, f, {}, {share.near, share.around}).jacobian > 0);
+      } else {
+        f.resize(y.size());
+        for_each(share.around, [&](std::size_t k) { std::fill_n(f.data() + d * k, d, 0.0); });
+        forces_.loads.add_forces(forces_.body, y, t, f, share.around);
+      }
+    } catch (std::exception const&) {
+      if (share.alone()) throw;
+      failed = true;
     }
+    if (share.cell_rows.any(failed)) refuse_forces(y, t, f);
     double at[Cell::corners][d], on[Cell::corners][d];
-    for (std::size_t cell = 0; weight_.any() && cell < this->cells().cells(); ++cell) {
-      this->cells().gather(y, cell, at);
-      std::fill_n(&on[0][0], Cell::corners * d, 0.0);
-      weight_.of_cell(cell, at, on);
-      for (int b = 0; b < Cell::corners; ++b)
-        for (int a = 0; a < d; ++a) f[std::size_t(d) * this->cells().node(cell, b) + a] += on[b][a];
-    }
+    if (weight_.any())
+      for_each(share.near, [&](std::size_t cell) {
+        this->cells().gather(y, cell, at);
+        std::fill_n(&on[0][0], Cell::corners * d, 0.0);
+        weight_.of_cell(cell, at, on);
+        for (int b = 0; b < Cell::corners; ++b)
+          for (int a = 0; a < d; ++a) f[std::size_t(d) * this->cells().node(cell, b) + a] += on[b][a];
+      });
     held_.restrict_to_allowed(f);
     return true;
+  }
+  /// Throws on all ranks what forces on the whole body throw.
+  void refuse_forces(std::vector<double> y, double t, std::vector<double>& f) const {
+    this->share().node_rows.whole(std::span(y));
+    if (stores_)
+      if (LeastJacobian const least = forces_.forces(y, t, f); !(least.jacobian > 0))
+        throw BodyCellInverts(least.cell, mesh_->cell_name(least.cell), least.jacobian, {});
+    f.assign(y.size(), 0);
+    forces_.loads.add_forces(forces_.body, y, t, f);
   }
   void take_weight(std::vector<double>& pressure) const override {
     double at[Cell::corners][d];
@@ -169,8 +186,13 @@ class IncompressibleMedium final : public IncompressibleMotion<typename detail::
   }
   void move(SharpPlaces const& from, double h, double t, std::vector<double>& v,
             SharpPlaces& to) const override {
-    to = from;
-    for (std::size_t k = 0; k < v.size(); ++k) detail::add_with_rest(to.y[k], to.rest[k], h * v[k]);
+    to.y.resize(v.size()), to.rest.resize(v.size());
+    for_each(this->share().moved, [&](std::size_t node) {
+      for (std::size_t k = d * node; k < d * (node + 1); ++k) {
+        to.y[k] = from.y[k], to.rest[k] = from.rest[k];
+        detail::add_with_rest(to.y[k], to.rest[k], h * v[k]);
+      }
+    });
     if (!held_.any_moved()) return;
     held_.put_places(to.y, t);
     held_.for_moved([&](int node) {

@@ -4,6 +4,7 @@
 
 #include "actio/incompressible_media/cell_volume.hpp"
 #include "actio/meshes/body_mesh.hpp"
+#include "actio/parallel/row_share.hpp"
 
 namespace actio::media {
 
@@ -17,7 +18,8 @@ struct SharpPlaces {
 /// The volumes of the cells of a mesh as functions of the places of its nodes.
 ///
 /// Velocities and forces, as places, are lists with `Cell::space` numbers a node; slopes, the derivatives G
-/// of all volumes, have as many for each corner of each cell.
+/// of all volumes, have as many for each corner of each cell. Lists are of the whole mesh, of which some cells
+/// are gone through.
 /// @tparam Cell  what the cells are: \ref PlaneCell, \ref SpaceCell or \ref SphereCell
 template <class Cell>
 class MeshVolumes {
@@ -65,20 +67,32 @@ class MeshVolumes {
           out[b][a] += places.rest[std::size_t(N) * node(cell, b) + a] - places.rest[from + a];
     }
   }
-  /// The volumes of all cells.
-  void volumes(SharpPlaces const& y, std::vector<double>& out) const {
+  /// The numbers of all cells.
+  Ranges all() const { return {{0, static_cast<int>(cells())}}; }
+  /// The volumes of cells.
+  void volumes(SharpPlaces const& y, std::vector<double>& out, Ranges const& of) const {
     out.resize(cells());
     double at[corners][N];
-    for (std::size_t cell = 0; cell < cells(); ++cell) gather(y, cell, at), out[cell] = Cell::volume(at);
+    for_each(of, [&](std::size_t cell) { gather(y, cell, at), out[cell] = Cell::volume(at); });
   }
-  /// The slopes of all volumes.
-  void slopes(SharpPlaces const& y, std::vector<double>& out) const {
+  /// The slopes of their volumes.
+  void slopes(SharpPlaces const& y, std::vector<double>& out, Ranges const& of) const {
     out.resize(nodes_.size() * N);
     double at[corners][N], slope[corners][N];
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
+    for_each(of, [&](std::size_t cell) {
       gather(y, cell, at), Cell::volume(at, slope);
       std::copy_n(&slope[0][0], corners * N, out.data() + cell * corners * N);
-    }
+    });
+  }
+  /// The least Jacobian at the corners of cells.
+  double least_jacobian(std::vector<double> const& y, Ranges const& of) const {
+    double least = HUGE_VAL, at[corners][N];
+    for_each(of, [&](std::size_t cell) {
+      gather(y, cell, at);
+      for (int b = 0; b < corners; ++b)
+        if (double const J = Cell::corner(at, b); !(J >= least)) least = J;
+    });
+    return least;
   }
   /// The Jacobians at all corners, cell by cell.
   std::vector<double> corner_jacobians(std::vector<double> const& y) const {
@@ -93,23 +107,25 @@ class MeshVolumes {
   }
   /// f += scale G^T P: what pressures in the cells do to the nodes.
   void push(std::vector<double> const& slopes, std::vector<double> const& pressure, double scale,
-            std::vector<double>& f) const {
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
+            std::vector<double>& f, Ranges const& of) const {
+    for_each(of, [&](std::size_t cell) {
       double const p = scale * pressure[cell];
       double const* slope = slopes.data() + cell * corners * N;
       for (int b = 0; b < corners; ++b)
         for (int a = 0; a < N; ++a) f[std::size_t(N) * node(cell, b) + a] += p * slope[b * N + a];
-    }
+    });
   }
   /// G u: how fast the volumes change when the nodes have these velocities.
-  void rates(std::vector<double> const& slopes, std::vector<double> const& u,
-             std::vector<double>& out) const {
-    out.assign(cells(), 0);
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
+  void rates(std::vector<double> const& slopes, std::vector<double> const& u, std::vector<double>& out,
+             Ranges const& of) const {
+    out.resize(cells());
+    for_each(of, [&](std::size_t cell) {
       double const* slope = slopes.data() + cell * corners * N;
+      double sum = 0;
       for (int b = 0; b < corners; ++b)
-        for (int a = 0; a < N; ++a) out[cell] += slope[b * N + a] * u[std::size_t(N) * node(cell, b) + a];
-    }
+        for (int a = 0; a < N; ++a) sum += slope[b * N + a] * u[std::size_t(N) * node(cell, b) + a];
+      out[cell] = sum;
+    });
   }
   /// The masses of the nodes: \f$m_v=\tfrac1n\sum_K\rho_K\,\partial A_K/\partial y_v\cdot(y_v-c_K)\f$ with
   /// the mean \f$c_K\f$ of the corners, such that a pressure which is linear in space moves a node by minus

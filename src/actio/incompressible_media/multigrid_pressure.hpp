@@ -1,6 +1,7 @@
 // The solver for pressures by multigrid, on a box of quadrilaterals.
 #pragma once
 
+#include "actio/incompressible_media/mesh_share.hpp"
 #include "actio/incompressible_media/pressure_solver.hpp"
 #include "actio/incompressible_media/two_colour_multigrid.hpp"
 
@@ -17,9 +18,14 @@ class MultigridPressure final : public PressureSolver {
   /// @param mesh     which it suits
   /// @param volumes  of the mesh
   /// @param masses   of the nodes
+  /// @param share    among ranks
   MultigridPressure(BodyMesh const& mesh, MeshVolumes<PlaneCell> const& volumes,
-                    std::vector<double> const& masses)
-      : matrix_({mesh.grid[0], mesh.grid[1]}, closes(mesh)) {
+                    std::vector<double> const& masses, MeshShare const& share)
+      : matrix_({mesh.grid[0], mesh.grid[1]}, closes(mesh)),
+        shared_(!share.alone() &&
+                TwoColourMultigrid::can_be_shared(mesh.grid[1], share.cell_rows.ranks()->size())),
+        built_(shared_ ? share.cell_rows.with(3, 3, 1) : Ranges{{0, mesh.grid[1]}}),
+        cycle_(best_registers(), shared_ ? share.cell_rows : RowShare()) {
     for (std::size_t cell = 0; cell < volumes.cells(); ++cell)
       for (int b = 0; b < 4; ++b) inverse_masses_.push_back(1 / masses[volumes.node(cell, b)]);
   }
@@ -30,7 +36,8 @@ class MultigridPressure final : public PressureSolver {
       double const *u = slopes.data() + 8 * one + 2 * a, *v = slopes.data() + 8 * other + 2 * b;
       return (u[0] * v[0] + u[1] * v[1]) * inverse_masses_[4 * one + a];
     };
-    for (int j = 0; j < matrix_.cells[1]; ++j)
+    for_each(built_, [&](std::size_t row) {
+      int const j = static_cast<int>(row);
       for (int i = 0; i < matrix_.cells[0]; ++i) {
         std::size_t const k = matrix_.at(i, j);
         double self = 0;
@@ -48,6 +55,7 @@ class MultigridPressure final : public PressureSolver {
         if (right) matrix_.north_east[k] = shared(k, 3, matrix_.at(i + 1, j + 1), 0);
         if (left) matrix_.north_west[k] = shared(k, 2, matrix_.at(i - 1, j + 1), 1);
       }
+    });
     cycle_.build(matrix_);
   }
   void apply(std::vector<double> const& r, std::vector<double>& P) override {
@@ -55,6 +63,7 @@ class MultigridPressure final : public PressureSolver {
     cycle_.apply(r.data(), P.data());
   }
   bool is_iterative() const override { return true; }
+  bool is_shared() const override { return shared_; }
   std::size_t bytes() const override {
     return 5 * matrix_.size() * sizeof(double) + 4 * matrix_.size() * sizeof(double) +
            30 * matrix_.size() * sizeof(float);
@@ -62,6 +71,8 @@ class MultigridPressure final : public PressureSolver {
 
  private:
   NinePointMatrix matrix_;
+  bool shared_;
+  Ranges built_;  // rows of the matrix
   TwoColourMultigrid cycle_;
   std::vector<double> inverse_masses_;  // at the corners of the first cell, of the second, ...
 

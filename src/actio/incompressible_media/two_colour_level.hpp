@@ -182,7 +182,7 @@ struct Level {
   /// Adds what the next lattice has found.
   [[gnu::always_inline]] void interpolate_from(Level& next) {
     RowRange const mine = own(), above = own_of_next();
-    next.put_in_rows(share.alone() ? above : RowRange{above.from - 1, above.to + 1});
+    next.put_in_rows(next.share.alone() ? next.own() : RowRange{above.from - 1, above.to + 1});
     for (int j = mine.from; j < mine.to; ++j)
       for (int p = 0; p < 2; ++p)
         for (int c = 0; c < 2; ++c) {

@@ -60,7 +60,7 @@ void require_volumes_kept(VolumeSteps<Cell> const& of, std::vector<double> const
                           std::vector<double> const& v, double bound) {
   constexpr std::size_t N = Cell::space, numbers = Cell::corners * N;
   std::vector<double> rates;
-  of.volumes.rates(whole, v, rates);
+  of.volumes.rates(whole, v, rates, of.volumes.all());
   double speed = 0, most = 0;
   for (std::size_t k = 0; k < v.size(); k += N) {
     double square = 0;
@@ -88,7 +88,8 @@ struct StraightWay {
   double start;                     ///< when it begins
   double length;                    ///< how long it takes
 };
-/// Refuses the end of a way where a corner is inside out, with the time at which it turned.
+/// Refuses the end of a way where a corner is inside out, with the time at which it turned. The way is that of
+/// the whole mesh.
 /// @param reference  the Jacobians at all corners in the reference
 /// @throws CellFolds
 template <class Cell>

@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 
+#include "actio/incompressible_media/mesh_share.hpp"
 #include "actio/incompressible_media/multigrid_pressure.hpp"
 #include "actio/media_on_meshes/body_steps.hpp"
 
@@ -51,6 +52,8 @@ struct VolumeSolving {
   int rebuilt_after = 10;    ///< steps with one matrix
   int many_rounds = 8;       ///< of a step, after which there is a new one
   PressureBy by = PressureBy::best;  ///< the solver
+  Ranks* ranks = nullptr;            ///< that step the medium together, a box; null: this process is alone
+  std::string told = {};             ///< of the medium, to the other ranks (\ref share_parts)
 };
 
 /// What a side leaves to the changes of one node: a projection.
@@ -75,8 +78,12 @@ class VolumeSteps {
   /// @throws VolumesNotIndependent  where the volumes are no independent constraints but for their sum
   VolumeSteps(BodyMesh const& mesh, SharpPlaces const& reference, std::vector<double> const& density,
               std::vector<Allowance> const& held, VolumeSolving const& solving)
-      : volumes(mesh), masses(volumes.masses(reference, density)), solving_(solving) {
-    volumes.volumes(reference, kept);
+      : volumes(mesh),
+        share(mesh, solving.ranks),
+        masses(volumes.masses(reference, density)),
+        solving_(solving),
+        f_(N * masses.size()) {
+    volumes.volumes(reference, kept, volumes.all());
     for (std::size_t k = 0; k < kept.size(); ++k)
       if (!(kept[k] > 0))
         throw NotABodyMesh(mesh.cell_name(static_cast<int>(k)), "a cell has a volume", kept[k], 0,
@@ -86,17 +93,18 @@ class VolumeSteps {
         throw NotABodyMesh("node " + mesh.node_name(static_cast<int>(k)),
                            "a node has mass: its cells are not bent inwards there; mass", masses[k], 0);
     hold(held);
-    set_slopes(reference);
+    set_slopes(reference, volumes.all());
     pinned = is_closed();
     refuse_chessboards(mesh);
     solver_ = solver_for(mesh);
-    rebuild();
+    rebuild(reference);
   }
 
   VolumeSteps(VolumeSteps const&) = delete;             ///< The solver refers to the volumes.
   VolumeSteps& operator=(VolumeSteps const&) = delete;  ///< \copydoc VolumeSteps(VolumeSteps const&)
 
   MeshVolumes<Cell> volumes;   ///< of the mesh
+  MeshShare share;             ///< what of it this rank steps
   std::vector<double> masses;  ///< of the nodes
   std::vector<double> kept;    ///< the volume of each cell
   bool pinned = false;         ///< whether the sum of all volumes cannot change: pressures up to a constant
@@ -105,20 +113,12 @@ class VolumeSteps {
   SharpPlaces built;           ///< the places of the matrix: with them alone a state goes on bit for bit
 
   /// The slopes are those at these places, for what follows.
-  void set_slopes(SharpPlaces const& y) {
-    level_ = y;
-    volumes.slopes(y, slopes_);
-    for (auto const& [corner, part] : held_) {
-      double* slope = slopes_.data() + corner * N;
-      double const given[] = {slope[0], slope[1], slope[N - 1]};
-      for (int a = 0; a < N; ++a) {
-        slope[a] = 0;
-        for (int b = 0; b < N; ++b) slope[a] += (*part)(a, b) * given[b];
-      }
-    }
+  void set_slopes(SharpPlaces const& y) { set_slopes(y, share.wide); }
+  /// The matrix, and the slopes, are those at these places.
+  void rebuild(SharpPlaces const& y) {
+    set_slopes(y);
+    rebuild_at(y);
   }
-  /// The matrix is that of the slopes now.
-  void rebuild() { solver_->build(slopes_), built = level_; }
   /// From now on pressures are found from factors, by a matrix that is to be built.
   void fall_back() {
     if constexpr (Cell::body == 2)
@@ -126,73 +126,75 @@ class VolumeSteps {
     fell_back = true;
   }
   /// v += scale M^-1 G^T P.
-  void push(std::vector<double> const& pressure, double scale, std::vector<double>& v) const {
-    std::vector<double> f(v.size(), 0);
-    volumes.push(slopes_, pressure, scale, f);
-    for (std::size_t k = 0; k < v.size(); ++k) v[k] += f[k] / masses[k / N];
+  void push(std::vector<double> const& pressure, double scale, std::vector<double>& v) {
+    for_each(share.moved, [&](std::size_t k) { std::fill_n(f_.data() + N * k, N, 0.0); });
+    volumes.push(slopes_, pressure, scale, f_, share.near);
+    for_each(share.moved, [&](std::size_t node) {
+      for (std::size_t k = N * node; k < N * (node + 1); ++k) v[k] += f_[k] / masses[node];
+    });
   }
   /// Pressures P for which the velocities v + scale M^-1 G^T P lead to places with the volumes that are kept.
   /// @param place  the places, given velocities: a callable (v, y)
   /// @param h      how much places change with velocities, about
+  /// @param from   the places of the slopes
   /// @param P      a guess, and then the solution
   /// @param v      velocities without the pressure, and then with it
   /// @param y      the places
   /// @return the largest modulus of A/A^0 - 1: within the tolerance, or within the rounding of places
   /// @throws VolumesUnsolved  where the iteration does not come there
   template <class Place>
-  double solve(Place const& place, double scale, double h, std::vector<double>& P, std::vector<double>& v,
-               SharpPlaces& y) {
-    std::vector<double> const without = v;
-    std::vector<double> r, more;
+  double solve(Place const& place, double scale, double h, SharpPlaces const& from, std::vector<double>& P,
+               std::vector<double>& v, SharpPlaces& y) {
+    without_.resize(v.size());
+    copy_moved(v, without_);
     bool fresh = false;
     double last = HUGE_VAL;
     for (rounds = 1;; ++rounds) {
       push(P, scale, v);
       place(v, y);
-      double const off = defects(y, r);
+      double const off = defects(y, r_);
       if (off <= solving_.tolerance || (off >= 0.5 * last && off <= rounding())) return off;
       bool const lost = !is_finite(off);
       if (lost || rounds % solving_.most_rounds == 0) {
         // A matrix of these places, then its factors; and no more.
         if (lost || (fresh && !can_fall_back())) throw VolumesUnsolved(rounds, off, solving_.tolerance);
         if (fresh) fall_back();
-        rebuild(), fresh = true;
+        rebuild_at(from), fresh = true;
       }
       last = off;
-      if (pinned) share_out(r, solving_.tolerance);
-      solver_->apply(r, more);
-      for (std::size_t k = 0; k < P.size(); ++k) P[k] -= more[k] / (scale * h);
-      v = without;
+      if (pinned) share_out(r_, solving_.tolerance);
+      apply();
+      for_each(share.near, [&](std::size_t k) { P[k] -= more_[k] / (scale * h); });
+      copy_moved(without_, v);
     }
   }
   /// Takes from velocities at the places of the slopes what changes volumes: v -= M^-1 G^T Q with G v = 0.
   /// @param whole  slopes without the projection of held nodes
   void project(std::vector<double> const& whole, std::vector<double>& v) {
-    std::vector<double> r, Q;
     double last = HUGE_VAL;
     for (int round = 0; round < 100; ++round) {
-      volumes.rates(whole, v, r);
+      volumes.rates(whole, v, r_, share.cells);
       double size = 0;
-      for (std::size_t k = 0; k < r.size(); ++k) size = std::max(size, std::abs(r[k]) / kept[k]);
+      for_each(share.cells, [&](std::size_t k) { size = std::max(size, std::abs(r_[k]) / kept[k]); });
+      size = share.cell_rows.most(size);
       if (size == 0 || !(size < 0.5 * last)) return;
       last = size;
-      if (pinned) share_out(r, HUGE_VAL);
-      solver_->apply(r, Q);
-      push(Q, -1, v);
+      if (pinned) share_out(r_, HUGE_VAL);
+      apply();
+      push(more_, -1, v);
     }
   }
-  /// A - A^0 of all cells.
-  /// @return the largest modulus of A/A^0 - 1; no finite number where a place is none
+  /// A - A^0 of cells.
+  /// @return the largest modulus of A/A^0 - 1 of all ranks; no finite number where a place is none
   double defects(SharpPlaces const& y, std::vector<double>& r) const {
-    volumes.volumes(y, r);
+    volumes.volumes(y, r, share.cells);
     double most = 0;
-    for (std::size_t k = 0; k < r.size(); ++k) {
+    for_each(share.cells, [&](std::size_t k) {
       r[k] -= kept[k];
       double const off = std::abs(r[k]) / kept[k];
-      if (!is_finite(off)) return off;
-      most = std::max(most, off);
-    }
-    return most;
+      if (!(off <= most)) most = is_finite(off) ? off : HUGE_VAL;
+    });
+    return share.cell_rows.most(most);
   }
   /// Memory, bytes.
   std::size_t bytes() const {
@@ -204,9 +206,38 @@ class VolumeSteps {
   VolumeSolving solving_;
   std::vector<Allowance> parts_;
   std::vector<std::pair<std::size_t, Matrix<double, N, N> const*>> held_;  // corners of cells at held nodes
-  SharpPlaces level_;
   std::vector<double> slopes_;
   std::unique_ptr<PressureSolver> solver_;
+  std::vector<double> f_, without_, r_, more_;  // room
+
+  void set_slopes(SharpPlaces const& y, Ranges const& of) {
+    volumes.slopes(y, slopes_, of);
+    for (auto const& [corner, part] : held_) {
+      double* slope = slopes_.data() + corner * N;
+      double const given[] = {slope[0], slope[1], slope[N - 1]};
+      for (int a = 0; a < N; ++a) {
+        slope[a] = 0;
+        for (int b = 0; b < N; ++b) slope[a] += (*part)(a, b) * given[b];
+      }
+    }
+  }
+  /// The matrix is that of the slopes, which are those of these places.
+  void rebuild_at(SharpPlaces const& y) {
+    if (!solver_->is_shared()) share.cell_rows.whole(std::span(slopes_));
+    solver_->build(slopes_), built = y;
+  }
+  /// more_: pressures for the defects r_, in the rows of this rank and one around.
+  void apply() {
+    if (solver_->is_shared())
+      share.cell_rows.exchange(std::span(r_), 1);
+    else
+      share.cell_rows.whole(std::span(r_));
+    solver_->apply(r_, more_);
+  }
+  void copy_moved(std::vector<double> const& from, std::vector<double>& to) const {
+    for (RowRange const& range : share.moved)
+      std::copy_n(from.data() + N * range.from, N * range.count(), to.data() + N * range.from);
+  }
 
   bool can_fall_back() const { return Cell::body == 2 && solver_->is_iterative() && !fell_back; }
   std::unique_ptr<PressureSolver> solver_for(BodyMesh const& mesh) const {
@@ -221,7 +252,7 @@ class VolumeSteps {
             mesh.grid[0], 2);
       if (suits &&
           (solving_.by == PressureBy::multigrid || (solving_.by == PressureBy::best && kept.size() >= many)))
-        return std::make_unique<MultigridPressure>(mesh, volumes, masses);
+        return std::make_unique<MultigridPressure>(mesh, volumes, masses, share);
     }
     if constexpr (Cell::body == 2)
       return std::make_unique<CholeskyPressure<Cell>>(volumes, masses, pinned);
@@ -242,7 +273,7 @@ class VolumeSteps {
   /// The largest force of these pressures on a node, over the largest slope.
   double push_of(std::vector<double> const& pressure) const {
     std::vector<double> f(masses.size() * N, 0);
-    volumes.push(slopes_, pressure, 1, f);
+    volumes.push(slopes_, pressure, 1, f, volumes.all());
     double most = 0, slope = 0;
     for (double const one : f) most = std::max(most, std::abs(one));
     for (double const one : slopes_) slope = std::max(slope, std::abs(one));
@@ -278,25 +309,25 @@ class VolumeSteps {
   /// @param bound  of that part over the volume
   /// @throws WallsChangeVolume  where it is more
   void share_out(std::vector<double>& r, double bound) const {
-    double sum = 0, volume = 0;
-    for (std::size_t k = 0; k < r.size(); ++k) sum += r[k], volume += kept[k];
-    double const part = sum / volume;
+    double const part =
+        share.sum([&](std::size_t k) { return r[k]; }) / share.sum([&](std::size_t k) { return kept[k]; });
     if (!(std::abs(part) <= bound))
       throw WallsChangeVolume("incompressible medium",
                               "sides that are held or moved on all sides keep the volume of the whole; they "
                               "change it by",
                               part, bound);
-    for (std::size_t k = 0; k < r.size(); ++k) r[k] -= part * kept[k];
+    for_each(share.cells, [&](std::size_t k) { r[k] -= part * kept[k]; });
   }
   /// By how much rounding may change A/A^0: of places on a curved target, of the volume itself on a flat one.
   double rounding() const {
     double most = 0;
-    for (std::size_t cell = 0; cell < kept.size(); ++cell) {
+    for_each(share.cells, [&](std::size_t cell) {
       double sum = 0;
       for (int k = 0; k < Cell::corners * N; ++k) sum += std::abs(slopes_[cell * Cell::corners * N + k]);
       double const size = Cell::flat ? std::pow(kept[cell], 1.0 / Cell::body) : 1;
       most = std::max(most, sum * size / kept[cell]);
-    }
+    });
+    most = share.cell_rows.most(most);
     return 8 * std::numeric_limits<double>::epsilon() * most;
   }
 };

@@ -12,6 +12,11 @@ struct LeastJacobian {
   int cell = -1;               ///< which cell
 };
 
+/// Some cells of a body and the nodes at their corners, at least; all where there are none.
+struct BodyPart {
+  Ranges cells, nodes;  ///< numbers of these
+};
+
 /// What acts inside of a body and on it.
 template <int d>
 class BodyForces {
@@ -32,13 +37,18 @@ class BodyForces {
 
   /// The forces on all nodes at places x and time t: minus the derivative of the energy, and pressures.
   /// @param rest  what is to be added to x, which is rounded; may be empty
+  /// @param part  by whose cells forces are made
   /// @return the least Jacobian; where it is not positive the forces are not complete
   LeastJacobian forces(std::vector<double> const& x, double t, std::vector<double>& f,
-                       std::vector<double> const& rest = {}) const {
-    f.assign(x.size(), 0);
-    Displacements const moved = displaced(x, rest);
-    LeastJacobian const least = body.with_kind([&](auto kind) { return forces_inside(kind, moved, f); });
-    if (least.jacobian > 0) loads.add_forces(body, x, t, f);
+                       std::vector<double> const& rest = {}, BodyPart const& part = {}) const {
+    Ranges const cells = part.cells.empty() ? Ranges{{0, body.cells()}} : part.cells,
+                 nodes = part.cells.empty() ? Ranges{{0, static_cast<int>(body.masses.size())}} : part.nodes;
+    f.resize(x.size());
+    for_each(nodes, [&](std::size_t k) { std::fill_n(f.data() + d * k, d, 0.0); });
+    Displacements const moved = displaced(x, rest, nodes);
+    LeastJacobian const least =
+        body.with_kind([&](auto kind) { return forces_inside(kind, moved, f, cells); });
+    if (least.jacobian > 0) loads.add_forces(body, x, t, f, nodes);
     return least;
   }
   /// The forces along a way from places x whose work is the decrease of the energy, and which conserve
@@ -146,13 +156,20 @@ class BodyForces {
     std::vector<double> u, rest;
   };
   Displacements displaced(std::vector<double> const& x, std::vector<double> const& rest) const {
+    return displaced(x, rest, {{0, static_cast<int>(x.size()) / d}});
+  }
+  Displacements displaced(std::vector<double> const& x, std::vector<double> const& rest,
+                          Ranges const& nodes) const {
     Displacements out{std::vector<double>(x.size()), std::vector<double>(x.size())};
-    for (std::size_t k = 0; k < x.size(); ++k) {
+    auto const put = [&](std::size_t k) {
       double const X = reference_[k], u = x[k] - X, taken = u - x[k];
       out.u[k] = u;
       // What rounding took from u (Knuth).
       out.rest[k] = (x[k] - (u - taken)) - (X + taken) + (rest.empty() ? 0 : rest[k]);
-    }
+    };
+    for_each(nodes, [&](std::size_t node) {
+      for (std::size_t k = d * node; k < d * (node + 1); ++k) put(k);
+    });
     return out;
   }
   /// Those of the corners of a cell.
@@ -172,19 +189,21 @@ class BodyForces {
   };
 
   template <class Kind>
-  LeastJacobian forces_inside(Kind kind, Displacements const& moved, std::vector<double>& f) const {
+  LeastJacobian forces_inside(Kind kind, Displacements const& moved, std::vector<double>& f,
+                              Ranges const& cells) const {
     LeastJacobian least;
-    for (int cell = 0; cell < body.cells(); ++cell) {
-      OfCell const here(body, kind, moved, cell);
-      CellCorners<d> on;
-      for (int p = 0; p < Kind::points; ++p) {
-        auto const& point = body.at(cell, p);
-        Gradient const H = here.gradient(kind, p, point);
-        if (!note(beyond_identity<d>(H), cell, least)) return least;
-        body.add_forces(kind, weighed_stress(H, point), p, point, on);
+    for (RowRange const& range : cells)
+      for (int cell = range.from; cell < range.to; ++cell) {
+        OfCell const here(body, kind, moved, cell);
+        CellCorners<d> on;
+        for (int p = 0; p < Kind::points; ++p) {
+          auto const& point = body.at(cell, p);
+          Gradient const H = here.gradient(kind, p, point);
+          if (!note(beyond_identity<d>(H), cell, least)) return least;
+          body.add_forces(kind, weighed_stress(H, point), p, point, on);
+        }
+        body.scatter(kind, on, cell, f);
       }
-      body.scatter(kind, on, cell, f);
-    }
     return least;
   }
   template <class Kind>

@@ -8,6 +8,7 @@
 
 #include "actio/media_on_meshes/body_quadrature.hpp"
 #include "actio/meshes/body_sides.hpp"
+#include "actio/parallel/row_share.hpp"
 
 namespace actio::media {
 
@@ -97,12 +98,14 @@ class LoadsOnBody {
     return sum;
   }
   /// Adds the forces at places x and time t.
+  /// @param nodes  on which potentials and dead loads are added; none: on all
   /// @throws NotFinite  where a potential has no gradient at a node, or a pressure is none
   void add_forces(BodyQuadrature<d> const& body, std::vector<double> const& x, double t,
-                  std::vector<double>& f) const {
-    add(body, x, f, [&](SpacePotential<d> const& potential, Place const& at, std::size_t k) {
+                  std::vector<double>& f, Ranges const& nodes = {}) const {
+    auto const slope = [&](SpacePotential<d> const& potential, Place const& at, std::size_t k) {
       return gradient(potential, at, k);
-    });
+    };
+    add(body, x, f, slope, nodes);
     add_pressures(body, x, t, f);
   }
   /// Adds the forces between places x0 and x1 which do the work that the potentials lose: discrete gradients,
@@ -184,14 +187,17 @@ class LoadsOnBody {
   }
   template <class Slope>
   void add(BodyQuadrature<d> const& body, std::vector<double> const& x, std::vector<double>& f,
-           Slope const& slope) const {
+           Slope const& slope, Ranges const& nodes = {}) const {
+    Ranges const of = nodes.empty() ? Ranges{{0, static_cast<int>(body.masses.size())}} : nodes;
     for (auto const& potential : loads_.potentials)
-      for (std::size_t k = 0; k < body.masses.size(); ++k) {
+      for_each(of, [&](std::size_t k) {
         Place const g = slope(potential, place(x, k), k);
         for (int a = 0; a < d; ++a) f[k * d + a] -= body.masses[k] * g[a];
-      }
-    for (std::size_t k = 0; k < dead_.size(); ++k)
+      });
+    if (dead_.empty()) return;
+    for_each(of, [&](std::size_t k) {
       for (int a = 0; a < d; ++a) f[k * d + a] += dead_[k][a];
+    });
   }
 
   /// How many corners a facet has, and the vector of area, outwards, that corner k of it stands for: the

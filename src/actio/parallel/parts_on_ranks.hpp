@@ -44,6 +44,17 @@ class RankPart {
   virtual void answer(PartCall const& call) = 0;
 };
 
+/// A part that is an object like that of rank 0, and can answer.
+template <class Object>
+class LikePart final : public RankPart {
+ public:
+  explicit LikePart(std::unique_ptr<Object> object) : object_(std::move(object)) {}  ///< Holds it.
+  void answer(PartCall const& call) override { object_->answer(call); }
+
+ private:
+  std::unique_ptr<Object> object_;
+};
+
 /// The parts of an object, a member of it: made with it and gone with it. Rank 0 asks them; on other ranks,
 /// and where there are none, it does nothing.
 class PartsOnRanks {

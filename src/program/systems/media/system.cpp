@@ -204,7 +204,7 @@ void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh 
                      std::shared_ptr<MediumStart> const& start) {
   simulation.on_ranks = method.conserve == media::Conserve::form;
   simulation.part_bytes = bytes_of_plain_steps(mesh, request);
-  simulation.begin_bytes = bytes_to_begin(mesh, request);
+  simulation.whole_bytes = bytes_to_begin(mesh, request);
   auto generic = generic_medium<d>(request.file, mesh, material, method, start);
   generic.scene = request.file.written();
   if (on_several_ranks() && shared_ranks()->size() > static_cast<int>(generic.mesh.nodes.size()))
