@@ -37,6 +37,8 @@ inline BodyMesh part_of_mesh(BodyMesh const& mesh, SharedNodes const& shared) {
 }
 
 /// The part of a body on one rank; on rank 0 all ranks do with theirs what it does.
+///
+/// \snippet media.cpp body_on_ranks
 template <int d>
 class BodyOnRank final : public RankPart, BodyMotion<d> {
  public:
