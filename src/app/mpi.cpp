@@ -21,8 +21,8 @@
 #include "program/base/interrupt.hpp"
 #include "program/base/progress.hpp"
 #include "program/base/ranks.hpp"
+#include "program/registry/system.hpp"
 #include "program/sweep/run.hpp"
-#include "program/systems/media/system.hpp"
 
 using namespace actio;
 using namespace actio::scene;
@@ -155,7 +155,7 @@ int run_on_ranks(int argc, char** argv) {
     // Rank 0 says when to end; where it is gone, mpirun ends the others.
     if (ranks.rank() > 0) listen_for_interrupts();
     try {
-      share_parts(ranks, part_of_medium, [&] { status = app::command(argc, argv); });
+      share_parts(ranks, part_of_motion, [&] { status = app::command(argc, argv); });
     } catch (std::exception const& error) {
       say(stderr, "rank " + std::to_string(ranks.rank()) + ": " + error.what() + "\n");
       MPI_Abort(MPI_COMM_WORLD, 3);

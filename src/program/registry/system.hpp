@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "actio/parallel/parts_on_ranks.hpp"
 #include "program/document/key.hpp"
 #include "program/document/schedule.hpp"
 #include "program/registry/simulation.hpp"
@@ -84,12 +85,19 @@ struct System {
   /// The two bodies that move about each other in a scene, in the order of their attitudes; null where none
   /// do.
   std::vector<OrbitingBody> (*bodies)(SceneFile const& file) = nullptr;
+  /// What another rank has of the motion of a scene, where rank 0 tells such a number with it; null where
+  /// ranks do not share it.
+  std::unique_ptr<RankPart> (*part)(SceneFile const& file, double number) = nullptr;
 };
 
 /// All systems, in the order in which they are told.
 std::vector<System> const& systems();
 /// The one of that name; null where there is none.
 System const* find_system(std::string const& name);
+/// What this rank, which is not the first, has of the motion of a scene.
+/// @param scene   as a text
+/// @param number  that rank 0 tells with it
+std::unique_ptr<RankPart> part_of_motion(std::string const& scene, double number);
 
 /// The names of systems, of methods, of quantities, ...
 template <class List>

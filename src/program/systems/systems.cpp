@@ -41,4 +41,9 @@ System const* find_system(std::string const& name) {
   return nullptr;
 }
 
+std::unique_ptr<RankPart> part_of_motion(std::string const& scene, double number) {
+  SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
+  return find_system(file.section("system").text("kind"))->part(file, number);
+}
+
 }  // namespace actio::scene

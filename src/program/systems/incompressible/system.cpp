@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "program/base/memory.hpp"
+#include "program/base/ranks.hpp"
 #include "program/medium_output/snapshots.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/systems/incompressible/keys.hpp"
@@ -62,6 +63,9 @@ std::array<double, d> taken_gravity(SceneFile const& file, MediumLoads<d>& loads
   return out;
 }
 
+/// Whether ranks can share a body: a box.
+bool is_shared(media::BodyMesh const& body) { return body.grid[0] > 0; }
+
 /// The medium, or what is wrong with it at its key.
 template <int d>
 std::unique_ptr<media::IncompressibleMedium<d>> made(SceneFile const& file, MediumMesh const& mesh,
@@ -69,9 +73,22 @@ std::unique_ptr<media::IncompressibleMedium<d>> made(SceneFile const& file, Medi
                                                      media::IncompressibleStart<d> const& start,
                                                      MediumLoads<d> const& loads) {
   auto solving = read_volume_solving(file);
+  auto body = mesh.make();
+  if (on_several_ranks() && is_shared(body)) {
+    solving.ranks = shared_ranks(), solving.told = file.written();
+    int const last = mesh.dimension - 1, rows = body.grid[static_cast<std::size_t>(last)],
+              most = rows / media::MeshShare::fewest;
+    if (most < shared_ranks()->size())
+      medium_keys.mesh.table(file).fail(
+          "cells",
+          fmt::format("cells: {} {} of cells are shared among {} ranks, and each has {} at least; at "
+                      "most {} ranks are of use",
+                      rows, last == 1 ? "rows" : "planes", shared_ranks()->size(), media::MeshShare::fewest,
+                      std::max(1, most)));
+  }
   if (auto const by = incompressible_method_keys.solver.find(file)) {
     solving.by = *by == "multigrid" ? media::PressureBy::multigrid : media::PressureBy::factors;
-    bool const suits = *by == "multigrid" ? media::MultigridPressure::suits(mesh.make()) : d == 2;
+    bool const suits = *by == "multigrid" ? media::MultigridPressure::suits(body) : d == 2;
     if (!suits)
       incompressible_method_keys.solver.fail(
           file, *by == "multigrid"
@@ -80,7 +97,7 @@ std::unique_ptr<media::IncompressibleMedium<d>> made(SceneFile const& file, Medi
                     : "factors fill up in space: it is left out there");
   }
   try {
-    return std::make_unique<media::IncompressibleMedium<d>>(mesh.make(), std::move(law), start, 1.0,
+    return std::make_unique<media::IncompressibleMedium<d>>(std::move(body), std::move(law), start, 1.0,
                                                             loads.sides, loads.loads, solving);
   } catch (media::StartChangesVolumes const& error) {
     auto const initial = file.section("initial");
@@ -100,7 +117,6 @@ template <int d>
 void prepare(Simulation& simulation, Request const& request, MediumMesh const& mesh,
              std::shared_ptr<media::StoredEnergy<d> const> law, Material const& material,
              std::shared_ptr<MediumStart> const& start) {
-  using Place = std::array<double, d>;
   SceneFile const& file = request.file;
   auto loads = read_medium_loads<d>(file, mesh);
   auto features = features_of<d>(file, mesh, loads, material, start->uniform);
@@ -127,6 +143,8 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
   auto motion = std::make_unique<IncompressibleSteps<media::IncompressibleMedium<d>>>(
       made<d>(file, mesh, law, begin, loads));
   auto& medium = motion->medium();
+  simulation.on_ranks = is_shared(medium.mesh());
+  simulation.whole_bytes = simulation.bytes - bytes_of_program;
   double const stiffest = medium.largest_frequency(), edge = medium.shortest_edge();
   // Four tenths of the longest stable step, or a tenth of an edge: turns of 0.8 radians.
   simulation.step = read_step(file.section("method"), request.schedule,
@@ -156,6 +174,31 @@ void prepare(Simulation& simulation, Request const& request, MediumMesh const& m
                           "not estimated: a run with half the step and twice the "
                           "cells along each direction shows it"};
   simulation.motion = std::move(motion);
+}
+
+/// What another rank has of the medium of a scene.
+template <int d>
+std::unique_ptr<RankPart> part_in(SceneFile const& file, MediumMesh const& mesh,
+                                  std::shared_ptr<media::StoredEnergy<d> const> law) {
+  auto const start = std::make_shared<MediumStart>(read_medium_start(file, d));
+  auto loads = read_medium_loads<d>(file, mesh);
+  media::IncompressibleStart<d> begin{start_of<d>(start)};
+  begin.project = incompressible_start_keys.project.read(file);
+  auto const body = mesh.make();
+  begin.gravity =
+      taken_gravity<d>(file, loads, examined_start<d>(file, *start, MeshCells<d>(body), mesh).places);
+  return std::make_unique<LikePart<media::IncompressibleMedium<d>>>(made<d>(file, mesh, law, begin, loads));
+}
+
+template <bool fluid>
+std::unique_ptr<RankPart> part_of_incompressible(SceneFile const& file, double) {
+  MediumMesh const mesh = read_medium_mesh(file);
+  auto const in = [&]<int d>() {
+    std::shared_ptr<media::StoredEnergy<d> const> law;
+    if (!fluid) law = stored_energy_of<d>(read_material(file.section("system"), false, d));
+    return part_in<d>(file, mesh, law);
+  };
+  return mesh.dimension == 2 ? in.template operator()<2>() : in.template operator()<3>();
 }
 
 /// The quantities of a scene: a circulation for each of its loops.
@@ -218,7 +261,11 @@ System incompressible_system(bool fluid, std::string name, std::string title, st
           nullptr,
           {},
           nullptr,
-          medium_snapshots(fluid, true)};
+          medium_snapshots(fluid, true),
+          {},
+          nullptr,
+          nullptr,
+          fluid ? &part_of_incompressible<true> : &part_of_incompressible<false>};
 }
 
 }  // namespace actio::scene

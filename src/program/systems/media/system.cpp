@@ -291,11 +291,8 @@ std::unique_ptr<RankPart> part_of(SceneFile const& file, MediumMesh const& mesh,
   return generic_medium<d>(file, mesh, material, method, start).part();
 }
 
-}  // namespace
-
-std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) {
+std::unique_ptr<RankPart> part_of_medium(SceneFile const& file, double step) {
   try {
-    SceneFile const file = SceneFile::parse(scene, "the scene of rank 0");
     bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
     MediumMesh const mesh = read_medium_mesh(file);
     if (mesh.dimension == 1) return part_of<1>(file, mesh, fluid, step);
@@ -306,6 +303,8 @@ std::unique_ptr<RankPart> part_of_medium(std::string const& scene, double step) 
     throw std::runtime_error(error.what());
   }
 }
+
+}  // namespace
 
 System medium_system(bool fluid, std::string name, std::string title, std::string meaning,
                      std::string example) {
@@ -321,7 +320,11 @@ System medium_system(bool fluid, std::string name, std::string title, std::strin
           nullptr,
           {},
           nullptr,
-          medium_snapshots(fluid)};
+          medium_snapshots(fluid),
+          {},
+          nullptr,
+          nullptr,
+          &part_of_medium};
 }
 
 }  // namespace actio::scene
