@@ -86,6 +86,31 @@ BOOST_AUTO_TEST_CASE(a_sheet_on_three_ranks) {
   // [media_on_ranks]
 }
 
+BOOST_AUTO_TEST_CASE(a_disc_on_three_ranks) {
+  // [body_on_ranks]
+  // A disc of rubber that is pressed at its rim, on one rank, and on three, which are threads here.
+  BodyMesh const disc = disc_mesh(1, {3, 2});
+  auto const law = stored_energy<2>(neo_hookean(2, 1));
+  BodyStart<2> const at_rest;
+  BodyStepping const steps{.step = 0.01};
+  BodyLoads<2> loads;
+  loads.pressures["outer"] = [](double t) { return 0.5 * t; };
+  MediumOnMesh<2> alone(disc, law, at_rest, steps, {}, loads);
+  alone.step(50);
+  on_thread_ranks(3, [&](Ranks& ranks) {
+    auto const part = [&](std::string const& told, double) {
+      return std::make_unique<BodyOnRank<2>>(ranks, told, disc, law, at_rest.density, steps, BodySides<2>{},
+                                             loads);
+    };
+    share_parts(ranks, part, [&] {
+      MediumOnMesh<2> shared(disc, law, at_rest, steps, {}, loads, &ranks);
+      shared.step(50);
+      assert((shared.places() == alone.places()));
+    });
+  });
+  // [body_on_ranks]
+}
+
 BOOST_AUTO_TEST_CASE(a_block_of_rubber) {
   // [fast_medium_3d]
   auto const at_home = [](auto const& X) { return X; };

@@ -122,7 +122,8 @@ void tell_disk(Scene const& scene, Estimate const& taken, std::string const& out
 
 /// Ranks share what is stepped; what is looked at and written is all on rank 0.
 void tell_memory(Scene const& scene, int ranks) {
-  double const bytes = scene.simulation.bytes, shared = scene.simulation.shared_bytes;
+  double const bytes = scene.simulation.bytes, shared = scene.simulation.shared_bytes,
+               part = scene.simulation.part_bytes / ranks;
   if (ranks > 1 && !scene.simulation.on_ranks)
     throw SceneError({scene.file.name()}, "this scene is not shared among ranks; actio run takes it on one");
   if (!(bytes > 0)) return;
@@ -130,8 +131,8 @@ void tell_memory(Scene const& scene, int ranks) {
   tell("memory",
        fmt::format("at most about {} on rank 0, which has all nodes when rows are written, and {} on each of "
                    "the others, beside what MPI takes",
-                   size_text(bytes - shared * (1 - 1.0 / ranks)),
-                   size_text(bytes_of_program + scene.simulation.whole_bytes + shared / ranks)));
+                   size_text(bytes - shared * (1 - 1.0 / ranks) + part),
+                   size_text(bytes_of_program + scene.simulation.whole_bytes + shared / ranks + part)));
 }
 
 }  // namespace

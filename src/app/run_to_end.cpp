@@ -46,8 +46,8 @@ void refuse_on_ranks(Scene const& scene) {
   if (on_several_ranks() && !scene.simulation.on_ranks)
     throw SceneError(
         {scene.file.name()},
-        fmt::format("this scene is not shared among {} ranks: gases and solids on boxes with the steps "
-                    "of the library are; actio run takes it on one",
+        fmt::format("this scene is not shared among {} ranks: gases and solids with explicit steps "
+                    "are; actio run takes it on one",
                     shared_ranks()->size()));
 }
 

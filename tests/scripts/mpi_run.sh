@@ -51,6 +51,56 @@ TOML
 # So large that threads share the rows of a rank.
 sed 's/\[20, 23\]/[400, 253]/; s/until = 2.0/until = 0.02/; s/every = 0.5/every = 0.01/; /snapshots/d' solid.toml >large.toml
 
+# Triangles of a file, with a pressure, a moved side and one that slides.
+awk 'BEGIN {
+  n = 8
+  print "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 1 \"left\"\n1 2 \"right\"\n1 3 \"bottom\""
+  print "$EndPhysicalNames\n$Nodes\n" (n + 1) ^ 2
+  for (k = 0; k < (n + 1) ^ 2; ++k) print k + 1, k % (n + 1) / n, int(k / (n + 1)) / n, 0
+  print "$EndNodes\n$Elements\n" 2 * n * n + 3 * n
+  for (k = 1; k <= n; ++k) {
+    a = 1 + (k - 1) * (n + 1)
+    print ++e, 1, 2, 1, 1, a + n + 1, a "\n" ++e, 1, 2, 2, 2, a + n, a + 2 * n + 1 "\n" ++e, 1, 2, 3, 3, k, k + 1
+    for (b = a; b < a + n; ++b) print ++e, 2, 2, 9, 1, b, b + 1, b + n + 2 "\n" ++e, 2, 2, 9, 1, b, b + n + 2, b + n + 1
+  }
+  print "$EndElements"
+}' >square.msh
+cat >mesh.toml <<'TOML'
+[system]
+kind = "elastic_body"
+mesh = { shape = "file", file = "square.msh" }
+material = { name = "neo_hookean", mu = 1, kappa = 3 }
+boundary = { bottom = "sliding" }
+[system.load]
+motion.left = ["X - 0.1*t^2", "Y + 0.1*t^2"]
+pressure.right = "0.2*sin(3*t)"
+gravity = "0.1*y"
+[run]
+until = 1
+every = 0.25
+[output]
+quantities = ["momentum", "energy", "min_jacobian"]
+snapshots = ["jacobian"]
+TOML
+
+# Water in a tank, which is heavy.
+cat >water.toml <<'TOML'
+[system]
+kind = "incompressible_fluid"
+mesh = { shape = "box", lower = [0, 0], upper = [1, 0.7], cells = [24, 56] }
+boundary = { left = "sliding", right = "sliding", bottom = "sliding" }
+load = { gravity = "9.81*y" }
+[initial]
+velocity = ["-0.1*sin(pi*X)", "0.1*pi*Y*cos(pi*X)"]
+project = true
+[run]
+until = 0.1
+every = 0.02
+[output]
+quantities = ["momentum", "energy", "volume_defect", "min_jacobian"]
+snapshots = ["pressure"]
+TOML
+
 check() {
   [ -d "$1.one" ] || ACTIO_THREADS=1 "$actio" run "$1.toml" --out "$1.one" --quiet
   [ -n "$(hash_of "$1.one")" ] || fail "no hash in $1.one/summary.json"
@@ -62,6 +112,8 @@ for n in 3 7; do check gas $n 1; done
 check large 1 2
 check large 2 2
 grep -q '"rows_per_rank": 127,' large.2.2/summary.json || fail "$(cat large.2.2/summary.json)"
+for n in 2 3; do check mesh $n 1; done
+for n in 2 7; do check water $n 1; done
 
 # The control: another start has another state.
 "$actio" run solid.toml --out other --quiet --set 'initial.velocity=["0", "0.2001*(Y + 0.5)*X"]'
@@ -116,6 +168,14 @@ for ended in first last mpirun; do
   [ "$(hash_of whole)" = "$(hash_of $part)" ] || fail "after the $ended the state is another one"
   cmp whole/series.csv $part/series.csv
 done
+
+# A run that turns a cell inside out ends on ranks with the words of one, and leaves what that leaves.
+crush=(--set 'system.load.pressure.right="20"' --quiet)
+"$actio" run mesh.toml --out crushed.one "${crush[@]}" 2>one.txt && fail "nothing was turned inside out"
+ranks 2 run mesh.toml --out crushed.two "${crush[@]}" 2>two.txt && fail "nothing was turned inside out on ranks"
+grep -q 'inside out' one.txt || fail "$(cat one.txt)"
+diff <(sed 's/crushed.one/OUT/' one.txt) <(sed 's/crushed.two/OUT/; /^---/,$d' two.txt)
+same crushed.one crushed.two
 
 # What ranks cannot share, and more ranks than rows, is refused.
 ranks 2 run apophis --out a --quiet >told.txt 2>&1 && fail "a body was shared among ranks"

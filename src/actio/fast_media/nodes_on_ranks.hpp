@@ -6,7 +6,10 @@
 namespace actio::media::detail {
 
 /// What can be asked of nodes.
-enum NodesCall : int { put, places, velocities, advance, examine, strains, keep, restore };
+struct NodesCall {
+  /// Each of it.
+  enum Kind : int { put, places, velocities, advance, examine, strains, keep, restore };
+};
 
 /// Nodes of this process, or those of all ranks, seen from rank 0.
 /// @tparam Nodes  `FusedRows2d` or `FusedPlanes3d`

@@ -14,6 +14,7 @@
 
 #include "actio/media_on_meshes/body_quadrature.hpp"
 #include "actio/media_on_meshes/body_start.hpp"
+#include "actio/parallel/shared_nodes.hpp"
 
 namespace actio::media {
 
@@ -36,14 +37,18 @@ class ViscousForces {
  public:
   using Gradient = Matrix<double, d, d>;  ///< a deformation gradient, or its rate
 
+  /// @param shared  of a part of a body: its nodes; null: all of the body is here
   /// @throws OutsideDomain, NotFinite  where a coefficient is negative or no number
-  ViscousForces(ArtificialViscosity const& given, BodyQuadrature<d> const& body) : given_(given) {
+  ViscousForces(ArtificialViscosity const& given, BodyQuadrature<d> const& body,
+                SharedNodes const* shared = nullptr)
+      : given_(given) {
     for (double const one : {given.linear, given.quadratic}) {
       if (!is_finite(one)) throw NotFinite("medium: viscosity");
       if (!(one >= 0)) throw OutsideDomain("medium: viscosity", "a coefficient is not negative", one, 0);
     }
     std::vector<double> volumes(body.masses.size(), 0);
     each_share(body, [&](std::size_t, std::size_t node, double share) { volumes[node] += share; });
+    if (shared) shared->complete(volumes);
     // The mean density around a node stands for that of the points beside it.
     masses_.assign(body.points.size(), 0);
     each_share(body, [&](std::size_t point, std::size_t node, double share) {

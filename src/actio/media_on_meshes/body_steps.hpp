@@ -7,53 +7,15 @@
 
 #include "actio/media_on_meshes/artificial_viscosity.hpp"
 #include "actio/media_on_meshes/body_forces.hpp"
+#include "actio/media_on_meshes/body_state.hpp"
 #include "actio/multisymplectic/largest_frequency.hpp"
 
 namespace actio::media {
 
-/// Places and velocities of all nodes, component by component, with what rounding has taken from them.
-///
-/// A sum of many small steps forgets what lies below the last place; here that is carried along (Kahan), so
-/// that momenta walk by the rounding of forces and not of places.
-struct BodyState {
-  std::vector<double> x;        ///< places, length
-  std::vector<double> v;        ///< velocities, length/time
-  std::vector<double> x_rest;   ///< what is to be added to x
-  std::vector<double> v_rest;   ///< what is to be added to v
-  std::vector<double> viscous;  ///< forces of viscosity; empty where there is none
-  double dissipated = 0;        ///< the energy that they have taken
-
-  /// \f$\sum mv\f$, mass x length/time.
-  template <int d>
-  std::array<double, d> momentum(std::vector<double> const& masses) const {
-    std::array<double, d> sum{};
-    for (std::size_t k = 0; k < v.size(); ++k) sum[k % d] += masses[k / d] * v[k];
-    return sum;
-  }
-  /// \f$\sum m\,x\times v\f$, mass x area/time.
-  template <int d>
-  std::array<double, 3> angular_momentum(std::vector<double> const& masses) const {
-    std::array<double, 3> sum{};
-    for (std::size_t k = 0; k < masses.size(); ++k) {
-      double place[3] = {}, rate[3] = {};
-      for (int a = 0; a < d; ++a) place[a] = x[k * d + a], rate[a] = v[k * d + a];
-      for (int a = 0; a < 3; ++a) {
-        int const b = (a + 1) % 3, c = (a + 2) % 3;
-        sum[a] += masses[k] * (place[b] * rate[c] - place[c] * rate[b]);
-      }
-    }
-    return sum;
-  }
+/// A step of a body that fails on a rank, and so on all. The whole body on rank 0 says why.
+struct FailsOnARank : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
-
-namespace detail {
-/// x + rest += y, x the nearest number.
-inline void add_with_rest(double& x, double& rest, double y) {
-  double const more = y + rest, sum = x + more, back = sum - x;
-  rest = (x - (sum - back)) + (more - back);
-  x = sum;
-}
-}  // namespace detail
 
 /// The largest frequency of small motions about places x, per time: from below, within half a per cent
 /// (`detail::largest_frequency`). Cost: about forty forces on all nodes.
@@ -87,20 +49,29 @@ class BodySteps {
   HeldNodes<d> held;     ///< what its sides do
   /// of the explicit step; none: there is none
   std::optional<ViscousForces<d>> viscosity = {};
+  SharedNodes const* shared = nullptr;  ///< of a part of a body: its nodes; null: all of the body is here
 
   /// v += h/2 a(x), x += h v, v += h/2 a(x): the discrete Euler-Lagrange field equations of the slab.
   /// @param f  forces at the start, and then at the end
   /// @param t  the time at the end
   /// @return the least Jacobian at the end; where it is not positive the state is none
+  /// @throws FailsOnARank  on all ranks, of a part of a body, where anything fails on one of them
   LeastJacobian explicit_step(BodyState& s, std::vector<double>& f, double h, double t) const {
     kick(s, f, h / 2);
     for (std::size_t k = 0; k < s.x.size(); ++k) detail::add_with_rest(s.x[k], s.x_rest[k], h * s.v[k]);
-    put_moved(s, t);
-    LeastJacobian const least = forces.forces(s.x, t, f, s.x_rest);
+    LeastJacobian const least = on_all_ranks([&] {
+      put_moved(s, t);
+      return forces.forces(s.x, t, f, s.x_rest);
+    });
     if (!(least.jacobian > 0)) return least;
+    if (shared) shared->complete(f);
     if (viscosity) resist(s, f, h);
     kick(s, f, h / 2);
-    if (held.any_moved()) held.put_velocities(s.v, t);
+    if (held.any_moved())
+      on_all_ranks([&] {
+        held.put_velocities(s.v, t);
+        return least;
+      });
     return least;
   }
 
@@ -174,18 +145,45 @@ class BodySteps {
     }
     accelerate(a);
     for (std::size_t k = 0; k < a.size(); ++k) detail::add_with_rest(s.v[k], s.v_rest[k], h * a[k]);
-    if (viscosity) s.dissipated += viscosity->taken(s.viscous, h, before, s.v);
+    if (viscosity) s.dissipated += taken(s.viscous, h, before, s.v);
   }
   /// The forces of viscosity at the end of a step, for the velocity there: by those for the velocity in the
   /// middle it is known up to the square of the step.
   void resist(BodyState& s, std::vector<double> const& f, double h) const {
-    viscosity->forces(forces.body, forces.law(), s.x, s.v, s.viscous);
+    viscous_forces(s, s.v);
     std::vector<double> v = f;
     for (std::size_t k = 0; k < v.size(); ++k) v[k] += s.viscous[k];
     accelerate(v);
     for (std::size_t k = 0; k < v.size(); ++k) v[k] = s.v[k] + h / 2 * v[k];
-    auto const limit = viscosity->forces(forces.body, forces.law(), s.x, v, s.viscous);
+    auto const limit = viscous_forces(s, v);
     if (h > limit.step) throw ViscosityNeedsShorterSteps(limit.cell, h, limit.step);
+  }
+  /// Those at velocities v.
+  /// @return the longest step, of all ranks
+  ViscousLimit viscous_forces(BodyState& s, std::vector<double> const& v) const {
+    auto limit = viscosity->forces(forces.body, forces.law(), s.x, v, s.viscous);
+    if (shared) shared->complete(s.viscous), limit.step = -shared->ranks().most(-limit.step);
+    return limit;
+  }
+  /// What viscosity takes in a kick, on rank 0: a sum over all nodes in their order.
+  double taken(std::vector<double> const& viscous, double h, std::vector<double> const& before,
+               std::vector<double> const& after) const {
+    if (!shared) return viscosity->taken(viscous, h, before, after);
+    std::vector<double> all[3];
+    for (int k = 0; auto const* part : {&viscous, &before, &after}) shared->gather(*part, all[k++]);
+    return viscosity->taken(all[0], h, all[1], all[2]);
+  }
+  /// Does this work, whose result is the least Jacobian, on all ranks that have a part of the body.
+  template <class Work>
+  LeastJacobian on_all_ranks(Work const& work) const {
+    if (!shared) return work();
+    LeastJacobian least{-1, -1};
+    try {
+      least = work();
+    } catch (std::exception const&) {
+    }
+    if (shared->ranks().any(!(least.jacobian > 0))) throw FailsOnARank("a step of a part of a body");
+    return least;
   }
   void put_moved(BodyState& s, double t) const {
     if (!held.any_moved()) return;

@@ -18,8 +18,8 @@
 // kink, as discs and balls of blocks have, its nodes are off by the first order, and by 1.5 in the mean.
 #pragma once
 
+#include "actio/media_on_meshes/body_on_rank.hpp"
 #include "actio/media_on_meshes/body_start.hpp"
-#include "actio/media_on_meshes/body_steps.hpp"
 
 namespace actio::media {
 
@@ -27,21 +27,24 @@ namespace actio::media {
 ///
 /// \snippet media.cpp medium_on_mesh
 template <int d>
-class MediumOnMesh {
+class MediumOnMesh : BodyMotion<d> {
  public:
   using Place = std::array<double, d>;                 ///< a point, or a vector
   using Tensor = Matrix<double, d, d>;                 ///< a deformation gradient, or a stress
   using Law = std::shared_ptr<StoredEnergy<d> const>;  ///< a medium: \ref stored_energy
 
+  /// @param ranks  others that make its steps with this one, where these are explicit and each
+  ///   has a node; null: there are none
+  /// @param told   of the medium, to them (\ref share_parts); each makes a \ref BodyOnRank of it
   /// @throws OutsideDomain, NotFinite  where the step, the density or the start is none
   /// @throws UnknownSide, NotABodyMesh  where sides and loads do not fit the mesh
   /// @throws BodyCellInverts  with step 0, where a cell is inside out at the start
   MediumOnMesh(BodyMesh mesh, Law law, BodyStart<d> const& start, BodyStepping const& stepping,
-               BodySides<d> const& sides = {}, BodyLoads<d> const& loads = {})
-      : mesh_(std::move(mesh)),
-        stepping_((stepping.examine(), stepping)),
-        steps_of_(mesh_, std::move(law), start.density, sides, loads),
-        fractions_(stepping.substeps()) {
+               BodySides<d> const& sides = {}, BodyLoads<d> const& loads = {}, Ranks* ranks = nullptr,
+               std::string const& told = {})
+      : BodyMotion<d>((stepping.examine(), BodySteps<d>(mesh, law, start.density, sides, loads)), stepping),
+        mesh_(std::move(mesh)),
+        stepping_(stepping) {
     for (auto* part : {&state_.x, &state_.v}) part->reserve(d * mesh_.nodes.size());
     for (std::size_t k = 0; k < mesh_.nodes.size(); ++k) {
       Place X;
@@ -61,6 +64,10 @@ class MediumOnMesh {
       steps_of_.viscosity->forces(forces.body, forces.law(), state_.x, state_.v, state_.viscous);
     }
     begin();
+    if (ranks && ranks->size() > 1 && stepping.conserve == Conserve::form &&
+        ranks->size() <= static_cast<int>(mesh_.nodes.size()))
+      part_ =
+          std::make_unique<BodyOnRank<d>>(*ranks, told, mesh_, law, start.density, stepping, sides, loads);
   }
 
   /// So many steps on.
@@ -74,6 +81,15 @@ class MediumOnMesh {
       throw OutsideDomain("medium", "the number of steps must not be negative", static_cast<double>(count),
                           0);
     look_ahead(0);
+    if (part_ && count > 0) {
+      long const made = part_->make(state_, forces_, is_known_, count, stepping_.step, steps_);
+      steps_ += made, is_known_ = true;
+      if (made == count) return;
+      // What fails on a rank fails here again, and says why.
+      go_on(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
+      put_back();
+      throw Error("medium: a step failed on another rank, and not here: the ranks do not compute alike");
+    }
     for (; count > 0; --count) {
       go_on(stepping_.step, static_cast<double>(steps_ + 1) * stepping_.step);
       ++steps_;
@@ -253,10 +269,10 @@ class MediumOnMesh {
  private:
   BodyMesh mesh_;
   BodyStepping stepping_;
-  BodySteps<d> steps_of_;
-  std::vector<double> fractions_;
-  BodyState state_, kept_;
-  std::vector<double> forces_, kept_forces_;
+  using BodyMotion<d>::steps_of_, BodyMotion<d>::state_, BodyMotion<d>::kept_, BodyMotion<d>::forces_;
+  using BodyMotion<d>::fractions_, BodyMotion<d>::put_back, BodyMotion<d>::in_parts, BodyMotion<d>::attempt;
+  std::unique_ptr<BodyOnRank<d>> part_;  // on this rank; null: there are no others
+  bool is_known_ = false;                // whether they have this state
   long steps_ = 0;
   bool ahead_ = false;  // the state is one between two steps, and what was kept is that of the last step
 
@@ -266,16 +282,17 @@ class MediumOnMesh {
     return out;
   }
   void begin() {
+    is_known_ = false;
     LeastJacobian const least = steps_of_.forces.forces(state_.x, time(), forces_, state_.x_rest);
     if (!(least.jacobian > 0))
       throw BodyCellInverts(least.cell, mesh_.cell_name(least.cell), least.jacobian, {});
   }
   /// From the state now, which is kept, to another time.
   void go_on(double h, double end) {
-    kept_ = state_, kept_forces_ = forces_;
+    is_known_ = false;
     LeastJacobian least;
     try {
-      least = in_parts(h, end);
+      least = in_parts(h, time(), end);
     } catch (NotConverged const& error) {
       refuse_unsolved(error, h);
     } catch (ViscosityNeedsShorterSteps const& error) {
@@ -288,39 +305,6 @@ class MediumOnMesh {
       throw;
     }
     if (!(least.jacobian > 0)) refuse(least, h);
-  }
-  /// A step, or where viscosity needs shorter ones so many equal parts of it that each is half as long as
-  /// that allows. It allows less as a shock forms.
-  /// @throws ViscosityNeedsShorterSteps  where more than a thousand parts would be needed
-  LeastJacobian in_parts(double h, double end) {
-    double const start = time();
-    for (double parts = 1;;) try {
-        LeastJacobian least;
-        for (double k = 1; k <= parts && least.jacobian > 0; ++k)
-          least = attempt(h / parts, start + (k - 1) / parts * h, k == parts ? end : start + k / parts * h);
-        return least;
-      } catch (ViscosityNeedsShorterSteps const& error) {
-        parts = std::max(2 * parts, std::ceil(2 * h / error.bound));
-        if (!(parts <= 1000)) throw;
-        put_back();
-      }
-  }
-  void put_back() { state_ = kept_, forces_ = kept_forces_; }
-  /// A step of some length from one time to another, by substeps; what it leaves is no state where a Jacobian
-  /// is not positive.
-  LeastJacobian attempt(double h, double start, double end) {
-    double reached = 0;
-    LeastJacobian least;
-    for (std::size_t k = 0; k < fractions_.size(); ++k) {
-      double const from = start + reached * h;
-      reached += fractions_[k];
-      double const to = k + 1 == fractions_.size() ? end : start + reached * h;
-      least = stepping_.conserve == Conserve::form
-                  ? steps_of_.explicit_step(state_, forces_, fractions_[k] * h, to)
-                  : steps_of_.implicit_step(state_, fractions_[k] * h, from, to);
-      if (!(least.jacobian > 0)) break;
-    }
-    return least;
   }
   /// Half of the step, a quarter, and so on: the first that would do from the state before the step, or 0.
   /// The state is that one afterwards.

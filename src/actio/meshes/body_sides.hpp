@@ -1,6 +1,7 @@
 // What the sides of a body do: free, held, sliding along a plane, or moved as prescribed.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include "actio/meshes/body_mesh.hpp"
@@ -137,6 +138,20 @@ class HeldNodes {
         }
     }
     for (auto const& [at, node] : held) nodes_.push_back(node);
+  }
+
+  /// Those of a part of the body, by their numbers there.
+  /// @param part  the nodes of the part, in increasing order
+  HeldNodes among(std::vector<int> const& part) const {
+    HeldNodes out = *this;
+    out.nodes_.clear();
+    for (Node node : nodes_) {
+      auto const found = std::lower_bound(part.begin(), part.end(), node.at);
+      if (found == part.end() || *found != node.at) continue;
+      node.at = static_cast<int>(found - part.begin());
+      out.nodes_.push_back(node);
+    }
+    return out;
   }
 
   /// Takes from accelerations, or from any change of places, what is not allowed.

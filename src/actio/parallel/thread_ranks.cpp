@@ -21,7 +21,7 @@ class Table {
   void wait() {
     std::unique_lock lock(mutex_);
     long const round = round_;
-    if (++here_ == shown.size()) here_ = 0, ++round_, change_.notify_all();
+    if (!lost_ && ++here_ == shown.size()) here_ = 0, ++round_, change_.notify_all();
     change_.wait(lock, [&] { return round_ != round || lost_; });
     if (round_ == round) throw RankLost("another rank has ended with an error");
   }

@@ -97,6 +97,7 @@ struct Simulation {
   double bytes = 0;         ///< of memory that a run takes at most; 0: that is not told
   double shared_bytes = 0;  ///< of these, what ranks share
   double whole_bytes = 0;   ///< of these, what every rank has whole
+  double part_bytes = 0;    ///< besides these, of which each rank has its part
   /// why it can take no step from its start, for instance since the step is too long; empty where it can
   std::string failure;
   Companion companion;                        ///< from which the error is estimated

@@ -1,5 +1,6 @@
 #include "program/systems/media/generic_medium.hpp"
 
+#include "program/base/ranks.hpp"
 #include "program/systems/media/walls.hpp"
 #include "program/systems/media/watch.hpp"
 
@@ -14,7 +15,7 @@ class MeshMotion final : public MotionOnMesh<d> {
 
   explicit MeshMotion(GenericMedium<d>& medium)
       : medium_(std::move(medium.mesh), stored_energy_of<d>(medium.material), start_of<d>(medium.start),
-                {1, medium.order, medium.conserve, medium.viscosity}, medium.loads.sides, medium.loads.loads),
+                medium.stepping(), medium.loads.sides, medium.loads.loads, shared_ranks(), medium.scene),
         cells_(medium_.mesh()),
         fluid_(is_fluid(medium.material) && d > 1),
         conserves_form_(medium.conserve == media::Conserve::form),
@@ -94,8 +95,13 @@ class MeshMotion final : public MotionOnMesh<d> {
 }  // namespace
 
 template <int d>
-std::unique_ptr<MotionOnMesh<d>> GenericMedium<d>::motion() {
-  return std::make_unique<MeshMotion<d>>(*this);
+std::unique_ptr<MotionOnMesh<d>> GenericMedium<d>::motion() { return std::make_unique<MeshMotion<d>>(*this); }
+
+template <int d>
+std::unique_ptr<RankPart> GenericMedium<d>::part() const {
+  return std::make_unique<media::BodyOnRank<d>>(*shared_ranks(), scene, mesh, stored_energy_of<d>(material),
+                                                start_of<d>(start).density, stepping(), loads.sides,
+                                                loads.loads);
 }
 
 /// Along a line.

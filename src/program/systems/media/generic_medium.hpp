@@ -51,9 +51,14 @@ struct GenericMedium {
   int order = 2;                                     ///< of the steps: 2 or 4
   media::Conserve conserve = media::Conserve::form;  ///< what they keep
   media::ArtificialViscosity viscosity = {};         ///< what spreads shocks
+  std::string scene = {};                            ///< as a text, for the other ranks
 
+  /// How it is stepped; a step has its length later.
+  media::BodyStepping stepping() const { return {1, order, conserve, viscosity}; }
   /// The motion, which has no step before it is begun with one.
   std::unique_ptr<MotionOnMesh<d>> motion();
+  /// The part of it on this rank, which is not the first.
+  std::unique_ptr<RankPart> part() const;
 };
 
 }  // namespace actio::scene

@@ -86,13 +86,14 @@ double bytes_on_fast_way(Counted const& body, MediumMesh const& mesh, double sna
   return bytes_of_fused_steps(mesh) + kept * body.vector + besides;
 }
 
-/// Plain steps: the mesh, the points of its cells with their inverse edges, states, forces, copies.
-double bytes_on_plain_way(Counted const& body, MediumMesh const& mesh, Request const& request,
-                          double snapshot, double constants) {
-  SceneTable const method = request.file.section("method");
-  bool const implicit =
-                 method.has("conserve") && method.is_text("conserve") && method.text("conserve") == "energy",
-             viscous = method.has("viscosity"),
+/// Nodes and cells of a mesh.
+double bytes_of_mesh(Counted const& body) {
+  return 24 * body.nodes + (32 + (body.around ? 8 : 0)) * body.cells;
+}
+
+/// What plain steps keep: the mesh, the points of its cells with their inverse edges, states, forces, copies.
+double bytes_kept(Counted const& body, MediumMesh const& mesh, Request const& request) {
+  bool const viscous = request.file.section("method").has("viscosity"),
              walls = !medium_keys.obstacle.table(request.file).keys().empty();
   double held = 0;
   for (auto const& [name, does] : mesh.sides)
@@ -100,18 +101,25 @@ double bytes_on_plain_way(Counted const& body, MediumMesh const& mesh, Request c
   // A body has so many nodes on its sides.
   double const surface = 2 * body.d * std::pow(body.nodes, 1 - 1 / body.d);
   double const cell =
-      32 + 4 * body.corners + (body.around ? 8 + body.corners : 0) + 8 * body.points * (body.d * body.d + 2) +
+      4 * body.corners + (body.around ? body.corners : 0) + 8 * body.points * (body.d * body.d + 2) +
       (viscous ? 8 : 0) +
       (body.corners == 8 && mesh.shape != "box" ? sizeof(media::CornerCorrection<double, 3>) : 0);
-  double const kept = 24 * body.nodes + cell * body.cells + 8 * body.nodes +
-                      (24 + held * (32 + 8 * (body.d + body.d * body.d))) * surface +
-                      (13 + (viscous ? 2 : 0)) * body.vector +
-                      (walls ? (body.vector + 8 * (1 + body.d) * body.nodes) : 0);
+  return bytes_of_mesh(body) + cell * body.cells + 8 * body.nodes +
+         (24 + held * (32 + 8 * (body.d + body.d * body.d))) * surface +
+         (13 + (viscous ? 2 : 0)) * body.vector + (walls ? (body.vector + 8 * (1 + body.d) * body.nodes) : 0);
+}
+
+/// Plain steps.
+double bytes_on_plain_way(Counted const& body, MediumMesh const& mesh, Request const& request,
+                          double snapshot, double constants) {
+  SceneTable const method = request.file.section("method");
+  bool const implicit =
+      method.has("conserve") && method.is_text("conserve") && method.text("conserve") == "energy";
   // A step that is solved by conjugate gradients, a checkpoint, a snapshot.
   // The lists of frames are written before there are copies and quantities.
   double const besides =
       std::max({(implicit ? 10 : 4) * body.vector, snapshot, constants - (5 + body.observed) * body.vector});
-  return kept + body.observed * body.vector + besides;
+  return bytes_kept(body, mesh, request) + body.observed * body.vector + besides;
 }
 
 }  // namespace
@@ -126,6 +134,16 @@ double bytes_of_fused_steps(MediumMesh const& mesh) {
   double const row = mesh.cells[0] + !mesh.periodic[0], packs = (mesh.cells[0] + 4) / 4,
                padded = (8 * packs + (std::fmod(packs, 8) == 0 ? 4 : 0)) / (2 * row);
   return 4 * padded * 8 * mesh.dimension * static_cast<double>(mesh.node_count());
+}
+
+double bytes_of_plain_steps(MediumMesh const& mesh, Request const& request) {
+  return bytes_kept(Counted(mesh, request), mesh, request);
+}
+
+double bytes_to_begin(MediumMesh const& mesh, Request const& request) {
+  Counted const body(mesh, request);
+  // Besides, of each node its rank and whether it is here.
+  return bytes_of_mesh(body) + 12 * body.nodes;
 }
 
 double bytes_for_medium(MediumMesh const& mesh, bool fast, Request const& request) {

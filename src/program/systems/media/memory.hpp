@@ -17,6 +17,10 @@ void keep_large_lists_apart();
 /// @param fast  whether fused steps are made
 /// Accuracy: measured to be within 5 % from some thousand nodes on, with snapshots and without.
 double bytes_for_medium(MediumMesh const& mesh, bool fast, Request const& request);
+/// Those of them that plain steps keep: on several ranks each has a part of as many more.
+double bytes_of_plain_steps(MediumMesh const& mesh, Request const& request);
+/// What a rank takes while it finds its part of a mesh, which it has whole until then.
+double bytes_to_begin(MediumMesh const& mesh, Request const& request);
 /// Those of them that fused steps have for places, velocities and their copies: what ranks share.
 double bytes_of_fused_steps(MediumMesh const& mesh);
 

@@ -127,6 +127,11 @@ void require_rows(SceneFile const& file, Box const& box) {
                     box.nodes(last) / 2));
 }
 
+/// Whether a scene asks for nothing but what fused steps have.
+bool has_plain_steps(SceneFile const& file, MediumMethod const& method, MediumStart const& start) {
+  return method.plain() && start.uniform && !has_loads(file);
+}
+
 /// By fused steps, where the scene is one for them.
 /// @return whether it is
 template <class Box>
@@ -192,12 +197,25 @@ std::unique_ptr<MotionOnMesh<d>> motion_of(SceneFile const& file, GenericMedium<
 }
 
 template <int d>
+GenericMedium<d> generic_medium(SceneFile const& file, MediumMesh const& mesh, Material const& material,
+                                MediumMethod const& method, std::shared_ptr<MediumStart> const& start) {
+  return {mesh.make(),  material,        start,           read_medium_loads<d>(file, mesh),
+          method.order, method.conserve, method.viscosity};
+}
+
+template <int d>
 void prepare_on_mesh(Simulation& simulation, Request const& request, MediumMesh const& mesh,
                      Material const& material, MediumMethod const& method,
                      std::shared_ptr<MediumStart> const& start) {
-  GenericMedium<d> generic{
-      mesh.make(),  material,        start,           read_medium_loads<d>(request.file, mesh),
-      method.order, method.conserve, method.viscosity};
+  simulation.on_ranks = method.conserve == media::Conserve::form;
+  simulation.part_bytes = bytes_of_plain_steps(mesh, request);
+  simulation.whole_bytes = bytes_to_begin(mesh, request);
+  auto generic = generic_medium<d>(request.file, mesh, material, method, start);
+  generic.scene = request.file.written();
+  if (on_several_ranks() && shared_ranks()->size() > static_cast<int>(generic.mesh.nodes.size()))
+    medium_keys.mesh.table(request.file)
+        .fail("shape", fmt::format("mesh: {} nodes are shared among {} ranks, and each has one at least",
+                                   generic.mesh.nodes.size(), shared_ranks()->size()));
   auto features = features_of<d>(request.file, mesh, generic.loads, material, start->uniform);
   {
     MeshCells<d> const cells(generic.mesh);
@@ -250,9 +268,9 @@ Simulation prepare_medium(Request const& request) {
         "quantities: angular_momentum is that of bodies in the plane or in space");
   Simulation simulation(quantities_of(fluid, request.file));
   simulation.remarks = remarks_on(material, d);
-  bool const plain_steps = method.plain() && start->uniform && !has_loads(request.file);
-  if (plain_steps && (prepare_fast<media::FastBox2d>(simulation, request, mesh, material, start) ||
-                      prepare_fast<media::FastBox3d>(simulation, request, mesh, material, start)))
+  if (has_plain_steps(request.file, method, *start) &&
+      (prepare_fast<media::FastBox2d>(simulation, request, mesh, material, start) ||
+       prepare_fast<media::FastBox3d>(simulation, request, mesh, material, start)))
     return simulation;
   simulation.bytes = checked_memory(request.file, mesh, false, request);
   if (d == 1)
@@ -264,13 +282,31 @@ Simulation prepare_medium(Request const& request) {
   return simulation;
 }
 
+/// The part of a medium of d dimensions.
+template <int d>
+std::unique_ptr<RankPart> part_of(SceneFile const& file, MediumMesh const& mesh, bool fluid, double step) {
+  Material const material = read_material(file.section("system"), fluid, d);
+  auto const start = std::make_shared<MediumStart>(read_medium_start(file, d));
+  MediumMethod const method = read_medium_method(file);
+  if constexpr (d > 1)
+    if (has_plain_steps(file, method, *start))
+      if (auto const fast = optimised_of<std::conditional_t<d == 2, media::FastBox2d, media::FastBox3d>>(
+              mesh, material, *start))
+        return fast->part(step);
+  return generic_medium<d>(file, mesh, material, method, start).part();
+}
+
 std::unique_ptr<RankPart> part_of_medium(SceneFile const& file, double step) {
-  bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
-  MediumMesh const mesh = read_medium_mesh(file);
-  Material const material = read_material(file.section("system"), fluid, mesh.dimension);
-  auto const start = read_medium_start(file, mesh.dimension);
-  if (mesh.dimension == 2) return optimised_of<media::FastBox2d>(mesh, material, start)->part(step);
-  return optimised_of<media::FastBox3d>(mesh, material, start)->part(step);
+  try {
+    bool const fluid = file.section("system").text("kind") == "barotropic_fluid";
+    MediumMesh const mesh = read_medium_mesh(file);
+    if (mesh.dimension == 1) return part_of<1>(file, mesh, fluid, step);
+    if (mesh.dimension == 2) return part_of<2>(file, mesh, fluid, step);
+    return part_of<3>(file, mesh, fluid, step);
+  } catch (std::exception const& error) {
+    // Rank 0 has made the same: it is a matter of this machine, and ends all ranks.
+    throw std::runtime_error(error.what());
+  }
 }
 
 }  // namespace
