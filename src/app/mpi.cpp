@@ -5,7 +5,8 @@
 //     mpirun -n 16 actio-mpi apophis.toml --over method.step=0.1,0.2,0.5
 //     mpirun -n 16 actio-mpi --resume apophis
 //
-// A run is that of rank 0, which writes its files and speaks; the others step their parts of its medium. Of a
+// A run is that of rank 0, which writes its files and speaks; the others step their parts of its medium, or
+// multiply their parts of its matrices. Of a
 // sweep, each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has
 // finished another, so that none waits for slow ones. What a member tells goes to rank 0, which writes the
 // table. Members run in other processes (SweepCrew) that were made before MPI began and know nothing of it.
@@ -23,6 +24,7 @@
 #include "program/base/ranks.hpp"
 #include "program/sweep/run.hpp"
 #include "program/systems/media/system.hpp"
+#include "program/systems/sphere/products_on_ranks.hpp"
 
 using namespace actio;
 using namespace actio::scene;
@@ -155,7 +157,10 @@ int run_on_ranks(int argc, char** argv) {
     // Rank 0 says when to end; where it is gone, mpirun ends the others.
     if (ranks.rank() > 0) listen_for_interrupts();
     try {
-      media::share_media(ranks, part_of_medium, [&] { status = app::command(argc, argv); });
+      auto const part = [](std::string const& told, double step) {
+        return told == name_of_products ? part_of_products() : part_of_medium(told, step);
+      };
+      media::share_media(ranks, part, [&] { status = app::command(argc, argv); });
     } catch (std::exception const& error) {
       say(stderr, "rank " + std::to_string(ranks.rank()) + ": " + error.what() + "\n");
       MPI_Abort(MPI_COMM_WORLD, 3);

@@ -47,7 +47,7 @@ void refuse_on_ranks(Scene const& scene) {
     throw SceneError(
         {scene.file.name()},
         fmt::format("this scene is not shared among {} ranks: gases and solids on boxes with the steps "
-                    "of the library are; actio run takes it on one",
+                    "of the library are, and fluids on the sphere and the torus; actio run takes it on one",
                     shared_ranks()->size()));
 }
 
