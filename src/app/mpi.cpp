@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include "app/commands.hpp"
@@ -147,6 +148,8 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
 
 /// A run, or what goes on with one, on all ranks.
 int run_on_ranks(int argc, char** argv) {
+  // Where ranks share a core, Open MPI must give it away while it waits, also inside ScaLAPACK.
+  ::setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
   // Threads beside the one that speaks to other ranks make no calls of MPI.
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
