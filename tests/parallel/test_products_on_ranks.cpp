@@ -13,6 +13,7 @@ using namespace actio::sphere;
 
 namespace {
 
+constexpr DealtBand everything{1 << 20, 1 << 20};
 thread_local Ranks* here = nullptr;
 std::atomic<bool> from_blocks = true;  ///< whether all rectangles began with a block
 
@@ -28,7 +29,7 @@ Eigen::MatrixX<Real> whole(DealtBlocks const& blocks, Real const* mine) {
   Eigen::MatrixX<Real> out(blocks.size, blocks.size);
   std::size_t at = 0;
   for (int rank = 0; rank < here->size(); ++rank)
-    blocks.visit(rank, [&](int i, int j, int count) {
+    blocks.visit(rank, everything, [&](int i, int j, int count, std::size_t) {
       for (int k = 0; k < count; ++k) out(i + k, j) = all[at++];
     });
   return out;
@@ -43,8 +44,8 @@ void multiply(DealtBlocks const& blocks, int m, int n, int k, Real const* a, Dea
   Eigen::MatrixX<Real> out = whole(blocks, c);
   out.block(of_c.row, of_c.column, m, n) = whole(blocks, a).block(of_a.row, of_a.column, m, k) *
                                            whole(blocks, b).block(of_b.row, of_b.column, k, n);
-  blocks.visit(here->rank(), [&](int i, int j, int count) {
-    for (int l = 0; l < count; ++l) *c++ = out(i + l, j);
+  blocks.visit(here->rank(), everything, [&](int i, int j, int count, std::size_t at) {
+    for (int l = 0; l < count; ++l) c[at + static_cast<std::size_t>(l)] = out(i + l, j);
   });
 }
 
@@ -84,12 +85,26 @@ BOOST_AUTO_TEST_CASE(matrices_are_dealt_out_whole) {
       Eigen::MatrixXi times = Eigen::MatrixXi::Zero(n, n);
       for (int rank = 0; rank < ranks; ++rank) {
         std::size_t numbers = 0;
-        blocks.visit(rank, [&](int i, int j, int count) {
+        blocks.visit(rank, everything, [&](int i, int j, int count, std::size_t at) {
+          BOOST_TEST(at == numbers);
           times.col(j).segment(i, count).array() += 1, numbers += static_cast<std::size_t>(count);
         });
         BOOST_TEST(numbers == blocks.numbers_of(rank));
       }
       BOOST_TEST((times.array() == 1).all());
+      // A band, in whole blocks.
+      DealtBand const band{3, 20};
+      Eigen::MatrixXi in_band = Eigen::MatrixXi::Zero(n, n);
+      for (int rank = 0; rank < ranks; ++rank)
+        blocks.visit(rank, band, [&](int i, int j, int count, std::size_t) {
+          in_band.col(j).segment(i, count).array() += 1;
+        });
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+          if (j - i <= band.above && i - j <= band.below) BOOST_TEST(in_band(i, j) == 1);
+          if (j - i >= band.above + 2 * blocks.block || i - j >= band.below + 2 * blocks.block)
+            BOOST_TEST(in_band(i, j) == 0);
+        }
     }
 }
 

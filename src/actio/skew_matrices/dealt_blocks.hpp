@@ -9,6 +9,12 @@
 
 namespace actio::sphere {
 
+/// What of a matrix is not known to be zero, or is wanted: this many diagonals on both sides of the main one.
+struct DealtBand {
+  int above;  ///< above it
+  int below;  ///< below it
+};
+
 /// How a square matrix is dealt out.
 struct DealtBlocks {
   int size;     ///< N, of the matrix
@@ -35,14 +41,22 @@ struct DealtBlocks {
     return static_cast<std::size_t>(rows_of(rank)) * static_cast<std::size_t>(columns_of(rank));
   }
 
-  /// Calls `use(i, j, length)` for what a rank has, in the order in which it has it: numbers that follow one
-  /// another in a column of the matrix, from (i, j) on.
+  /// Calls `use(i, j, length, at)` for what a rank has in the blocks of a band: numbers that follow one
+  /// another in a column of the matrix, from (i, j) on, and in what the rank has, from `at` on.
   template <class Use>
-  void visit(int rank, Use const& use) const {
-    for (int j0 = rank % columns * block; j0 < size; j0 += columns * block)
-      for (int j = j0; j < std::min(size, j0 + block); ++j)
-        for (int i = rank / columns * block; i < size; i += rows * block)
-          use(i, j, std::min(block, size - i));
+  void visit(int rank, DealtBand band, Use const& use) const {
+    auto const height = static_cast<std::size_t>(rows_of(rank));
+    std::size_t column = 0;
+    for (int first = rank % columns * block; first < size; first += columns * block)
+      for (int j = first; j < std::min(size, first + block); ++j, ++column) {
+        std::size_t at = column * height;
+        for (int i = rank / columns * block; i < size; i += rows * block) {
+          int const length = std::min(block, size - i);
+          if (first - (i + length - 1) <= band.above && i - (first + block - 1) <= band.below)
+            use(i, j, length, at);
+          at += static_cast<std::size_t>(length);
+        }
+      }
   }
 
  private:

@@ -68,7 +68,7 @@ class DealtProduct {
   template <class Real>
   struct Room {
     std::vector<Real> a, b, c;  ///< what this rank has of them
-    std::vector<Real> all;      ///< a matrix in the order of the ranks; rank 0
+    std::vector<Real> sent;     ///< on the way: what another rank has, or on rank 0 what all others have
   };
   template <class Real>
   Room<Real>& room() {
@@ -87,35 +87,75 @@ class DealtProduct {
 
   void tell(DealtCall& call) { ranks_.broadcast(std::as_writable_bytes(std::span(&call, 1))); }
 
+  /// @param a, b, out  on rank 0; elsewhere null
   template <class Real>
   void multiply(DealtCall const& call, Real const* a, Real const* b, Real* out) {
     auto const blocks = DealtBlocks::of(call.size, ranks_.size());
     Room<Real>& room = this->room<Real>();
-    room.all.resize(out ? static_cast<std::size_t>(call.size) * static_cast<std::size_t>(call.size) : 0);
-    deal(blocks, a, room.all, room.a), deal(blocks, b, room.all, room.b);
+    deal(blocks, {call.left, call.left}, a, room.sent, room.a);
+    deal(blocks, {call.right, call.right}, b, room.sent, room.b);
     room.c.assign(room.a.size(), 0);
     multiply_panels(call, blocks, room);
-    ranks_.gather(bytes_of(room.c), bytes_of(room.all));
-    if (out)
-      over_all(blocks, out, room.all, [](Real* from, Real* to, int count) { std::copy_n(from, count, to); });
+    int const reach = call.left + call.right;
+    collect(blocks, {call.lower ? 0 : reach, reach}, room.c, room.sent, out);
   }
+  /// From rank 0 to all.
   template <class Real>
-  void deal(DealtBlocks const& blocks, Real const* matrix, std::vector<Real>& all, std::vector<Real>& mine) {
+  void deal(DealtBlocks const& blocks, DealtBand band, Real const* matrix, std::vector<Real>& sent,
+            std::vector<Real>& mine) {
     mine.resize(blocks.numbers_of(ranks_.rank()));
-    if (matrix)
-      over_all(blocks, matrix, all,
-               [](Real* to, Real const* from, int count) { std::copy_n(from, count, to); });
-    ranks_.scatter(bytes_of(std::as_const(all)), bytes_of(mine));
+    if (band.below < blocks.size) std::fill(mine.begin(), mine.end(), Real(0));
+    sent.resize(count_sent(blocks, band));
+    Real* on_the_way = sent.data();
+    if (matrix) {
+      for (int rank = 0; rank < ranks_.size(); ++rank)
+        blocks.visit(rank, band, [&](int i, int j, int count, std::size_t at) {
+          Real const* const from = matrix + place(blocks, i, j);
+          if (rank == 0)
+            std::copy_n(from, count, mine.data() + at);
+          else
+            on_the_way = std::copy_n(from, count, on_the_way);
+        });
+      return ranks_.scatter(bytes_of(std::as_const(sent)), {});
+    }
+    ranks_.scatter({}, bytes_of(sent));
+    blocks.visit(ranks_.rank(), band, [&](int, int, int count, std::size_t at) {
+      std::copy_n(on_the_way, count, mine.data() + at), on_the_way += count;
+    });
   }
-  /// Calls `use(in the order of the ranks, in the matrix, how many)`.
-  template <class Real, class Matrix, class Use>
-  void over_all(DealtBlocks const& blocks, Matrix* matrix, std::vector<Real>& all, Use const& use) const {
-    Real* at = all.data();
-    for (int rank = 0; rank < ranks_.size(); ++rank)
-      blocks.visit(rank, [&](int i, int j, int count) {
-        use(at, matrix + static_cast<std::size_t>(j) * static_cast<std::size_t>(blocks.size) + i, count);
-        at += count;
+  /// From all to rank 0.
+  template <class Real>
+  void collect(DealtBlocks const& blocks, DealtBand band, std::vector<Real> const& mine,
+               std::vector<Real>& sent, Real* matrix) {
+    sent.resize(count_sent(blocks, band));
+    Real* on_the_way = sent.data();
+    if (!matrix) {
+      blocks.visit(ranks_.rank(), band, [&](int, int, int count, std::size_t at) {
+        on_the_way = std::copy_n(mine.data() + at, count, on_the_way);
       });
+      return ranks_.gather(bytes_of(std::as_const(sent)), {});
+    }
+    ranks_.gather({}, bytes_of(sent));
+    if (band.below < blocks.size) std::fill_n(matrix, place(blocks, 0, blocks.size), Real(0));
+    for (int rank = 0; rank < ranks_.size(); ++rank)
+      blocks.visit(rank, band, [&](int i, int j, int count, std::size_t at) {
+        Real const* const from = rank == 0 ? mine.data() + at : std::exchange(on_the_way, on_the_way + count);
+        std::copy_n(from, count, matrix + place(blocks, i, j));
+      });
+  }
+  /// Numbers of a band that this rank sends or receives.
+  std::size_t count_sent(DealtBlocks const& blocks, DealtBand band) const {
+    std::size_t out = 0;
+    auto const add = [&out](int, int, int count, std::size_t) { out += static_cast<std::size_t>(count); };
+    if (ranks_.rank() > 0)
+      blocks.visit(ranks_.rank(), band, add);
+    else
+      for (int rank = 1; rank < ranks_.size(); ++rank) blocks.visit(rank, band, add);
+    return out;
+  }
+  /// Where an entry of the matrix is.
+  static std::size_t place(DealtBlocks const& blocks, int i, int j) {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(blocks.size) + static_cast<std::size_t>(i);
   }
 
   /// What is not known to be zero, or not wanted: by panels of columns where that is not all, from the first
