@@ -109,8 +109,8 @@ BOOST_AUTO_TEST_CASE(matrices_are_dealt_out_whole) {
 }
 
 BOOST_AUTO_TEST_CASE(ranks_multiply_as_one) {
-  for (int const ranks : {1, 2, 3, 4})
-    for (int const n : {3, 64, 150})
+  for (int const ranks : {1, 2, 6})
+    for (int const n : {3, 64, 264})
       for (bool const lower : {false, true})
         for (Reach const reach : {Reach{}, Reach{9, 17}, Reach{0, 40}}) {
           check<double>(n, ranks, lower, reach);

@@ -12,7 +12,7 @@ cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ASAN_OPTIONS=detect_leaks=0
 ranks() { timeout 120 "$mpirun" --oversubscribe -n "$1" "$actio_mpi" "${@:2}"; }
 fail() { printf '%s\n' "$1"; exit 1; }
-size=64 steps=10
+size=64 steps=4
 bound=$(awk "BEGIN { print $size * $steps * 2.2e-16 }")
 
 cat >flow.toml <<TOML
@@ -64,7 +64,7 @@ done
 
 # In mixed precision the state is one to 1e-8 of the change in a step, and what is conserved as above. This is
 # the control as well: two states that differ by that are told apart.
-for method in all_invariants lie_poisson energy_casimir; do
+for method in all_invariants lie_poisson; do
   mixed=(--set method.precision=mixed --set method.name=$method --quiet)
   "$actio" run flow.toml --out mixed_$method "${mixed[@]}" 2>/dev/null
   ranks 2 run flow.toml --out on_2_$method "${mixed[@]}" 2>/dev/null

@@ -5,6 +5,7 @@
 // sums do.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -92,36 +93,43 @@ class DealtProduct {
   void multiply(DealtCall const& call, Real const* a, Real const* b, Real* out) {
     auto const blocks = DealtBlocks::of(call.size, ranks_.size());
     Room<Real>& room = this->room<Real>();
-    deal(blocks, {call.left, call.left}, a, room.sent, room.a);
-    deal(blocks, {call.right, call.right}, b, room.sent, room.b);
+    deal(blocks, {{{call.left, call.left}, {call.right, call.right}}}, {a, b}, room);
     room.c.assign(room.a.size(), 0);
     multiply_panels(call, blocks, room);
     int const reach = call.left + call.right;
     collect(blocks, {call.lower ? 0 : reach, reach}, room.c, room.sent, out);
   }
-  /// From rank 0 to all.
+  /// Both factors, from rank 0 to all.
   template <class Real>
-  void deal(DealtBlocks const& blocks, DealtBand band, Real const* matrix, std::vector<Real>& sent,
-            std::vector<Real>& mine) {
-    mine.resize(blocks.numbers_of(ranks_.rank()));
-    if (band.below < blocks.size) std::fill(mine.begin(), mine.end(), Real(0));
-    sent.resize(count_sent(blocks, band));
-    Real* on_the_way = sent.data();
-    if (matrix) {
-      for (int rank = 0; rank < ranks_.size(); ++rank)
-        blocks.visit(rank, band, [&](int i, int j, int count, std::size_t at) {
-          Real const* const from = matrix + place(blocks, i, j);
-          if (rank == 0)
-            std::copy_n(from, count, mine.data() + at);
-          else
-            on_the_way = std::copy_n(from, count, on_the_way);
-        });
-      return ranks_.scatter(bytes_of(std::as_const(sent)), {});
+  void deal(DealtBlocks const& blocks, std::array<DealtBand, 2> bands, std::array<Real const*, 2> factors,
+            Room<Real>& room) {
+    std::array<std::vector<Real>*, 2> const mine{&room.a, &room.b};
+    for (std::size_t k = 0; k < 2; ++k) {
+      mine[k]->resize(blocks.numbers_of(ranks_.rank()));
+      if (bands[k].below < blocks.size) std::fill(mine[k]->begin(), mine[k]->end(), Real(0));
     }
-    ranks_.scatter({}, bytes_of(sent));
-    blocks.visit(ranks_.rank(), band, [&](int, int, int count, std::size_t at) {
-      std::copy_n(on_the_way, count, mine.data() + at), on_the_way += count;
+    room.sent.resize(count_sent(blocks, bands[0]) + count_sent(blocks, bands[1]));
+    Real* on_the_way = room.sent.data();
+    auto const each = [&](int rank, auto const& use) {
+      for (std::size_t k = 0; k < 2; ++k)
+        blocks.visit(rank, bands[k], [&](int i, int j, int count, std::size_t at) {
+          use(k, place(blocks, i, j), static_cast<std::size_t>(count), at);
+        });
+    };
+    if (ranks_.rank() > 0) {
+      ranks_.scatter({}, bytes_of(room.sent));
+      return each(ranks_.rank(), [&](std::size_t k, std::size_t, std::size_t count, std::size_t at) {
+        std::copy_n(on_the_way, count, mine[k]->data() + at), on_the_way += count;
+      });
+    }
+    each(0, [&](std::size_t k, std::size_t from, std::size_t count, std::size_t at) {
+      std::copy_n(factors[k] + from, count, mine[k]->data() + at);
     });
+    for (int rank = 1; rank < ranks_.size(); ++rank)
+      each(rank, [&](std::size_t k, std::size_t from, std::size_t count, std::size_t) {
+        on_the_way = std::copy_n(factors[k] + from, count, on_the_way);
+      });
+    ranks_.scatter(bytes_of(std::as_const(room.sent)), {});
   }
   /// From all to rank 0.
   template <class Real>
@@ -163,7 +171,8 @@ class DealtProduct {
   template <class Real>
   void multiply_panels(DealtCall const& call, DealtBlocks const& blocks, Room<Real>& room) {
     int const n = call.size, round = blocks.block * blocks.columns;
-    bool const whole = !call.lower && std::min(call.left + call.right, n) >= n / 2;
+    bool const whole =
+        n < smallest_in_panels || (!call.lower && std::min(call.left + call.right, n) >= n / 2);
     int const width = whole ? n : ((n + 7) / 8 + round - 1) / round * round;
     auto const within = [&](int k) { return std::clamp(k, 0, n); };
     auto const from_block = [&](int k) { return within(k) / blocks.block * blocks.block; };
@@ -177,6 +186,8 @@ class DealtProduct {
     }
   }
 
+  /// Smaller ones take longer to begin than to multiply.
+  static constexpr int smallest_in_panels = 256;
   Ranks& ranks_;
   DealtFunctions functions_;
   Room<double> double_;
