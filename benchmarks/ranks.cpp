@@ -5,50 +5,24 @@
 // rank has one.
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "benchmark.hpp"
+#include "runs.hpp"
 
-namespace fs = std::filesystem;
-
-/// A folder among the temporary files, gone at the end.
-struct Folder {
-  std::string path = (fs::temp_directory_path() / "actio_ranks_XXXXXX").string();
-  Folder() {
-    if (!::mkdtemp(path.data())) throw std::runtime_error("no folder among the temporary files");
-  }
-  ~Folder() { fs::remove_all(path); }
-};
-
-/// Seconds that so many steps take, without what comes before and after them.
+/// Seconds that twice so many steps of a block take.
 /// @param command  that runs a scene
 double seconds_of_steps(std::string const& command, int columns, int rows, long steps, int rounds) {
-  Folder const folder;
-  auto const run = [&](long count) {
-    std::ofstream(folder.path + "/scene.toml")
-        << "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"box\", lower = [0, 0], upper = [" << columns
+  auto const scene = [&](long count) {
+    std::ostringstream out;
+    out << "[system]\nkind = \"elastic_body\"\nmesh = { shape = \"box\", lower = [0, 0], upper = [" << columns
         << ", " << rows << "], cells = [" << columns << ", " << rows
         << "] }\nmaterial = { name = \"neo_hookean\", mu = 1, kappa = 3 }\n[initial]\nvelocity = [\"0.01*Y/"
         << rows << "\", \"0\"]\n[method]\nstep = 0.25\n[run]\nuntil = " << 0.25 * static_cast<double>(count)
         << "\nevery = " << 0.25 * static_cast<double>(count) << "\n[output]\nquantities = [\"momentum\"]\n";
-    double best = HUGE_VAL;
-    for (int k = 0; k < rounds; ++k) {
-      std::string const line = command + " run " + folder.path + "/scene.toml --force --quiet --out " +
-                               folder.path + "/run > " + folder.path + "/told 2>&1";
-      if (std::system(line.c_str()) != 0) throw std::runtime_error("a run failed: " + line);
-      best = std::min(best,
-                      nlohmann::json::parse(std::ifstream(folder.path + "/run/summary.json"))["wall_seconds"]
-                          .get<double>());
-    }
-    return best;
+    return out.str();
   };
-  return run(3 * steps) - run(steps);
+  return benchmark::seconds_of_steps(benchmark::Folder(), command, scene, steps, rounds);
 }
 
 int main(int argc, char** argv) {
@@ -58,15 +32,11 @@ int main(int argc, char** argv) {
     program.say("MPI was not found when this was built: nothing is measured.");
     return program.finish();
   }
-  ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1), ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   int const columns = program.length(1000, 400), rows = program.length(1000, 400),
             rounds = program.length(5, 2);
   long const steps = program.length(100, 60);
   // One thread each: what a second rank gains is to be seen, and not what a thread does.
-  auto const on = [&](int ranks) {
-    return "taskset -c 0-" + std::to_string(ranks - 1) +
-           " " ACTIO_MPIEXEC " --oversubscribe --bind-to none -n " + std::to_string(ranks) + " " + mpi;
-  };
+  auto const on = [&](int ranks) { return benchmark::on_ranks(ranks, ACTIO_MPIEXEC, mpi); };
   double const alone = seconds_of_steps("taskset -c 0 " ACTIO_COMMAND, columns, rows, steps, rounds),
                one = seconds_of_steps(on(1), columns, rows, steps, rounds),
                two = seconds_of_steps(on(2), columns, rows, steps, rounds),
