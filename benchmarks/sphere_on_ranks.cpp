@@ -186,7 +186,7 @@ int main(int argc, char** argv) {
   double gain = 0;
   for (int const n : sizes) {
     long const steps = n <= 256 ? 20 : n <= 512 ? 6 : 2;
-    int const rounds = program.length(3, 2);
+    int const rounds = n <= 512 ? 3 : 2;
     Run const one = run_of(n, 1, 1, steps, rounds), two = run_of(n, 1, 2, steps, rounds),
               ranks = run_of(n, 2, 1, steps, rounds);
     gain = one.seconds / ranks.seconds;
