@@ -6,26 +6,9 @@
 // turns, the best tenth of the rounds. A rank has one thread, so that the gain of a second rank is seen.
 #include <Eigen/Core>
 
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 #include "benchmark.hpp"
+#include "runs.hpp"
 #include "timing.hpp"
-
-namespace fs = std::filesystem;
-
-/// A folder among the temporary files, gone at the end.
-struct Folder {
-  std::string path = (fs::temp_directory_path() / "actio_ranks_XXXXXX").string();
-  Folder() {
-    if (!::mkdtemp(path.data())) throw std::runtime_error("no folder among the temporary files");
-  }
-  ~Folder() { fs::remove_all(path); }
-};
 
 /// A way to run a medium.
 struct Way {
@@ -69,7 +52,7 @@ struct Way {
 /// Runs it once.
 /// @return what its summary.json says
 nlohmann::json run(Way const& way, long steps) {
-  Folder const folder;
+  benchmark::Folder const folder;
   std::ofstream(folder.path + "/scene.toml") << way.scene(steps);
   std::string const line = way.command + " run " + folder.path + "/scene.toml --force --quiet --out " +
                            folder.path + "/run > " + folder.path + "/told 2>&1";
@@ -84,15 +67,13 @@ int main(int argc, char** argv) {
     program.say("MPI was not found when this was built: nothing is measured.");
     return program.finish();
   }
-  ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1), ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   ::setenv("ACTIO_CHECKPOINT_SECONDS", "1000", 1);  // a busy machine would have more of them
   int const size = program.length(1000, 400), rounds = program.length(7, 2);
   long const steps = program.length(200, 60), few = program.length(20, 10);
   int const boxes = program.length(512, 192);
   auto const threads = [](int count) { return "ACTIO_THREADS=" + std::to_string(count) + " " ACTIO_COMMAND; };
   auto const on = [&](int ranks) {
-    return "ACTIO_THREADS=1 " ACTIO_MPIEXEC " --oversubscribe --bind-to none -n " + std::to_string(ranks) +
-           " " + mpi;
+    return benchmark::on_ranks(ranks, "ACTIO_THREADS=1 " ACTIO_MPIEXEC, mpi);
   };
   std::vector<Way> ways{{"rubber, one process", threads(1), false, size, size, steps},
                         {"rubber, two threads", threads(2), false, size, size, steps},

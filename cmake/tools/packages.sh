@@ -10,7 +10,8 @@ packages=(
   libmpfr-dev libflint-dev libflint-arb-dev                              # digits and balls for the checks
   libtomlplusplus-dev nlohmann-json3-dev                                 # data and reports
   libcli11-dev libfmt-dev libhdf5-dev hdf5-tools libnetcdf-dev # the command and its scenes
-  libopenmpi-dev openmpi-bin pybind11-dev python3-dev python3-numpy      # scenes across machines, and from Python
+  libopenmpi-dev openmpi-bin libscalapack-openmpi-dev                    # scenes across machines
+  pybind11-dev python3-dev python3-numpy                                 # and from Python
   libopenblas-dev valgrind                                               # what the benchmarks are measured beside, and count with
   nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex texlive-binaries # the book
 )

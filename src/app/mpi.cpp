@@ -5,7 +5,8 @@
 //     mpirun -n 16 actio-mpi apophis.toml --over method.step=0.1,0.2,0.5
 //     mpirun -n 16 actio-mpi --resume apophis
 //
-// A run is that of rank 0, which writes its files and speaks; the others step their parts of its medium. Of a
+// A run is that of rank 0, which writes its files and speaks; the others step their parts of its medium, or
+// multiply their parts of its matrices. Of a
 // sweep, each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has
 // finished another, so that none waits for slow ones. What a member tells goes to rank 0, which writes the
 // table. Members run in other processes (SweepCrew) that were made before MPI began and know nothing of it.
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include "app/commands.hpp"
@@ -24,6 +26,7 @@
 #include "program/base/ranks.hpp"
 #include "program/registry/system.hpp"
 #include "program/sweep/run.hpp"
+#include "program/systems/sphere/products_on_ranks.hpp"
 
 using namespace actio;
 using namespace actio::scene;
@@ -146,6 +149,8 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
 
 /// A run, or what goes on with one, on all ranks.
 int run_on_ranks(int argc, char** argv) {
+  // Where ranks share a core, Open MPI must give it away while it waits, also inside ScaLAPACK.
+  ::setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
   // Threads beside the one that speaks to other ranks make no calls of MPI.
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
@@ -156,8 +161,11 @@ int run_on_ranks(int argc, char** argv) {
     // Rank 0 says when to end; where it is gone, mpirun ends the others.
     if (ranks.rank() > 0) listen_for_interrupts();
     try {
+      auto const part = [](std::string const& told, double number) {
+        return told == name_of_products ? part_of_products() : part_of_motion(told, number);
+      };
       if (app::agree_on_run(ranks))
-        share_parts(ranks, part_of_motion, [&] { status = app::command(argc, argv); });
+        share_parts(ranks, part, [&] { status = app::command(argc, argv); });
       else
         status = 2;
     } catch (std::exception const& error) {

@@ -46,9 +46,11 @@ void refuse_on_ranks(Scene const& scene) {
   if (on_several_ranks() && !scene.simulation.on_ranks)
     throw SceneError(
         {scene.file.name()},
-        fmt::format("this scene is not shared among {} ranks: gases and solids with explicit steps "
-                    "are; actio run takes it on one",
-                    shared_ranks()->size()));
+        fmt::format(
+            "this scene is not shared among {} ranks: gases and solids with explicit steps are, "
+            "incompressible media on boxes, and flows on the sphere and the torus; actio run takes it "
+            "on one",
+            shared_ranks()->size()));
 }
 
 int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet, Scene* before_change) {

@@ -8,6 +8,8 @@
 
 #include "actio/skew_matrices/bracket_blocks.hpp"
 #include "program/base/blas_library.hpp"
+#include "program/base/ranks.hpp"
+#include "program/systems/sphere/products_on_ranks.hpp"
 
 namespace actio::scene {
 namespace {
@@ -27,6 +29,13 @@ int threads_for(int n) {
 }  // namespace
 
 sphere::Products products_of_size(int size, std::vector<std::string>& remarks) {
+  if (on_several_ranks()) {
+    remarks.push_back(
+        fmt::format("matrices are multiplied by {} ranks, and rank 0 has them; digits depend on the "
+                    "number of ranks as on rounding",
+                    shared_ranks()->size()));
+    return products_on_ranks();
+  }
   if (size >= smallest_for_blas)
     if (sphere::Products const by_blas = blas_products(threads_for(size), remarks)) return by_blas;
   return sphere::eigen_products();

@@ -181,7 +181,7 @@ Simulation prepare(Request const& request) {
   define_vorticity(simulation.quantities, *motion, flow);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_vorticity(request, start.n, start.hamiltonian, *motion);
-  simulation.motion = std::move(motion);
+  simulation.motion = std::move(motion), simulation.on_ranks = true;
   return simulation;
 }
 

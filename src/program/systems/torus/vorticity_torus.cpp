@@ -109,7 +109,7 @@ Simulation prepare(Request const& request) {
   define_torus(simulation.quantities, *motion, flow);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_torus(request, start.gamma, n, *motion);
-  simulation.motion = std::move(motion);
+  simulation.motion = std::move(motion), simulation.on_ranks = true;
   return simulation;
 }
 
