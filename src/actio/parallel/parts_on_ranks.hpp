@@ -14,7 +14,7 @@ namespace actio {
 
 /// What rank 0 asks for.
 struct PartCall {
-  int what;                    ///< of what the object can do; or one of those below
+  int what = 0;                ///< of what the object can do; or one of those below
   int which = 0;               ///< of the objects that there are
   long count = 0;              ///< of steps, or whatever is counted
   double numbers[2] = {0, 0};  ///< what else there is to say
