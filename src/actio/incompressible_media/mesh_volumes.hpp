@@ -18,8 +18,8 @@ struct SharpPlaces {
 /// The volumes of the cells of a mesh as functions of the places of its nodes.
 ///
 /// Velocities and forces, as places, are lists with `Cell::space` numbers a node; slopes, the derivatives G
-/// of all volumes, have as many for each corner of each cell. Lists are of the whole mesh, of which some cells
-/// are gone through.
+/// of all volumes, have as many for each corner of each cell. Lists are of the whole mesh, of which some
+/// cells are gone through.
 /// @tparam Cell  what the cells are: \ref PlaneCell, \ref SpaceCell or \ref SphereCell
 template <class Cell>
 class MeshVolumes {

@@ -32,8 +32,8 @@ class PressureSolver {
   virtual void apply(std::vector<double> const& r, std::vector<double>& P) = 0;
   /// Whether it may be slow where cells are far from squares.
   virtual bool is_iterative() const { return false; }
-  /// Whether ranks share its work: then each gives slopes in its rows of cells, three below and four above, r in
-  /// its rows and one around, and has P there. If not, each gives all, and finds all.
+  /// Whether ranks share its work: then each gives slopes in its rows of cells, three below and four above, r
+  /// in its rows and one around, and has P there. If not, each gives all, and finds all.
   virtual bool is_shared() const { return false; }
   /// Memory, bytes.
   virtual std::size_t bytes() const = 0;

@@ -96,9 +96,7 @@ struct TwoColourLattice {
 
   /// Calls f(site) for each site, row by row.
   template <class F>
-  void each_site(F const& f) const {
-    each_site({low(), high()}, f);
-  }
+  void each_site(F const& f) const { each_site({low(), high()}, f); }
   /// The same of some rows, of which those beyond an end of a period are those of the other end; others that
   /// are not there are left out. Rows come in ascending order within one period.
   template <class F>

@@ -88,8 +88,8 @@ struct StraightWay {
   double start;                     ///< when it begins
   double length;                    ///< how long it takes
 };
-/// Refuses the end of a way where a corner is inside out, with the time at which it turned. The way is that of
-/// the whole mesh.
+/// Refuses the end of a way where a corner is inside out, with the time at which it turned. The way is that
+/// of the whole mesh.
 /// @param reference  the Jacobians at all corners in the reference
 /// @throws CellFolds
 template <class Cell>
