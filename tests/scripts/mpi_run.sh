@@ -141,7 +141,7 @@ grep -q '^actio-mpi: the program of rank 1 is not that of rank 0' told.txt || fa
 
 # A run that is interrupted goes on with another number of ranks, and on one does one of which a rank, or
 # mpirun, was killed; the others end then.
-long=(--set run.until=1200 --set run.every=40 --quiet)
+long=(--set run.until=800 --set run.every=40 --quiet)
 "$actio" run solid.toml --out whole "${long[@]}"
 for ended in first last mpirun; do
   part=part_$ended
