@@ -16,5 +16,7 @@ namespace actio::scene {
 /// Accuracy: measured to be within a third, for N from 256 on.
 double bytes_for_vorticity(int n, std::size_t substeps, sphere::Conserved conserved, bool to_rounding,
                            std::vector<std::string> const& quantities);
+/// What all ranks together have of matrices that they multiply, bytes: eight real ones of the size N.
+inline double bytes_dealt(int n) { return 64.0 * n * n; }
 
 }  // namespace actio::scene

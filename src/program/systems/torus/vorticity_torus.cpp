@@ -105,7 +105,7 @@ Simulation prepare(Request const& request) {
   simulation.steps_at_once = steps_in_5_ms(n, scheme.fractions.size());
   auto motion = stepped_torus(flow, scheme, simulation.step);
   simulation.companion = companion_of_scheme(make, choice.number(), simulation.step, request.error_estimate);
-  simulation.bytes = bytes(n);
+  simulation.bytes = bytes(n), simulation.part_bytes = bytes_dealt(n);
   define_torus(simulation.quantities, *motion, flow);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_torus(request, start.gamma, n, *motion);
