@@ -141,7 +141,7 @@ grep -q '^actio-mpi: the program of rank 1 is not that of rank 0' told.txt || fa
 
 # A run that is interrupted goes on with another number of ranks, and on one does one of which a rank, or
 # mpirun, was killed; the others end then.
-long=(--set run.until=800 --set run.every=40 --quiet)
+long=(--set run.until=2400 --set run.every=40 --quiet)
 "$actio" run solid.toml --out whole "${long[@]}"
 for ended in first last mpirun; do
   part=part_$ended
@@ -160,10 +160,11 @@ for ended in first last mpirun; do
     [ $((SECONDS - since)) -le 10 ] || fail "$ended has ended, and ten seconds later other ranks have not"
     sleep 0.05
   done
-  [ ! -e $part/summary.json ] || [ $ended = first ] || fail "a run without its $ended has come to an end"
   [ $ended != last ] || grep -q 'exited on signal 9' told.txt || fail "who was killed is not told: $(cat told.txt)"
   go_on=("$actio")
   [ $ended != first ] || go_on=(ranks 2)
+  # Ranks without mpirun go on for about a second, in which a fast machine may end the run.
+  [ ! -e $part/summary.json ] || [ $ended = first ] || go_on=(true)
   "${go_on[@]}" resume $part --quiet >resumed.txt 2>&1 || fail "after the $ended: $(cat resumed.txt)"
   [ "$(hash_of whole)" = "$(hash_of $part)" ] || fail "after the $ended the state is another one"
   cmp whole/series.csv $part/series.csv
@@ -189,5 +190,7 @@ if unshare -rm true 2>/dev/null && mkdir full && unshare -rm mount -t tmpfs -o s
   full "$actio" run solid.toml --quiet 2>told.txt && fail "a full disk went unnoticed" || one=$?
   full timeout 120 "$mpirun" --oversubscribe -n 2 "$actio_mpi" run solid.toml --quiet 2>told_2.txt &&
     fail "a full disk went unnoticed by two ranks" || two=$?
-  [ $one = 4 ] && [ $two = 4 ] && grep -qxF "$(cat told.txt)" told_2.txt || fail "$one, $two: $(cat told.txt told_2.txt)"
+  if [ "$one" != 4 ] || [ "$two" != 4 ] || ! grep -qxF "$(cat told.txt)" told_2.txt; then
+    fail "$one, $two: $(cat told.txt told_2.txt)"
+  fi
 fi
