@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(what_is_needed_is_evaluated_once_a_row_and_nothing_else_eve
 BOOST_AUTO_TEST_CASE(columns_are_in_the_order_of_asking) {
   using Kind = Quantity::Kind;
   QuantityGraph graph({{"a", Kind::vector, "", "", ""},
-                       {"b", Kind::list, "", "", "", "", {"a"}},
+                       Quantity{"b", Kind::list, "", "", ""}.from({"a"}),
                        {"c", Kind::scalar, "", "", ""}});
   graph.conserve([](std::string const& name) { return name != "c"; });
   graph.define("a", column_ends(Kind::vector), [](auto, double* v) { v[0] = 1, v[1] = 2, v[2] = 3; });

@@ -94,14 +94,12 @@ std::vector<Quantity> of_sums() {
        "energy"},
       {"potential_energy", Kind::scalar, "That of gravity; it is zero for a rod at the origin.",
        "-\\sum_am_a\\langle g,x_a\\rangle", "energy"},
-      {"energy",
-       Kind::scalar,
-       "Kinetic energy, strain energy and that of gravity. The steps keep it to the square of the step; "
-       "loads and ends that are moved do work.",
-       "E",
-       "energy",
-       "",
-       {"kinetic_energy", "strain_energy", "potential_energy"}},
+      Quantity{
+          "energy", Kind::scalar,
+          "Kinetic energy, strain energy and that of gravity. The steps keep it to the square of the step; "
+          "loads and ends that are moved do work.",
+          "E", "energy"}
+          .from({"kinetic_energy", "strain_energy", "potential_energy"}),
       {"momentum", Kind::vector, "The linear momentum.", "\\sum_am_av_a", "mass length/time"},
       {"angular_momentum", Kind::vector,
        "The angular momentum about the origin, that of the turning sections included, in space.",

@@ -39,23 +39,20 @@ std::vector<Quantity> values_of_vorticity() {
        "eigenvalues of the matrix. They are constant; for their drift ask for extrema and "
        "casimirs. A row takes less than a step.",
        "\\sigma(-iW)", "1/time", "eq_3_17"},
-      {"extrema",
-       Kind::list,
-       "The least and the greatest absolute vorticity: of the eigenvalues of the matrix, each of which is "
-       "the value on 1/N of the sphere.",
-       "\\min,\\,\\max\\ \\sigma(-iW)",
-       "1/time",
-       "eq_3_17",
-       {"eigenvalues"}},
-      {"histogram",
-       Kind::list,
-       "How much of the sphere has which absolute vorticity: the share of it with values in each of 32 "
-       "bins of equal width between the extrema at t = 0; their sum is 1. It is constant, as the "
-       "eigenvalues are, from which it comes.",
-       "p_k = \\tfrac1N\\,\\#\\{\\lambda\\in\\sigma(-iW):\\ \\lambda\\text{ in the bin }k\\}",
-       "1",
-       "eq_3_17",
-       {"eigenvalues"}},
+      Quantity{
+          "extrema", Kind::list,
+          "The least and the greatest absolute vorticity: of the eigenvalues of the matrix, each of which is "
+          "the value on 1/N of the sphere.",
+          "\\min,\\,\\max\\ \\sigma(-iW)", "1/time", "eq_3_17"}
+          .from({"eigenvalues"}),
+      Quantity{
+          "histogram", Kind::list,
+          "How much of the sphere has which absolute vorticity: the share of it with values in each of 32 "
+          "bins of equal width between the extrema at t = 0; their sum is 1. It is constant, as the "
+          "eigenvalues are, from which it comes.",
+          "p_k = \\tfrac1N\\,\\#\\{\\lambda\\in\\sigma(-iW):\\ \\lambda\\text{ in the bin }k\\}", "1",
+          "eq_3_17"}
+          .from({"eigenvalues"}),
   };
 }
 

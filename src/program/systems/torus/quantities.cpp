@@ -30,22 +30,16 @@ std::vector<Quantity> torus_quantities() {
        "All values of the vorticity in ascending order, each on 1/N of the torus: the eigenvalues of the "
        "matrix. They are constant. A row takes less than a step.",
        "\\sigma(-iW)", "1/time", "eq_3_17"},
-      {"eigenvalue_drift",
-       Kind::scalar,
-       "The largest change of an eigenvalue since the first row, relative to the largest of their "
-       "moduli: rounding.",
-       "\\max_k|\\lambda_k(t)-\\lambda_k(0)|/\\max_k|\\lambda_k(0)|",
-       "1",
-       "eq_3_17",
-       {"eigenvalues"}},
-      {"extrema",
-       Kind::list,
-       "The least and the greatest vorticity: of the eigenvalues of the matrix, each of which is the "
-       "value on 1/N of the torus.",
-       "\\min,\\,\\max\\ \\sigma(-iW)",
-       "1/time",
-       "eq_3_17",
-       {"eigenvalues"}},
+      Quantity{"eigenvalue_drift", Kind::scalar,
+               "The largest change of an eigenvalue since the first row, relative to the largest of their "
+               "moduli: rounding.",
+               "\\max_k|\\lambda_k(t)-\\lambda_k(0)|/\\max_k|\\lambda_k(0)|", "1", "eq_3_17"}
+          .from({"eigenvalues"}),
+      Quantity{"extrema", Kind::list,
+               "The least and the greatest vorticity: of the eigenvalues of the matrix, each of which is the "
+               "value on 1/N of the torus.",
+               "\\min,\\,\\max\\ \\sigma(-iW)", "1/time", "eq_3_17"}
+          .from({"eigenvalues"}),
       {"spectrum", Kind::list,
        "The energy in rings of wave vectors: the k-th is that of those whose length rounds to k, from "
        "1 to N/sqrt(2); their sum is the energy. Gamma is zero but with a radius of deformation.",

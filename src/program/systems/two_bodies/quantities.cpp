@@ -58,31 +58,15 @@ std::vector<Quantity> of_the_state() {
   using Kind = Quantity::Kind;
   using Shown = Quantity::Shown;
   return {
-      {"position",
-       Kind::vector,
-       "From the centre of mass of the first body to that of the second, in space.",
-       "X",
-       "length",
-       "",
-       {},
-       Shown::as_direction},
+      {"position", Kind::vector, "From the centre of mass of the first body to that of the second, in space.",
+       "X", "length", "", Shown::as_direction},
       {"velocity", Kind::vector, "The rate of the position.", "\\dot X = P/m", "length/time"},
-      {"attitude_1",
-       Kind::quaternion,
+      {"attitude_1", Kind::quaternion,
        "The unit quaternion, scalar first, that takes the first body to space; its sign is continuous.",
-       "q_1",
-       "1",
-       "",
-       {},
-       Shown::as_direction},
-      {"attitude_2",
-       Kind::quaternion,
+       "q_1", "1", "", Shown::as_direction},
+      {"attitude_2", Kind::quaternion,
        "The unit quaternion, scalar first, that takes the second body to space; its sign is continuous.",
-       "q_2",
-       "1",
-       "",
-       {},
-       Shown::as_direction},
+       "q_2", "1", "", Shown::as_direction},
       {"angular_velocity_1", Kind::vector, "The angular velocity of the first body, in its frame.",
        "\\omega_1", "1/time"},
       {"angular_velocity_2", Kind::vector, "The angular velocity of the second body, in its frame.",
@@ -90,51 +74,38 @@ std::vector<Quantity> of_the_state() {
       {"potential", Kind::scalar, "The mutual potential, to the order of the scene.", "V", "energy"},
       {"momentum", Kind::vector, "The angular momentum of both about their barycentre, in space.",
        "X\\times P + R_1M_1 + R_2M_2", "energy x time"},
-      {"separation", Kind::scalar, "The distance of the centres of mass.", "|X|", "length", "", {"position"}},
-      {"relative_position",
-       Kind::vector,
-       "The position in the frame of the first body.",
-       "R_1^TX",
-       "length",
-       "",
-       {"position", "attitude_1"}},
-      {"energy",
-       Kind::scalar,
-       "Kinetic and potential energy of both; that of a third body is not in it.",
-       "|P|^2/2m + \\tfrac12\\sum_i\\langle M_i, I_i^{-1}M_i\\rangle + V",
-       "energy",
-       "",
-       {"potential"}},
+      Quantity{"separation", Kind::scalar, "The distance of the centres of mass.", "|X|", "length"}.from(
+          {"position"}),
+      Quantity{"relative_position", Kind::vector, "The position in the frame of the first body.", "R_1^TX",
+               "length"}
+          .from({"position", "attitude_1"}),
+      Quantity{"energy", Kind::scalar,
+               "Kinetic and potential energy of both; that of a third body is not in it.",
+               "|P|^2/2m + \\tfrac12\\sum_i\\langle M_i, I_i^{-1}M_i\\rangle + V", "energy"}
+          .from({"potential"}),
   };
 }
 
 std::vector<Quantity> of_the_orbit() {
   using Kind = Quantity::Kind;
   return {
-      {"elements",
-       Kind::list,
-       "The osculating elements of the orbit of two points: half axis, eccentricity, inclination, longitude "
-       "of the node, argument of the pericentre and mean anomaly; angles in radians.",
-       "a, e, i, \\Omega, \\omega, M",
-       "length, 1, 1, 1, 1, 1",
-       "",
-       {"position", "velocity"}},
-      {"libration",
-       Kind::scalar,
-       "The angle, in the plane of the orbit, from the line between the bodies to the axis of the least "
-       "moment of inertia of the second, from -pi/2 to pi/2.",
-       "\\theta",
-       "1",
-       "",
-       {"position", "velocity", "attitude_2"}},
-      {"nutation",
-       Kind::list,
-       "The angles between the normal of the orbit and the axes of the largest moments of inertia of both "
-       "bodies, from 0 to pi/2.",
-       "\\epsilon_1, \\epsilon_2",
-       "1",
-       "",
-       {"position", "velocity", "attitude_1", "attitude_2"}},
+      Quantity{"elements", Kind::list,
+               "The osculating elements of the orbit of two points: half axis, eccentricity, inclination, "
+               "longitude of the node, argument of the pericentre and mean anomaly; angles in radians.",
+               "a, e, i, \\Omega, \\omega, M", "length, 1, 1, 1, 1, 1"}
+          .from({"position", "velocity"}),
+      Quantity{
+          "libration", Kind::scalar,
+          "The angle, in the plane of the orbit, from the line between the bodies to the axis of the least "
+          "moment of inertia of the second, from -pi/2 to pi/2.",
+          "\\theta", "1"}
+          .from({"position", "velocity", "attitude_2"}),
+      Quantity{
+          "nutation", Kind::list,
+          "The angles between the normal of the orbit and the axes of the largest moments of inertia of both "
+          "bodies, from 0 to pi/2.",
+          "\\epsilon_1, \\epsilon_2", "1"}
+          .from({"position", "velocity", "attitude_1", "attitude_2"}),
       {"mean_period", Kind::scalar,
        "The time over the revolutions since the start, about the normal of the first orbit.",
        "2\\pi t/\\varphi(t)", "time"},

@@ -40,14 +40,13 @@ std::vector<Quantity> tangent_quantities() {
        "How the state changes with that at the start: position, momentum, and of each body a turn and its "
        "momentum, both in its frame. Without tides.",
        "\\partial z(t)/\\partial z(0)", "mixed"},
-      {"sensitivity",
-       Kind::list,
-       "How the separation changes with the start: with position and velocity, and of each body with a small "
-       "turn and with the angular velocity, both in its frame. Without tides.",
-       "\\partial|X(t)|/\\partial(X, \\dot X, \\theta_1, \\omega_1, \\theta_2, \\omega_2)(0)",
-       "1, time, length, length x time, length, length x time",
-       "",
-       {"position"}},
+      Quantity{
+          "sensitivity", Kind::list,
+          "How the separation changes with the start: with position and velocity, and of each body with a "
+          "small turn and with the angular velocity, both in its frame. Without tides.",
+          "\\partial|X(t)|/\\partial(X, \\dot X, \\theta_1, \\omega_1, \\theta_2, \\omega_2)(0)",
+          "1, time, length, length x time, length, length x time"}
+          .from({"position"}),
       {"lyapunov", Kind::scalar,
        "The rate at which a tangent vector has grown since the start, its parts in units of the orbit: it "
        "falls as log(t)/t where the motion is regular, and tends to the largest Lyapunov exponent where it "
