@@ -29,6 +29,13 @@ inline sphere::SphereHarmonics random_harmonics(int n, int from, int to, unsigne
 inline sphere::SkewHermitian<> random_state(int n, int from, int to, unsigned seed = 1) {
   return sphere::matrix_of(random_harmonics(n, from, to, seed));
 }
+/// A state whose orders are multiples of `fold`.
+inline sphere::SkewHermitian<> symmetric_state(int n, int fold, unsigned seed = 5) {
+  sphere::SphereHarmonics f = random_harmonics(n, 1, n - 1, seed);
+  for (int m = 0; m < n; ++m)
+    if (m % fold != 0) f.coefficient.col(m).setZero();
+  return sphere::matrix_of(f);
+}
 /// All of u(N), the trace included.
 inline sphere::SkewHermitian<> random_matrix(int n, unsigned seed = 1) {
   std::mt19937 random(seed);
