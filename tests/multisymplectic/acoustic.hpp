@@ -8,13 +8,9 @@ namespace actio::testing {
 struct Acoustic {
   double c = 1;  ///< its speed where J = 1
   template <class T>
-  T energy(T const& J) const {
-    return (J - 1.0) * (J - 1.0) * (c * c / 2);
-  }
+  T energy(T const& J) const { return (J - 1.0) * (J - 1.0) * (c * c / 2); }
   template <class T>
-  T slope(T const& J) const {
-    return (J - 1.0) * (c * c);
-  }
+  T slope(T const& J) const { return (J - 1.0) * (c * c); }
 };
 
 }  // namespace actio::testing

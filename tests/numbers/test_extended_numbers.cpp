@@ -15,9 +15,7 @@ namespace {
 std::mt19937_64 source(7);
 /// k/7 with k from 1 to 13.
 template <class S>
-S drawn() {
-  return ratio<S>(1 + static_cast<long>(source() % 13), 7);
-}
+S drawn() { return ratio<S>(1 + static_cast<long>(source() % 13), 7); }
 template <class S, int m>
 SecondOrder<S, m> drawn_polynomial() {
   SecondOrder<S, m> x(drawn<S>());

@@ -45,6 +45,13 @@ inline sphere::SkewHermitian<> random_matrix(int n, unsigned seed = 1) {
     for (int i = 0; i < n; ++i) w.real(i, j) = normal(random), w.imaginary(i, j) = normal(random);
   return sphere::SkewHermitian<>(w.complex());
 }
+/// What is farther than this from the diagonal becomes zero.
+inline sphere::SkewHermitian<> banded(sphere::SkewHermitian<> w, Eigen::Index reach) {
+  for (Eigen::Index c = 0; c < w.size(); ++c)
+    for (Eigen::Index r = 0; r < w.size(); ++r)
+      if (std::abs(r - c) > reach) w.real(r, c) = w.imaginary(r, c) = 0;
+  return w;
+}
 
 /// A Rossby-Haurwitz wave: a rotation about the pole and harmonics of one degree.
 struct RossbyHaurwitz {

@@ -28,13 +28,8 @@ StateDistance TurningBodyN::distance(Motion const& other) const {
 std::vector<Quantity> turning_body_n_quantities() {
   using Kind = Quantity::Kind;
   return {
-      {"attitude",
-       Kind::matrix,
-       "The rotation, n by n, that takes the body to space.",
-       "g",
-       "1",
-       "claim_5_2_reconstruction",
-       {}},
+      {"attitude", Kind::matrix, "The rotation, n by n, that takes the body to space.", "g", "1",
+       "claim_5_2_reconstruction"},
       {"momentum", Kind::skew,
        "The angular momentum in the frame of the body: a skew matrix, for n = 3 with M_12 = "
        "-M_z, M_13 = M_y, M_23 = -M_x.",

@@ -48,8 +48,7 @@ double noether_balance(RodMotion const& motion) {
 std::vector<Quantity> of_the_shape() {
   std::vector<Quantity> out;
   for (std::string const end : {"start", "middle", "end"})
-    out.push_back({end + "_place",
-                   Kind::vector,
+    out.push_back({end + "_place", Kind::vector,
                    end == "middle"
                        ? "Where the section in the middle is; of an even number of sections the one "
                          "behind the middle."
@@ -58,10 +57,7 @@ std::vector<Quantity> of_the_shape() {
                    end == "start" ? "x_0"
                    : end == "end" ? "x_n"
                                   : "x_{n/2}",
-                   "length",
-                   "",
-                   {},
-                   Quantity::Shown::as_trajectory});
+                   "length", "", Quantity::Shown::as_trajectory});
   for (std::string const end : {"start", "end"})
     out.push_back(
         {end + "_attitude", Kind::quaternion,
