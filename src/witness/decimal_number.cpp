@@ -117,46 +117,13 @@ void decimal_operation(Operation op, Number& z, Number const& x, Number const& y
 }
 
 Number decimal_function(Function f, Number const& x) {
+  // In the order of Function.
+  constexpr decltype(&mpfr_sqrt) functions[] = {mpfr_sqrt, mpfr_exp,  mpfr_log,  mpfr_sin,
+                                                mpfr_cos,  mpfr_tan,  mpfr_asin, mpfr_acos,
+                                                mpfr_atan, mpfr_sinh, mpfr_cosh, mpfr_tanh};
   Argument const of(x);
   Cell* const cell = fresh();
-  mpfr_ptr const out = cell->value;
-  switch (f) {
-    case Function::sqrt:
-      mpfr_sqrt(out, of.at, nearest);
-      break;
-    case Function::exp:
-      mpfr_exp(out, of.at, nearest);
-      break;
-    case Function::log:
-      mpfr_log(out, of.at, nearest);
-      break;
-    case Function::sin:
-      mpfr_sin(out, of.at, nearest);
-      break;
-    case Function::cos:
-      mpfr_cos(out, of.at, nearest);
-      break;
-    case Function::tan:
-      mpfr_tan(out, of.at, nearest);
-      break;
-    case Function::asin:
-      mpfr_asin(out, of.at, nearest);
-      break;
-    case Function::acos:
-      mpfr_acos(out, of.at, nearest);
-      break;
-    case Function::atan:
-      mpfr_atan(out, of.at, nearest);
-      break;
-    case Function::sinh:
-      mpfr_sinh(out, of.at, nearest);
-      break;
-    case Function::cosh:
-      mpfr_cosh(out, of.at, nearest);
-      break;
-    default:
-      mpfr_tanh(out, of.at, nearest);
-  }
+  functions[static_cast<int>(f)](cell->value, of.at, nearest);
   Number z;
   put(z, cell);
   return z;
