@@ -23,7 +23,7 @@ struct Web {
       std::vector<std::string> names;
       for (std::size_t j = 0; j < i; ++j)
         if (random() % 3 == 0) needs[i].push_back(j), names.push_back("q" + std::to_string(j));
-      known.push_back({"q" + std::to_string(i), Quantity::Kind::scalar, "", "", "", "", names});
+      known.push_back(Quantity{"q" + std::to_string(i), Quantity::Kind::scalar, "", "", ""}.from(names));
     }
   }
   QuantityGraph graph(double const& state) const {
