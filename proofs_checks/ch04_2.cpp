@@ -31,11 +31,6 @@ struct InvariantFunction {
     return l(Ad(inverse(retract(c / T(2)) * g0), c));
   }
 };
-/// S(g, g0) from a function of pairs with the earlier configuration first.
-template <class L>
-auto later_first(L lagrangian) {
-  return [lagrangian](auto const& g, auto const& g0) { return lagrangian(g0, g); };
-}
 /// The action of a uniform field: with the mass matrix A and the force c,
 /// \f$H = \tfrac12\langle p, A^{-1}p\rangle - \langle c, q\rangle\f$.
 template <class S>

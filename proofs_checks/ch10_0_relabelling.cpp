@@ -419,10 +419,6 @@ Integral<S> sum_of(std::vector<std::pair<int, Integral<S>>> const& parts) {
   for (auto const& [sign, part] : parts) total.value += part.value * S(sign), total.size += part.size;
   return total;
 }
-template <class S, int k>
-Integral<S> integral_of(BoxPolynomial<S, k> const& a) {
-  return integral(a, BoxPolynomial<S, k>::constant(S(1)));
-}
 
 }  // namespace
 

@@ -276,12 +276,7 @@ void over_points(Claim<S> const& claim, std::tuple<D...>, Visit const& visit) {
 }
 /// Bodies as large as their space, for what needs a Jacobian.
 using PlaneAndSpace = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
-/// And smaller and larger ones, for what does not.
-using AllDimensions =
-    std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>, Dimensions<2, 3>, Dimensions<2, 1>>;
 /// Bodies as large as their space and thinner ones, a rod and a shell, for what needs no inverse of F.
 using BodiesInSpace = std::tuple<Dimensions<1, 3>, Dimensions<2, 3>, Dimensions<3, 3>>;
-/// Three of them, for what costs much.
-using FewDimensions = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<2, 1>>;
 
 }  // namespace actio::checks

@@ -314,12 +314,6 @@ Matrix<S, n, 1> per_volume(L const& density, SecondJet<S, n, M> const& j) {
   Matrix<S, M, 1> const E = euler_lagrange(density, j);
   return -E.template head<n>() / volume<S>(density.constraint.G(j.particle()));
 }
-/// The size of what an equation of motion is made of.
-template <class S, int n, int M, class Metric>
-S size_of_forces(Metric const& g, SecondJet<S, n, M> const& j) {
-  return size_of(lowered_acceleration(g, deformation(j))) + size_of(spatial_pressure_gradient(g, j)) + S(1);
-}
-
 /// Bodies in the plane; and in space as well, where the dimension counts.
 using Plane = std::tuple<Dimensions<2, 2>>;
 using TwoAndThree = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;

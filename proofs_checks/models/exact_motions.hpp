@@ -54,10 +54,6 @@ struct ExactMotions {
   auto chart() const {
     return [self = *this](auto const& u) { return self.configuration(self.bent(u)); };
   }
-  /// The chart of entries.
-  auto entry_chart() const {
-    return [self = *this](auto const& q) { return self.configuration(q); };
-  }
 
   // The Lagrangian: in straight coordinates, in entries, on TG.
 

@@ -235,22 +235,6 @@ GroupPolynomial<S> corrected(GroupPolynomial<S> l, SpannedGroup const& group, Dr
 }
 }  // namespace detail
 
-/// `l`, changed by quadratic terms until the right-invariant equation (3.10) holds at (f01, f12).
-template <class S>
-GroupPolynomial<S> with_motion_right(GroupPolynomial<S> l, Element<SpannedGroup, S> const& f01,
-                                     Element<SpannedGroup, S> const& f12, Draw& draw) {
-  return detail::corrected(std::move(l), f01.group, draw, [&](auto const& k) {
-    return right_differential(k, f12) - left_differential(k, f01);
-  });
-}
-/// `l`, changed by quadratic terms until the left-invariant equation (3.11) holds at (f10, f21).
-template <class S>
-GroupPolynomial<S> with_motion_left(GroupPolynomial<S> l, Element<SpannedGroup, S> const& f10,
-                                    Element<SpannedGroup, S> const& f21, Draw& draw) {
-  return detail::corrected(std::move(l), f10.group, draw, [&](auto const& k) {
-    return left_differential(k, f21) - right_differential(k, f10);
-  });
-}
 /// `lagrangian`, changed by bilinear terms until (3.2) holds at (g0, g1, g2).
 template <class S>
 PairPolynomial<S> with_motion(PairPolynomial<S> lagrangian, Element<SpannedGroup, S> const& g0,

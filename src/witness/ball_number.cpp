@@ -66,63 +66,19 @@ void ball_operation(Operation op, Number& z, Number const& x, Number const& y) {
   }
   Argument const a(x), b(y);
   Cell* const cell = free_cells<Cell>().take();
-  switch (op) {
-    case Operation::add:
-      arb_add(cell->value, a.at, b.at, precision());
-      break;
-    case Operation::subtract:
-      arb_sub(cell->value, a.at, b.at, precision());
-      break;
-    case Operation::multiply:
-      arb_mul(cell->value, a.at, b.at, precision());
-      break;
-    default:
-      arb_div(cell->value, a.at, b.at, precision());
-  }
+  // In the order of Operation.
+  constexpr decltype(&arb_add) operations[] = {arb_add, arb_sub, arb_mul, arb_div};
+  operations[static_cast<int>(op)](cell->value, a.at, b.at, precision());
   put(z, cell);
 }
 
 Number ball_function(Function f, Number const& x) {
+  // In the order of Function.
+  constexpr decltype(&arb_sqrt) functions[] = {arb_sqrt, arb_exp,  arb_log,  arb_sin,  arb_cos,  arb_tan,
+                                               arb_asin, arb_acos, arb_atan, arb_sinh, arb_cosh, arb_tanh};
   Argument const of(x);
   Cell* const cell = free_cells<Cell>().take();
-  arb_ptr const out = cell->value;
-  switch (f) {
-    case Function::sqrt:
-      arb_sqrt(out, of.at, precision());
-      break;
-    case Function::exp:
-      arb_exp(out, of.at, precision());
-      break;
-    case Function::log:
-      arb_log(out, of.at, precision());
-      break;
-    case Function::sin:
-      arb_sin(out, of.at, precision());
-      break;
-    case Function::cos:
-      arb_cos(out, of.at, precision());
-      break;
-    case Function::tan:
-      arb_tan(out, of.at, precision());
-      break;
-    case Function::asin:
-      arb_asin(out, of.at, precision());
-      break;
-    case Function::acos:
-      arb_acos(out, of.at, precision());
-      break;
-    case Function::atan:
-      arb_atan(out, of.at, precision());
-      break;
-    case Function::sinh:
-      arb_sinh(out, of.at, precision());
-      break;
-    case Function::cosh:
-      arb_cosh(out, of.at, precision());
-      break;
-    default:
-      arb_tanh(out, of.at, precision());
-  }
+  functions[static_cast<int>(f)](cell->value, of.at, precision());
   Number z;
   put(z, cell);
   return z;

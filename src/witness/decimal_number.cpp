@@ -89,79 +89,41 @@ void decimal_operation(Operation op, Number& z, Number const& x, Number const& y
   bool const again = NumberParts::in_cell(z);
   Cell* const cell = again ? static_cast<Cell*>(NumberParts::cell(z)) : fresh();
   mpfr_ptr const out = cell->value;
+  // Two whole ones: the first is made one of MPFR's.
+  if (whole_x && whole_y) mpfr_set_si(out, whole(x), nearest);
+  mpfr_srcptr const first = whole_x ? out : value(x);
   switch (op) {
     case Operation::add:
-      if (whole_y)
-        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
-            mpfr_add_si(out, out, whole(y), nearest) : mpfr_add_si(out, value(x), whole(y), nearest);
-      else
-        whole_x ? mpfr_add_si(out, value(y), whole(x), nearest) : mpfr_add(out, value(x), value(y), nearest);
+      whole_y   ? mpfr_add_si(out, first, whole(y), nearest)
+      : whole_x ? mpfr_add_si(out, value(y), whole(x), nearest)
+                : mpfr_add(out, first, value(y), nearest);
       break;
     case Operation::subtract:
-      if (whole_y)
-        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
-            mpfr_sub_si(out, out, whole(y), nearest) : mpfr_sub_si(out, value(x), whole(y), nearest);
-      else
-        whole_x ? mpfr_si_sub(out, whole(x), value(y), nearest) : mpfr_sub(out, value(x), value(y), nearest);
+      whole_y   ? mpfr_sub_si(out, first, whole(y), nearest)
+      : whole_x ? mpfr_si_sub(out, whole(x), value(y), nearest)
+                : mpfr_sub(out, first, value(y), nearest);
       break;
     case Operation::multiply:
-      if (whole_y)
-        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
-            mpfr_mul_si(out, out, whole(y), nearest) : mpfr_mul_si(out, value(x), whole(y), nearest);
-      else
-        whole_x ? mpfr_mul_si(out, value(y), whole(x), nearest) : mpfr_mul(out, value(x), value(y), nearest);
+      whole_y   ? mpfr_mul_si(out, first, whole(y), nearest)
+      : whole_x ? mpfr_mul_si(out, value(y), whole(x), nearest)
+                : mpfr_mul(out, first, value(y), nearest);
       break;
     default:
-      if (whole_y)
-        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
-            mpfr_div_si(out, out, whole(y), nearest) : mpfr_div_si(out, value(x), whole(y), nearest);
-      else
-        whole_x ? mpfr_si_div(out, whole(x), value(y), nearest) : mpfr_div(out, value(x), value(y), nearest);
+      whole_y   ? mpfr_div_si(out, first, whole(y), nearest)
+      : whole_x ? mpfr_si_div(out, whole(x), value(y), nearest)
+                : mpfr_div(out, first, value(y), nearest);
   }
   if (!again) put(z, cell);
 }
 
 Number decimal_function(Function f, Number const& x) {
+  // In the order of Function.
+  constexpr decltype(&mpfr_sqrt) functions[] = {mpfr_sqrt, mpfr_exp,  mpfr_log,  mpfr_sin,
+                                                mpfr_cos,  mpfr_tan,  mpfr_asin, mpfr_acos,
+                                                mpfr_atan, mpfr_sinh, mpfr_cosh, mpfr_tanh};
   Argument const of(x);
   Cell* const cell = fresh();
-  mpfr_ptr const out = cell->value;
-  switch (f) {
-    case Function::sqrt:
-      mpfr_sqrt(out, of.at, nearest);
-      break;
-    case Function::exp:
-      mpfr_exp(out, of.at, nearest);
-      break;
-    case Function::log:
-      mpfr_log(out, of.at, nearest);
-      break;
-    case Function::sin:
-      mpfr_sin(out, of.at, nearest);
-      break;
-    case Function::cos:
-      mpfr_cos(out, of.at, nearest);
-      break;
-    case Function::tan:
-      mpfr_tan(out, of.at, nearest);
-      break;
-    case Function::asin:
-      mpfr_asin(out, of.at, nearest);
-      break;
-    case Function::acos:
-      mpfr_acos(out, of.at, nearest);
-      break;
-    case Function::atan:
-      mpfr_atan(out, of.at, nearest);
-      break;
-    case Function::sinh:
-      mpfr_sinh(out, of.at, nearest);
-      break;
-    case Function::cosh:
-      mpfr_cosh(out, of.at, nearest);
-      break;
-    default:
-      mpfr_tanh(out, of.at, nearest);
-  }
+  functions[static_cast<int>(f)](cell->value, of.at, nearest);
   Number z;
   put(z, cell);
   return z;

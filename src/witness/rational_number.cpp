@@ -108,19 +108,9 @@ void rational_operation(Operation op, Number& z, Number const& x, Number const& 
   }
   Argument const left(x), right(y);
   Cell* const cell = free_cells<Cell>().take();
-  switch (op) {
-    case Operation::add:
-      mpq_add(cell->value, left.at, right.at);
-      break;
-    case Operation::subtract:
-      mpq_sub(cell->value, left.at, right.at);
-      break;
-    case Operation::multiply:
-      mpq_mul(cell->value, left.at, right.at);
-      break;
-    default:
-      mpq_div(cell->value, left.at, right.at);
-  }
+  // In the order of Operation.
+  constexpr decltype(&mpq_add) operations[] = {mpq_add, mpq_sub, mpq_mul, mpq_div};
+  operations[static_cast<int>(op)](cell->value, left.at, right.at);
   settle(z, cell);
 }
 

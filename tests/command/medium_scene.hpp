@@ -32,6 +32,13 @@ inline Table run_in(Folder const& folder, Medium const& scene) {
   if (outcome.status != 0) throw std::runtime_error(outcome.err);
   return read_csv(folder / "out/series.csv");
 }
+/// What is told of a run of it beforehand.
+inline std::string plan_of(Medium const& scene) {
+  Folder const folder;
+  auto const outcome = actio({"run", folder.write("medium.toml", scene.text()), "--dry-run"});
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  return outcome.out;
+}
 /// That it ends like this.
 inline void check_ends(Medium const& scene, int status, std::string const& says, bool dry = true) {
   Folder const folder;

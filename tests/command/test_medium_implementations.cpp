@@ -70,12 +70,6 @@ double number_after(std::string const& text, std::string const& words) {
   BOOST_REQUIRE_MESSAGE(at != std::string::npos, "expected '" << words << "', found '" << text << "'");
   return std::stod(text.substr(at + words.size()));
 }
-std::string plan_of(Medium const& scene) {
-  Folder const folder;
-  auto const outcome = actio({"run", folder.write("medium.toml", scene.text()), "--dry-run"});
-  BOOST_TEST(outcome.status == 0, outcome.err);
-  return outcome.out;
-}
 
 }  // namespace
 

@@ -15,12 +15,6 @@ Medium block() {
   out.until = "1", out.every = "0.25", out.quantities = "\"momentum\", \"energy\"";
   return out;
 }
-std::string plan_of(Medium const& scene) {
-  Folder const folder;
-  auto const outcome = actio({"run", folder.write("medium.toml", scene.text()), "--dry-run"});
-  BOOST_TEST(outcome.status == 0, outcome.err);
-  return outcome.out;
-}
 bool says(std::string const& text, std::string const& part) {
   BOOST_TEST(text.find(part) != std::string::npos, "expected '" << part << "', found '" << text << "'");
   return true;

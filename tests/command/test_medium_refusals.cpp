@@ -22,12 +22,6 @@ Medium solid(std::string const& material, int d = 2) {
   if (d == 3) out.mesh = "shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1], cells = [2, 2, 2]";
   return out;
 }
-std::string plan_of(Medium const& scene) {
-  Folder const folder;
-  auto const outcome = actio({"run", folder.write("medium.toml", scene.text()), "--dry-run"});
-  BOOST_TEST(outcome.status == 0, outcome.err);
-  return outcome.out;
-}
 
 }  // namespace
 

@@ -84,20 +84,10 @@ BOOST_AUTO_TEST_CASE(the_table_holds_status_steps_drift_and_the_last_row_of_each
   auto const outcome = command::actio({"sweep", scene, "--over", "method.step=0.125,0.25", "--quiet"});
   BOOST_TEST(outcome.status == 0, outcome.err);
   auto const table = read_table(folder / "apophis/sweep.csv");
-  Row const heading{"member",
-                    "method.step",
-                    "status",
-                    "steps",
-                    "wall_seconds",
-                    "drift_energy",
-                    "error_momentum",
-                    "last_t",
-                    "last_body_momentum_x",
-                    "last_body_momentum_y",
-                    "last_body_momentum_z",
-                    "last_energy",
-                    "message"};
-  BOOST_TEST(table.at(0) == heading, boost::test_tools::per_element());
+  std::string const text = command::contents(folder / "apophis/sweep.csv");
+  BOOST_TEST(text.substr(0, text.find('\n')) ==
+             "member,method.step,status,steps,wall_seconds,drift_energy,error_momentum,last_t,"
+             "last_body_momentum_x,last_body_momentum_y,last_body_momentum_z,last_energy,message");
   for (std::size_t member = 0; member < 2; ++member) {
     BOOST_TEST(cell(table, member, "status") == "0");
     BOOST_TEST(cell(table, member, "steps") == (member == 0 ? "200" : "100"));

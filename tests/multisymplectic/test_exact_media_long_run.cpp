@@ -3,6 +3,7 @@
 // which the discrete equations have a closed solution; then momenta over many steps.
 #include <boost/test/unit_test.hpp>
 
+#include "acoustic.hpp"
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "simple_wave.hpp"
@@ -255,17 +256,6 @@ BOOST_AUTO_TEST_CASE(a_disc_deformed_alike_everywhere_has_order_two_in_time_for_
     });
 }
 
-namespace {
-/// Pressure \f$-c^2(J-1)\f$.
-struct Acoustic {
-  double c;
-  template <class T>
-  T energy(T const& J) const { return (J - 1.0) * (J - 1.0) * (c * c / 2); }
-  template <class T>
-  T slope(T const& J) const { return (J - 1.0) * (c * c); }
-};
-}  // namespace
-
 // Sound on a line of segments is linear: the discrete equations have the solution sin(kX) cos(wt) with
 // sin(w dt/2)/dt = c sin(k h/2)/h. Each step rounds a place below 1 once or twice; that goes on as a
 // velocity: n^2/2 roundings at most, n^1.5/2 as a walk, which for 200 steps is 6e-13.
@@ -280,8 +270,8 @@ BOOST_AUTO_TEST_CASE(a_standing_wave_on_segments_has_the_discrete_dispersion_rel
     start.placement = [&](Spot<1> const& X) { return Spot<1>{X[0] + u(X[0], 0)}; };
     BodySides<1> sides;
     if (held) sides = {{"left", {fixed, {}}}, {"right", {sliding, {}}}};
-    MediumOnMesh<1> body(box_mesh({0}, {1}, {n}, {!held}), stored_energy<1>(FastFluid{Acoustic{c}}), start,
-                         {.step = dt}, sides);
+    MediumOnMesh<1> body(box_mesh({0}, {1}, {n}, {!held}), stored_energy<1>(FastFluid{testing::Acoustic{c}}),
+                         start, {.step = dt}, sides);
     body.step(200);
     double const off =
         distance(body, [&](Spot<1> const& X) { return Spot<1>{X[0] + u(X[0], body.time())}; }).largest;

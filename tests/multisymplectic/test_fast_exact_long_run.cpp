@@ -2,6 +2,7 @@
 // error has order 2, and motions of which the discrete equations have a closed solution.
 #include <boost/test/unit_test.hpp>
 
+#include "acoustic.hpp"
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "simple_wave.hpp"
 
@@ -18,6 +19,18 @@ FastBox2d periodic_box(int n, double length) {
   return {{n, n}, {length / n, length / n}, {periodic, periodic}, {periodic, periodic}};
 }
 
+Place still(Place const&) { return {0, 0}; }
+/// The largest of `off(X, x)` over the nodes, X where one is at rest and x where it is.
+template <class Medium, class Off>
+double largest_over(FastMedium2d<Medium> const& fast, Off const& off) {
+  auto const x = fast.places();
+  double worst = 0;
+  std::size_t at = 0;
+  for (int j = 0; j < fast.box().nodes(1); ++j)
+    for (int i = 0; i < fast.box().nodes(0); ++i, ++at)
+      worst = std::max(worst, off(fast.box().at(i, j), x[at]));
+  return worst;
+}
 /// The largest distance of a node from the exact wave at time 0.25 on n x n cells.
 template <class Medium>
 double error_on(Medium const& medium, SimpleWave const& wave, int n) {
@@ -28,15 +41,10 @@ double error_on(Medium const& medium, SimpleWave const& wave, int n) {
       medium, box, time / static_cast<double>(steps), 1, [&](Place const& X) { return wave.at(X, 0); },
       [&](Place const& X) { return wave.velocity_at(X); });
   fast.step(steps);
-  auto const x = fast.places();
-  double worst = 0;
-  for (int j = 0, k = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i, ++k) {
-      Place const exact = wave.at(box.at(i, j), time);
-      auto const at = static_cast<std::size_t>(k);
-      worst = std::max(worst, std::hypot(x[at][0] - exact[0], x[at][1] - exact[1]));
-    }
-  return worst;
+  return largest_over(fast, [&](Place const& X, Place const& x) {
+    Place const exact = wave.at(X, time);
+    return std::hypot(x[0] - exact[0], x[1] - exact[1]);
+  });
 }
 /// Four refinements from 24 to 384: the slope of each of them.
 template <class Medium>
@@ -55,16 +63,6 @@ void has_order_two(char const* name, Medium const& medium, std::function<double(
     before = error;
   }
 }
-
-/// Pressure \f$-c^2(J-1)\f$: sound whose speed does not depend on its amplitude, where it moves along one
-/// axis.
-struct Acoustic {
-  double c;
-  template <class T>
-  T energy(T const& J) const { return 0.5 * c * c * (J - 1.0) * (J - 1.0); }
-  template <class T>
-  T slope(T const& J) const { return c * c * (J - 1.0); }
-};
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(fast_exact_solutions)
@@ -97,23 +95,15 @@ BOOST_AUTO_TEST_CASE(a_standing_wave_has_the_discrete_dispersion_relation) {
     double const w = 2 / dt * std::asin(dt * c * std::sin(k * h / 2) / h);
     auto const u = [&](double X, double t) { return 0.03 * std::sin(k * X) * std::cos(w * t); };
     FastMedium2d fast(
-        FastFluid{Acoustic{c}}, box, dt, 1,
+        FastFluid{testing::Acoustic{c}}, box, dt, 1,
         [&](Place const& X) {
           return Place{X[0] + u(X[0], 0), X[1]};
         },
-        [](Place const&) {
-          return Place{0, 0};
-        });
+        still);
     fast.step(200);
-    double worst = 0;
-    auto const x = fast.places();
-    std::size_t at = 0;
-    for (int j = 0; j < box.nodes(1); ++j)
-      for (int i = 0; i < box.nodes(0); ++i, ++at) {
-        Place const X = box.at(i, j);
-        worst =
-            std::max({worst, std::abs(x[at][0] - X[0] - u(X[0], fast.time())), std::abs(x[at][1] - X[1])});
-      }
+    double const worst = largest_over(fast, [&](Place const& X, Place const& x) {
+      return std::max(std::abs(x[0] - X[0] - u(X[0], fast.time())), std::abs(x[1] - X[1]));
+    });
     BOOST_TEST_MESSAGE("standing wave: difference from the discrete dispersion relation " << worst);
     BOOST_TEST(worst <= 1e-12);
   }
@@ -132,18 +122,11 @@ BOOST_AUTO_TEST_CASE(a_neo_hookean_shear_wave_of_any_amplitude_has_it_too) {
       [&](Place const& X) {
         return Place{X[0] + u(X[1], 0), X[1]};
       },
-      [](Place const&) {
-        return Place{0, 0};
-      });
+      still);
   fast.step(200);
-  double worst = 0;
-  auto const x = fast.places();
-  std::size_t at = 0;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i, ++at) {
-      Place const X = box.at(i, j);
-      worst = std::max({worst, std::abs(x[at][0] - X[0] - u(X[1], fast.time())), std::abs(x[at][1] - X[1])});
-    }
+  double const worst = largest_over(fast, [&](Place const& X, Place const& x) {
+    return std::max(std::abs(x[0] - X[0] - u(X[1], fast.time())), std::abs(x[1] - X[1]));
+  });
   BOOST_TEST_MESSAGE("shear wave: difference from the discrete dispersion relation " << worst);
   BOOST_TEST(worst <= 1e-12);
 }
@@ -161,15 +144,11 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_periodic_block_moves_on_a_straight_line) {
   auto const test = [&](auto const& medium) {
     FastMedium2d fast(medium, box, dt, 1, place, [](Place const&) { return Place{0.2, -0.1}; });
     fast.step(steps);
-    auto const x = fast.places();
-    double worst = 0;
     double const t = fast.time(), rate = 4.0 * n * eps * (80 + 4.0 * n);
-    std::size_t at = 0;
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i, ++at) {
-        Place const X = place(box.at(i, j));
-        worst = std::max({worst, std::abs(x[at][0] - X[0] - 0.2 * t), std::abs(x[at][1] - X[1] + 0.1 * t)});
-      }
+    double const worst = largest_over(fast, [&](Place const& node, Place const& x) {
+      Place const X = place(node);
+      return std::max(std::abs(x[0] - X[0] - 0.2 * t), std::abs(x[1] - X[1] + 0.1 * t));
+    });
     BOOST_TEST(worst <= t * t * rate + 2 * steps * eps);
   };
   test(FastFluid{PolytropicByRoots<1, 2>{0.5}});

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 
+#include "acoustic.hpp"
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "caught.hpp"
 #include "refused.hpp"
@@ -103,22 +104,13 @@ BOOST_AUTO_TEST_CASE(no_call_ends_with_a_cell_inside_out) {
   }
 }
 
-namespace {
-struct Acoustic {
-  template <class T>
-  T energy(T const& J) const { return 2.0 * (J - 1.0) * (J - 1.0); }
-  template <class T>
-  T slope(T const& J) const { return 4.0 * (J - 1.0); }
-};
-}  // namespace
-
 // Linearised at rest, with c = 2: the largest frequency of the discrete dispersion relation is that of
 // neighbours which move against each other along the shorter edge, 2c/h, so that h/c is the longest step. The
 // largest frequency is found within a per cent.
 BOOST_AUTO_TEST_CASE(the_longest_step_is_that_of_the_discrete_dispersion_relation) {
   for (auto const& [h1, h2] : {std::pair{0.1, 0.1}, {0.1, 0.13}, {0.2, 0.05}}) {
     FastBox2d const box{{12, 10}, {h1, h2}, {periodic, periodic}, {periodic, periodic}};
-    FastMedium2d medium(FastFluid{Acoustic{}}, box, 0.001, 1, at_rest, still);
+    FastMedium2d medium(FastFluid{testing::Acoustic{2}}, box, 0.001, 1, at_rest, still);
     BOOST_TEST(medium.largest_step() == std::min(h1, h2) / 2, boost::test_tools::tolerance(0.01));
   }
 }

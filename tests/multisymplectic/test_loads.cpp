@@ -1,6 +1,7 @@
 // Loads and sides of media on meshes: what they do to momenta, what they refuse.
 #include <boost/test/unit_test.hpp>
 
+#include "acoustic.hpp"
 #include "actio/media_on_meshes/medium_on_mesh.hpp"
 #include "actio/meshes/body_shapes.hpp"
 #include "caught.hpp"
@@ -95,15 +96,6 @@ BOOST_AUTO_TEST_CASE(a_pressure_that_follows_all_sides_is_the_outside_pressure) 
   BOOST_TEST(*std::min_element(J.begin(), J.end()) < 0.99);
 }
 
-namespace {
-struct Acoustic {
-  template <class T>
-  T energy(T const& J) const { return (J - 1.0) * (J - 1.0) * 0.5; }
-  template <class T>
-  T slope(T const& J) const { return J - 1.0; }
-};
-}  // namespace
-
 // A piston drives sound into a line at rest: phi = X + f(t - X). With steps as long as a cell the discrete
 // equations of a linear line have this solution at the nodes. Rounding goes on as a velocity.
 BOOST_AUTO_TEST_CASE(a_piston_drives_the_exact_wave) {
@@ -111,8 +103,8 @@ BOOST_AUTO_TEST_CASE(a_piston_drives_the_exact_wave) {
   double const h = 1.0 / n;
   auto const f = []<class T>(T const& t) { return base_value(t) > 0 ? T(t * t * t * 0.1) : T(0.0); };
   auto const chi = [&]<class T>(Spot<1> const& X, T const& t) { return std::array<T, 1>{f(t) + X[0]}; };
-  MediumOnMesh<1> line(box_mesh({0}, {1}, {n}), stored_energy<1>(FastFluid{Acoustic{}}), {}, {.step = h},
-                       {{"left", {Side::moved, prescribed_motion<1>(chi)}}});
+  MediumOnMesh<1> line(box_mesh({0}, {1}, {n}), stored_energy<1>(FastFluid{testing::Acoustic{}}), {},
+                       {.step = h}, {{"left", {Side::moved, prescribed_motion<1>(chi)}}});
   line.step(steps);
   auto const x = line.places();
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -129,7 +121,7 @@ BOOST_AUTO_TEST_CASE(a_side_moves_with_the_substeps_of_order_four) {
   start.velocity = [](Spot<1> const&) { return Spot<1>{0.7}; };
   for (Conserve const conserve : {Conserve::form, Conserve::energy}) {
     int const n = 10, steps = 20;
-    MediumOnMesh<1> line(box_mesh({0}, {1}, {n}), stored_energy<1>(FastFluid{Acoustic{}}), start,
+    MediumOnMesh<1> line(box_mesh({0}, {1}, {n}), stored_energy<1>(FastFluid{testing::Acoustic{}}), start,
                          {.step = 0.05, .order = 4, .conserve = conserve},
                          {{"left", {Side::moved, prescribed_motion<1>(chi)}}});
     line.step(steps);

@@ -38,32 +38,10 @@ struct FieldOperations {
   std::vector<T> operator()(T const& x, T const& y) const {
     using B = Base<T>;
     B const c = ratio<B>(3, 5);
-    std::vector<T> all{x + y,
-                       x - y,
-                       -x,
-                       +x,
-                       x * y,
-                       x / y,
-                       x + 3,
-                       3 + x,
-                       x - 3,
-                       3 - x,
-                       x * 3,
-                       3 * x,
-                       x / 3,
-                       3 / x,
-                       x + c,
-                       c + x,
-                       x - c,
-                       c - x,
-                       x * c,
-                       c * x,
-                       x / c,
-                       c / x,
-                       T(c),
-                       T(5),
-                       T(x * x * y - x / (y * y)),
-                       x * (x + y) / (c + y)};
+    std::vector<T> all{x + y, x - y, -x,    +x,    x * y, x / y, x + 3, 3 + x, x - 3, 3 - x, x * 3, 3 * x,
+                       x / 3, 3 / x, x + c, c + x, x - c, c - x, x * c, c * x, x / c, c / x, T(c),  T(5)};
+    all.push_back(x * x * y - x / (y * y));
+    all.push_back(x * (x + y) / (c + y));
     T z = x;
     z += y, all.push_back(z);
     z -= x, all.push_back(z);

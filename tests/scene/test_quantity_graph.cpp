@@ -23,7 +23,7 @@ struct Web {
       std::vector<std::string> names;
       for (std::size_t j = 0; j < i; ++j)
         if (random() % 3 == 0) needs[i].push_back(j), names.push_back("q" + std::to_string(j));
-      known.push_back({"q" + std::to_string(i), Quantity::Kind::scalar, "", "", "", "", names});
+      known.push_back(Quantity{"q" + std::to_string(i), Quantity::Kind::scalar, "", "", ""}.from(names));
     }
   }
   QuantityGraph graph(double const& state) const {
@@ -83,9 +83,9 @@ BOOST_AUTO_TEST_CASE(what_is_needed_is_evaluated_once_a_row_and_nothing_else_eve
 
 BOOST_AUTO_TEST_CASE(columns_are_in_the_order_of_asking) {
   using Kind = Quantity::Kind;
-  QuantityGraph graph({{"a", Kind::vector, "", "", "", "", {}},
-                       {"b", Kind::list, "", "", "", "", {"a"}},
-                       {"c", Kind::scalar, "", "", "", "", {}}});
+  QuantityGraph graph({{"a", Kind::vector, "", "", ""},
+                       Quantity{"b", Kind::list, "", "", ""}.from({"a"}),
+                       {"c", Kind::scalar, "", "", ""}});
   graph.conserve([](std::string const& name) { return name != "c"; });
   graph.define("a", column_ends(Kind::vector), [](auto, double* v) { v[0] = 1, v[1] = 2, v[2] = 3; });
   graph.define("b", numbered(2, 4, 2),

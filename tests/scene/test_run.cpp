@@ -40,7 +40,7 @@ Scene counting(Counter::Stumble how = Counter::Stumble::never, long at = 0,
                        "angular_velocity = [0.1, 0, 0.2]\n[method]\norder = 2\nstep = 0.25\n[run]\n"
                        "until = 5000\nevery = 62.5\n[output]\nquantities = [\"energy\"]\n",
                        "counting.toml"));
-  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}}});
+  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", ""}});
   auto motion = std::make_unique<Counter>(how, at, pieces);
   simulation.quantities.conserve([](auto const&) { return true; });
   simulation.quantities.define("count", {""}, [m = motion.get()](auto, double* value) {

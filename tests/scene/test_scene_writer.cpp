@@ -18,37 +18,15 @@ constexpr unsigned seed = 1971;
 
 /// A text that no writer expects.
 std::string any_text(std::mt19937& random) {
-  static std::vector<std::string> const pieces{"a",
-                                               "\"",
-                                               "'",
-                                               "\\",
-                                               "\n",
-                                               "\t",
-                                               "\r",
-                                               "\x01",
-                                               "\x1f",
-                                               "\x7f",
-                                               "#",
-                                               "=",
-                                               "[",
-                                               "]",
-                                               "{",
-                                               "}",
-                                               ".",
-                                               " ",
-                                               "\xc3\xa9",
-                                               "\xe2\x80\xa8",
-                                               "\xf0\x9f\x8c\x8d",
-                                               "\xc2\x85",
-                                               "\xef\xbb\xbf",
-                                               "\"\"\"",
-                                               "'''",
-                                               "\\u0041",
-                                               "nan",
-                                               "1",
-                                               "--set"};
+  static std::string const single = "a\"'\\\n\t\r\x01\x1f\x7f#=[]{}. 1";
+  static std::vector<std::string> const longer{
+      "\xc3\xa9", "\xe2\x80\xa8", "\xf0\x9f\x8c\x8d", "\xc2\x85", "\xef\xbb\xbf",
+      "\"\"\"",   "'''",          "\\u0041",          "nan",      "--set"};
   std::string out;
-  for (auto k = random() % 6; k > 0; --k) out += pieces[random() % pieces.size()];
+  for (auto k = random() % 6; k > 0; --k) {
+    auto const piece = random() % (single.size() + longer.size());
+    out += piece < single.size() ? single.substr(piece, 1) : longer[piece - single.size()];
+  }
   return out;
 }
 

@@ -23,7 +23,7 @@ using command::Folder;
 namespace {
 
 Quantity quantity(std::string const& name, Quantity::Kind kind) {
-  return {name, kind, "What it is.", "x", "1", "", {}};
+  return {name, kind, "What it is.", "x", "1"};
 }
 ColumnGroup group(std::string const& name, Quantity::Kind kind, int n = 3) {
   ColumnGroup out{quantity(name, kind), {}};

@@ -66,7 +66,7 @@ std::string text_of(std::string const& run, std::string const& output) {
 /// The same scene with a counter in the place of its motion.
 Scene counting(std::string const& run, std::string const& output, std::map<long, long>* written = nullptr) {
   Scene scene = Scene::read(SceneFile::parse(text_of(run, output), "snaps.toml"));
-  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}}});
+  Simulation simulation({{"count", Quantity::Kind::scalar, "", "", ""}});
   auto motion = std::make_unique<Counter>();
   simulation.quantities.conserve([](auto const&) { return true; });
   simulation.quantities.define("count", {""},

@@ -29,6 +29,13 @@ inline sphere::SphereHarmonics random_harmonics(int n, int from, int to, unsigne
 inline sphere::SkewHermitian<> random_state(int n, int from, int to, unsigned seed = 1) {
   return sphere::matrix_of(random_harmonics(n, from, to, seed));
 }
+/// A state whose orders are multiples of `fold`.
+inline sphere::SkewHermitian<> symmetric_state(int n, int fold, unsigned seed = 5) {
+  sphere::SphereHarmonics f = random_harmonics(n, 1, n - 1, seed);
+  for (int m = 0; m < n; ++m)
+    if (m % fold != 0) f.coefficient.col(m).setZero();
+  return sphere::matrix_of(f);
+}
 /// All of u(N), the trace included.
 inline sphere::SkewHermitian<> random_matrix(int n, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -37,6 +44,13 @@ inline sphere::SkewHermitian<> random_matrix(int n, unsigned seed = 1) {
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) w.real(i, j) = normal(random), w.imaginary(i, j) = normal(random);
   return sphere::SkewHermitian<>(w.complex());
+}
+/// What is farther than this from the diagonal becomes zero.
+inline sphere::SkewHermitian<> banded(sphere::SkewHermitian<> w, Eigen::Index reach) {
+  for (Eigen::Index c = 0; c < w.size(); ++c)
+    for (Eigen::Index r = 0; r < w.size(); ++r)
+      if (std::abs(r - c) > reach) w.real(r, c) = w.imaginary(r, c) = 0;
+  return w;
 }
 
 /// A Rossby-Haurwitz wave: a rotation about the pole and harmonics of one degree.

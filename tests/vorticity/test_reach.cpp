@@ -14,14 +14,6 @@ using namespace actio::testing;
 
 namespace {
 
-/// What is farther than this from the diagonal becomes zero.
-SkewHermitian<> banded(SkewHermitian<> w, Eigen::Index reach) {
-  for (Eigen::Index c = 0; c < w.size(); ++c)
-    for (Eigen::Index r = 0; r < w.size(); ++r)
-      if (std::abs(r - c) > reach) w.real(r, c) = w.imaginary(r, c) = 0;
-  return w;
-}
-
 /// Products that leave nothing out.
 struct WholeProducts : ProductsBy<WholeProducts> {
   BlasProducts products{by_counting_loops};

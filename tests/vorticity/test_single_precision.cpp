@@ -11,7 +11,7 @@
 
 using namespace actio;
 using namespace actio::sphere;
-using testing::random_matrix, testing::random_state;
+using testing::banded, testing::random_matrix, testing::random_state;
 
 namespace {
 
@@ -35,12 +35,6 @@ struct LiteralProducts : ProductsBy<LiteralProducts> {
   }
 };
 
-SkewHermitian<> banded(SkewHermitian<> w, Eigen::Index reach) {
-  for (Eigen::Index c = 0; c < w.size(); ++c)
-    for (Eigen::Index r = 0; r < w.size(); ++r)
-      if (std::abs(r - c) > reach) w.real(r, c) = w.imaginary(r, c) = 0;
-  return w;
-}
 ComplexMatrix<> completed(SkewHermitian<float> const& lower) {
   SkewHermitian<> whole = lower.cast<double>();
   mirror_lower(whole);

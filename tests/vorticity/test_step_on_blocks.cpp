@@ -7,19 +7,11 @@
 
 using namespace actio;
 using namespace actio::sphere;
-using testing::random_matrix, testing::random_state;
+using testing::random_matrix, testing::random_state, testing::symmetric_state;
 
 namespace {
 
 constexpr Conserved forms[] = {Conserved::lie_poisson, Conserved::energy_casimir, Conserved::all_invariants};
-
-/// A state whose orders are multiples of k.
-SkewHermitian<> symmetric_state(int n, int fold, unsigned seed = 5) {
-  SphereHarmonics f = testing::random_harmonics(n, 1, n - 1, seed);
-  for (int m = 0; m < n; ++m)
-    if (m % fold != 0) f.coefficient.col(m).setZero();
-  return matrix_of(f);
-}
 
 }  // namespace
 

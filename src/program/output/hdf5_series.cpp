@@ -29,7 +29,7 @@ ArraySet set_of(ColumnGroup const& group) {
   return out;
 }
 std::vector<ArraySet> sets_of(SeriesHead const& head) {
-  Quantity const time{"t", Quantity::Kind::scalar, "The time.", "t", head.time_unit, "", {}};
+  Quantity const time{"t", Quantity::Kind::scalar, "The time.", "t", head.time_unit};
   std::vector<ArraySet> out{set_of({time, {"t"}})};
   std::size_t widest = 1;
   for (auto const& group : head.groups)

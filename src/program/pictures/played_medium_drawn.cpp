@@ -264,8 +264,7 @@ std::string medium_film(PlayedMedium const& medium, double width, std::string co
     if (k % std::max<std::size_t>(1, frames / 6) == 0)
       trace += "<path class=\"trace\" d=\"" + outline + "\"/>\n";
     moving += fmt::format(
-        "<g class=\"frame{}\" style=\"animation-delay:{:.3f}s\">\n{}<path class=\"outline\" "
-        "d=\"{}\"/></g>\n",
+        "<g class=\"frame{}\" style=\"animation-delay:{:.3f}s\">\n{}<path class=\"outline\" d=\"{}\"/></g>\n",
         k == 0 ? " first" : "", seconds * static_cast<double>(k) / static_cast<double>(frames),
         FramePicture(medium, field, frame).svg(at, scale), outline);
   }

@@ -191,8 +191,7 @@ bool is_chosen(SceneFile const& file, double accuracy) {
   auto const before = accuracy_keys.chosen_for.find(run);
   if (!before)
     accuracy_keys.accuracy.fail(
-        run, fmt::format("it chooses the step, and method.step = {} is given; one of the two "
-                         "is expected",
+        run, fmt::format("it chooses the step, and method.step = {} is given; one of the two is expected",
                          method.found("step")));
   if (*before != accuracy)
     accuracy_keys.accuracy.fail(

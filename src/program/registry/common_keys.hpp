@@ -65,15 +65,15 @@ struct MethodKeys : KeyTable {
 
 /// The step of [method], of systems that choose it in some way.
 struct StepKeys : KeyTable {
-  LeftOut otherwise;             ///< what is chosen
-  std::string meaning, example;  ///< of its record
-  Key<double> step = key("step", positive.in("time"), otherwise, meaning, example);
+  Key<double> step;  ///< its length
+  /// @param otherwise  what is chosen where it is left out
+  StepKeys(std::string const& otherwise, std::string const& meaning, std::string const& example)
+      : KeyTable("method"), step(key("step", positive.in("time"), LeftOut{otherwise}, meaning, example)) {}
 };
 /// That of most bodies.
 inline StepKeys const step_keys{
-    {"method"},
-    {"the longest that divides the times of the rows and turns the body by at most 0.05 radians; where that "
-     "makes more than four times as many steps as needed, one that divides run.every, or run.until"},
+    "the longest that divides the times of the rows and turns the body by at most 0.05 radians; where that "
+    "makes more than four times as many steps as needed, one that divides run.every, or run.until",
     "The time that a step takes. Rows are at multiples of it, or anywhere with run.between_steps; an exact "
     "method does not use it.",
     "0.001"};

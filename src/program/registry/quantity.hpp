@@ -39,17 +39,24 @@ struct Quantity {
     as_motion       ///< likewise, of a rotation R and a place x as ((R, x), (0, 1))
   };
 
-  std::string name;       ///< as scenes write it
-  Kind kind;              ///< what its numbers are
-  std::string meaning;    ///< one sentence
-  std::string formula;    ///< TeX
-  std::string unit;       ///< in words: "energy x time"
-  std::string statement;  ///< of the thesis; may be empty
-  /// other quantities of the system that it is computed from; none: the state
-  std::vector<std::string> needs;
+  std::string name;                ///< as scenes write it
+  Kind kind;                       ///< what its numbers are
+  std::string meaning;             ///< one sentence
+  std::string formula;             ///< TeX
+  std::string unit;                ///< in words: "energy x time"
+  std::string statement = "";      ///< of the thesis; may be empty
   Shown shown = Shown::by_curves;  ///< besides its curves
+  /// other quantities of the system that it is computed from; none: the state
+  std::vector<std::string> needs = {};
   /// whether the motion keeps it, so that its drift is an error: as conservation.hpp has it
   bool conserved = false;
+
+  /// The same, computed from these.
+  Quantity from(std::vector<std::string> others) const {
+    Quantity out = *this;
+    out.needs = std::move(others);
+    return out;
+  }
 };
 
 /// What the numbers of a kind are, in words: "scalar", "skew matrix".

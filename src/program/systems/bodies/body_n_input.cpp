@@ -53,9 +53,8 @@ struct AttitudeNKeys : KeyTable {
 } const attitude_n{{"initial"}};
 AngleKeys const angular_velocity_n{
     {"initial.angular_velocity", needed,
-     "The upper triangle of the body velocity g^-1 g', row by row: "
-     "xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = "
-     "3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
+     "The upper triangle of the body velocity g^-1 g', row by row: xi_12, xi_13, ..., xi_23, ...; a list is "
+     "in radians. For n = 3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
      "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]", "n(n-1)/2 numbers; or a table with degrees", "1/time"},
     "n(n-1)/2 numbers",
     "[5, 10, 15, 20, 25, 30]"};

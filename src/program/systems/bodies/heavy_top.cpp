@@ -38,37 +38,27 @@ std::vector<Method> methods() { return {variational_method("gravity")}; }
 std::vector<Quantity> quantities() {
   using Kind = Quantity::Kind;
   auto all = turning_body_quantities(false);
-  all.push_back({"direction_of_gravity",
-                 Kind::vector,
-                 "The unit vector along gravity, in the frame of the body; of the third axis of space "
-                 "downwards where there is no gravity.",
-                 "\\Gamma = R(q)^T g/|g|",
-                 "1",
-                 "",
-                 {"attitude"}});
-  all.push_back({"vertical_momentum",
-                 Kind::scalar,
-                 "The angular momentum about the vertical through the fixed point, against gravity.",
-                 "-\\langle\\pi, g/|g|\\rangle",
-                 "energy x time",
-                 "",
-                 {"spatial_momentum"}});
-  all.push_back({"energy",
-                 Kind::scalar,
-                 "Kinetic and potential energy; the potential is zero with the centre of "
-                 "mass as high as the fixed point.",
-                 "H = \\tfrac12\\langle M, I^{-1}M\\rangle - m|g|\\langle\\chi, \\Gamma\\rangle",
-                 "energy",
-                 "",
-                 {"body_momentum", "angular_velocity", "direction_of_gravity"}});
-  all.push_back({"casimir",
-                 Kind::list,
-                 "The Casimirs of the dual of se(3), where momentum and direction of "
-                 "gravity move: |Gamma|^2 and M.Gamma.",
-                 "|\\Gamma|^2, \\langle M, \\Gamma\\rangle",
-                 "1, and energy x time",
-                 "",
-                 {"body_momentum", "direction_of_gravity"}});
+  all.push_back(
+      Quantity{"direction_of_gravity", Kind::vector,
+               "The unit vector along gravity, in the frame of the body; of the third axis of space "
+               "downwards where there is no gravity.",
+               "\\Gamma = R(q)^T g/|g|", "1"}
+          .from({"attitude"}));
+  all.push_back(Quantity{"vertical_momentum", Kind::scalar,
+                         "The angular momentum about the vertical through the fixed point, against gravity.",
+                         "-\\langle\\pi, g/|g|\\rangle", "energy x time"}
+                    .from({"spatial_momentum"}));
+  all.push_back(Quantity{"energy", Kind::scalar,
+                         "Kinetic and potential energy; the potential is zero with the centre of "
+                         "mass as high as the fixed point.",
+                         "H = \\tfrac12\\langle M, I^{-1}M\\rangle - m|g|\\langle\\chi, \\Gamma\\rangle",
+                         "energy"}
+                    .from({"body_momentum", "angular_velocity", "direction_of_gravity"}));
+  all.push_back(Quantity{"casimir", Kind::list,
+                         "The Casimirs of the dual of se(3), where momentum and direction of "
+                         "gravity move: |Gamma|^2 and M.Gamma.",
+                         "|\\Gamma|^2, \\langle M, \\Gamma\\rangle", "1, and energy x time"}
+                    .from({"body_momentum", "direction_of_gravity"}));
   return all;
 }
 

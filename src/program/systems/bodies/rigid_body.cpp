@@ -41,40 +41,31 @@ MomentumKeys const momentum_keys{{"initial"}, "The angular momentum at the start
 std::vector<Quantity> quantities() {
   using Kind = Quantity::Kind;
   auto all = turning_body_quantities(true);
-  all.push_back({"energy",
-                 Kind::scalar,
-                 "The kinetic energy, and under a torque the potential energy as well, if it has one; "
-                 "conserved unless the potential depends on time or a part of the torque has none.",
-                 "H = \\tfrac12\\langle M, I^{-1}M\\rangle + V(q, t)",
-                 "energy",
-                 "eq_5_1",
-                 {"body_momentum", "angular_velocity"}});
-  all.push_back({"casimir",
-                 Kind::scalar,
-                 "The square of the angular momentum, which names the coadjoint orbit; a torque changes it.",
-                 "C = |M|^2",
-                 "(energy x time)^2",
-                 "claim_5_3_dual_casimir",
-                 {"body_momentum"}});
-  all.push_back({"axial_momentum",
-                 Kind::scalar,
-                 "The angular momentum in space about the axis of the torque: the direction to the "
-                 "centre, or the normal of the orbit; the vertical; the axis of space whose row alone is "
-                 "in the potential; otherwise the third axis of space. Conserved where turns about that "
-                 "axis do not change the potential.",
-                 "\\pi_a = \\langle\\pi, a\\rangle",
-                 "energy x time",
-                 "claim_5_2_spatial_momentum",
-                 {"spatial_momentum"}});
   all.push_back(
-      {"jacobi_integral",
-       Kind::scalar,
-       "The energy minus the rate of the orbit times the axial momentum, conserved where the direction to "
-       "the centre turns; the energy where it does not.",
-       "J = H - n\\langle\\pi, a\\rangle",
-       "energy",
-       "",
-       {"attitude", "body_momentum", "angular_velocity", "axial_momentum"}});
+      Quantity{"energy", Kind::scalar,
+               "The kinetic energy, and under a torque the potential energy as well, if it has one; "
+               "conserved unless the potential depends on time or a part of the torque has none.",
+               "H = \\tfrac12\\langle M, I^{-1}M\\rangle + V(q, t)", "energy", "eq_5_1"}
+          .from({"body_momentum", "angular_velocity"}));
+  all.push_back(
+      Quantity{"casimir", Kind::scalar,
+               "The square of the angular momentum, which names the coadjoint orbit; a torque changes it.",
+               "C = |M|^2", "(energy x time)^2", "claim_5_3_dual_casimir"}
+          .from({"body_momentum"}));
+  all.push_back(
+      Quantity{"axial_momentum", Kind::scalar,
+               "The angular momentum in space about the axis of the torque: the direction to the "
+               "centre, or the normal of the orbit; the vertical; the axis of space whose row alone is "
+               "in the potential; otherwise the third axis of space. Conserved where turns about that "
+               "axis do not change the potential.",
+               "\\pi_a = \\langle\\pi, a\\rangle", "energy x time", "claim_5_2_spatial_momentum"}
+          .from({"spatial_momentum"}));
+  all.push_back(Quantity{
+      "jacobi_integral", Kind::scalar,
+      "The energy minus the rate of the orbit times the axial momentum, conserved where the direction to "
+      "the centre turns; the energy where it does not.",
+      "J = H - n\\langle\\pi, a\\rangle", "energy"}
+                    .from({"attitude", "body_momentum", "angular_velocity", "axial_momentum"}));
   return all;
 }
 

@@ -160,8 +160,7 @@ Simulation prepare(Request const& request) {
 }
 
 StepKeys const step_n{
-    {"method"},
-    {"from the time asked"},
+    "from the time asked",
     "The time that a step takes, a whole number of times in the time between two rows. By default, for "
     "order 6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the "
     "plane that turns fastest; otherwise 0.05 radians.",

@@ -30,39 +30,20 @@ std::vector<Quantity> turning_body_quantities(bool free) {
   using Kind = Quantity::Kind;
   using Shown = Quantity::Shown;
   return {
-      {"attitude",
-       Kind::quaternion,
+      {"attitude", Kind::quaternion,
        "The unit quaternion, scalar first, that takes the body to space; its sign is "
        "continuous from the one given.",
-       "q",
-       "1",
-       "",
-       {},
-       Shown::as_direction},
-      {"body_momentum",
-       Kind::vector,
-       "The angular momentum in the frame of the body.",
-       "M",
-       "energy x time",
-       "eq_5_1",
-       {},
-       Shown::as_direction},
-      {"angular_velocity",
-       Kind::vector,
-       "The angular velocity in the frame of the body.",
-       "\\omega = I^{-1}M",
-       "1/time",
-       "",
-       {"body_momentum"},
-       Shown::as_direction},
-      {"spatial_momentum",
-       Kind::vector,
-       free ? "The angular momentum in space; a torque changes it." : "The angular momentum in space.",
-       "\\pi = R(q)\\,M",
-       "energy x time",
-       "claim_5_2_spatial_momentum",
-       {"attitude", "body_momentum"},
-       Shown::beside_motion},
+       "q", "1", "", Shown::as_direction},
+      {"body_momentum", Kind::vector, "The angular momentum in the frame of the body.", "M", "energy x time",
+       "eq_5_1", Shown::as_direction},
+      Quantity{"angular_velocity", Kind::vector, "The angular velocity in the frame of the body.",
+               "\\omega = I^{-1}M", "1/time", "", Shown::as_direction}
+          .from({"body_momentum"}),
+      Quantity{
+          "spatial_momentum", Kind::vector,
+          free ? "The angular momentum in space; a torque changes it." : "The angular momentum in space.",
+          "\\pi = R(q)\\,M", "energy x time", "claim_5_2_spatial_momentum", Shown::beside_motion}
+          .from({"attitude", "body_momentum"}),
   };
 }
 

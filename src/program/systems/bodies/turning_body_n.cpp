@@ -28,45 +28,27 @@ StateDistance TurningBodyN::distance(Motion const& other) const {
 std::vector<Quantity> turning_body_n_quantities() {
   using Kind = Quantity::Kind;
   return {
-      {"attitude",
-       Kind::matrix,
-       "The rotation, n by n, that takes the body to space.",
-       "g",
-       "1",
-       "claim_5_2_reconstruction",
-       {}},
-      {"momentum",
-       Kind::skew,
+      {"attitude", Kind::matrix, "The rotation, n by n, that takes the body to space.", "g", "1",
+       "claim_5_2_reconstruction"},
+      {"momentum", Kind::skew,
        "The angular momentum in the frame of the body: a skew matrix, for n = 3 with M_12 = "
        "-M_z, M_13 = M_y, M_23 = -M_x.",
-       "M = \\Lambda\\xi + \\xi\\Lambda",
-       "energy x time",
-       "eq_5_8",
-       {},
-       Quantity::Shown::by_planes},
-      {"energy",
-       Kind::scalar,
-       "The kinetic energy.",
-       "H = \\tfrac12\\sum_{i<j}(\\Lambda_i+\\Lambda_j)\\,\\xi_{ij}^2",
-       "energy",
-       "eq_5_1",
-       {"momentum"}},
-      {"spectrum",
-       Kind::list,
-       "The moduli of the n eigenvalues of the momentum in ascending order; those that rounding "
-       "cannot tell from zero are zero.",
-       "\\sigma_k = |z_k|,\\quad \\det(M-z_k) = 0",
-       "energy x time",
-       "claim_5_2_update_by_conjugation",
-       {"momentum"}},
-      {"casimir",
-       Kind::list,
-       "The traces of the even powers of the momentum, which name the coadjoint "
-       "orbit; summed over the spectrum.",
-       "C_{2k} = (-1)^k\\,\\mathrm{tr}\\,M^{2k},\\quad k = 1,\\dots,\\lfloor n/2\\rfloor",
-       "(energy x time)^2k",
-       "claim_5_3_dual_casimir",
-       {"spectrum"}},
+       "M = \\Lambda\\xi + \\xi\\Lambda", "energy x time", "eq_5_8", Quantity::Shown::by_planes},
+      Quantity{"energy", Kind::scalar, "The kinetic energy.",
+               "H = \\tfrac12\\sum_{i<j}(\\Lambda_i+\\Lambda_j)\\,\\xi_{ij}^2", "energy", "eq_5_1"}
+          .from({"momentum"}),
+      Quantity{"spectrum", Kind::list,
+               "The moduli of the n eigenvalues of the momentum in ascending order; those that rounding "
+               "cannot tell from zero are zero.",
+               "\\sigma_k = |z_k|,\\quad \\det(M-z_k) = 0", "energy x time",
+               "claim_5_2_update_by_conjugation"}
+          .from({"momentum"}),
+      Quantity{"casimir", Kind::list,
+               "The traces of the even powers of the momentum, which name the coadjoint "
+               "orbit; summed over the spectrum.",
+               "C_{2k} = (-1)^k\\,\\mathrm{tr}\\,M^{2k},\\quad k = 1,\\dots,\\lfloor n/2\\rfloor",
+               "(energy x time)^2k", "claim_5_3_dual_casimir"}
+          .from({"spectrum"}),
   };
 }
 

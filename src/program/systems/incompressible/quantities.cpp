@@ -30,7 +30,7 @@ std::vector<Quantity> incompressible_quantities(bool fluid) {
   std::ranges::find(all, "circulation", &Quantity::name)->meaning +=
       " No scheme on cells that are followed keeps it to rounding.";
   auto const add = [&](char const* name, char const* meaning, char const* formula, char const* unit) {
-    all.push_back({name, Kind::scalar, meaning, formula, unit, "", {}});
+    all.push_back({name, Kind::scalar, meaning, formula, unit});
   };
   add("volume_defect", "How far the volume of a cell is from what it was, over it, the largest over all.",
       "\\max_K|A_K/A_K^0 - 1|", "1");

@@ -21,8 +21,7 @@ namespace actio::scene {
 namespace {
 
 StepKeys const reduced_step{
-    {"method"},
-    {"from the time asked"},
+    "from the time asked",
     "The time that a step takes, a whole number of times in the time between two rows. By "
     "default a twentieth of the shortest time in which something changes at the start: the "
     "group turns, or the linearized equations of motion swing or grow; a hundredth of the time "

@@ -29,10 +29,9 @@ struct ForceKeys : KeyTable {
           "{ v2 = \"0.3\" }");
   AnyKey inputs =
       key("inputs", "a table by names of one's own", LeftOut{"none"},
-          "Numbers that the force is given as functions of time, each held over a step at its "
-          "value in the middle: a formula of t, \"20*(t < 5)\", rows of a time and the value from "
-          "then on, [[0, 20], [5, 0]], or a file of such rows, \"thrust.csv\". Where one jumps, "
-          "a step should end.",
+          "Numbers that the force is given as functions of time, each held over a step at its value in the "
+          "middle: a formula of t, \"20*(t < 5)\", rows of a time and the value from then on, [[0, 20], [5, "
+          "0]], or a file of such rows, \"thrust.csv\". Where one jumps, a step should end.",
           "{ thrust = \"20*(t < 5)\" }");
 };
 inline ForceKeys const force_keys{{"system"}};  ///< its keys

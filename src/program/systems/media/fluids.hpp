@@ -16,8 +16,7 @@ struct PolytropicGas {
   static constexpr bool fluid = true, pressure_of_density = true;
   static constexpr char const* name = "polytropic_gas";
   static constexpr char const* meaning =
-      "A gas of one entropy everywhere: its pressure is K times the power gamma "
-      "of its density.";
+      "A gas of one entropy everywhere: its pressure is K times the power gamma of its density.";
   static constexpr char const* formula = "p = K\\,(\\rho/J)^\\gamma";
   static Constants<PolytropicGas> constants() {
     return {{&PolytropicGas::K, {"K", "pressure at the density 1", 0, "1", "energy/volume"}},
@@ -57,9 +56,8 @@ struct Tait {
   static constexpr bool fluid = true, pressure_of_density = false;
   static constexpr char const* name = "tait";
   static constexpr char const* meaning =
-      "Tait's liquid: without pressure at J = 1, where the speed of sound is the "
-      "root of gamma B over the density; under J = 1 it withstands a tension "
-      "less than B.";
+      "Tait's liquid: without pressure at J = 1, where the speed of sound is the root of gamma B over the "
+      "density; under J = 1 it withstands a tension less than B.";
   static constexpr char const* formula = "p = B\\,(J^{-\\gamma} - 1)";
   static Constants<Tait> constants() {
     return {{&Tait::B, {"B", "modulus, a pressure", 0, "100", "energy/volume"}},

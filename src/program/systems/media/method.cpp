@@ -12,8 +12,7 @@ namespace actio::scene {
 namespace {
 
 StepKeys const medium_step_keys{
-    {"method"},
-    {"four tenths of the longest stable step, or less"},
+    "four tenths of the longest stable step, or less",
     "The time that a step takes. By default it is at most four tenths of the longest for which small "
     "motions about the start are stable and viscosity is damping; nine tenths of the former are the "
     "most. Where viscosity allows less on the way, as in a shock, a step is made in equal parts.",

@@ -198,30 +198,15 @@ void define_checks(QuantityGraph& graph, Seen<d> const& seen, double step) {
 std::vector<Quantity> sums_of_body(bool fluid) {
   std::string const loss = " The steps of conserve = form keep it to the square of the step.";
   return {
-      {"energy",
-       Kind::scalar,
-       "The kinetic energy, the stored one, and that of loads." + loss,
-       "E = \\sum\\tfrac m2|v|^2 + \\int\\rho W + \\int\\rho V",
-       "energy",
-       "",
-       {}},
-      {"momentum",
-       Kind::vector,
-       "The linear momentum, which the steps keep to rounding.",
-       "\\int\\rho\\,\\dot\\phi",
-       "mass x length/time",
-       "thm_9_1_1",
-       {}},
-      {"angular_momentum",
-       Kind::vector,
+      {"energy", Kind::scalar, "The kinetic energy, the stored one, and that of loads." + loss,
+       "E = \\sum\\tfrac m2|v|^2 + \\int\\rho W + \\int\\rho V", "energy"},
+      {"momentum", Kind::vector, "The linear momentum, which the steps keep to rounding.",
+       "\\int\\rho\\,\\dot\\phi", "mass x length/time", "thm_9_1_1"},
+      {"angular_momentum", Kind::vector,
        "The angular momentum about the origin of space, in the plane its component across it. "
        "The steps keep it to rounding.",
-       "\\int\\rho\\,\\phi\\times\\dot\\phi",
-       "mass x length^2/time",
-       "",
-       {}},
-      {"circulation",
-       Kind::scalar,
+       "\\int\\rho\\,\\phi\\times\\dot\\phi", "mass x length^2/time"},
+      {"circulation", Kind::scalar,
        std::string(
            "The circulation of the velocity along each of system.loops, a side being run through with "
            "the body at the left (the edge of a hole clockwise); where these are left out along the "
@@ -230,41 +215,26 @@ std::vector<Quantity> sums_of_body(bool fluid) {
            (fluid ? "In the continuum the motion of a barotropic fluid conserves it; on a mesh it does "
                     "so to the order of the scheme."
                   : "A solid does not conserve it."),
-       "\\oint\\dot\\phi\\cdot d\\phi",
-       "length^2/time",
-       "",
-       {}},
+       "\\oint\\dot\\phi\\cdot d\\phi", "length^2/time"},
   };
 }
 
 std::vector<Quantity> medium_quantities(bool fluid) {
   auto all = sums_of_body(fluid);
-  all.insert(all.begin() + 1, {"dissipated",
-                               Kind::scalar,
+  all.insert(all.begin() + 1, {"dissipated", Kind::scalar,
                                "The energy that method.viscosity has taken since the start: energy and this "
                                "together are constant to the square of the step. Zero without viscosity.",
-                               "\\int_0^t\\!\\int q\\,|\\dot J|",
-                               "energy",
-                               "",
-                               {}});
+                               "\\int_0^t\\!\\int q\\,|\\dot J|", "energy"});
   all.push_back(
-      {"noether_balance",
-       Kind::scalar,
+      {"noether_balance", Kind::scalar,
        "How far the discrete Noether currents of translations and turns are from adding up to zero over a "
        "cell of space-time, the largest over the cells of the last step, relative to the sum of their "
        "moduli: zero but for rounding. Relabelling and translations of time are no symmetries of a mesh; "
        "circulation and energy tell of them.",
-       "\\max\\frac{|\\sum_l J^l(\\xi)|}{\\sum_l|J^l(\\xi)|}",
-       "1",
-       "",
-       {}});
-  all.push_back({"min_jacobian",
-                 Kind::scalar,
+       "\\max\\frac{|\\sum_l J^l(\\xi)|}{\\sum_l|J^l(\\xi)|}", "1"});
+  all.push_back({"min_jacobian", Kind::scalar,
                  "The least Jacobian of the placement over all cells: a run ends before it reaches zero.",
-                 "\\min J",
-                 "1",
-                 "",
-                 {}});
+                 "\\min J", "1"});
   return all;
 }
 

@@ -41,12 +41,10 @@ struct NeoHookean {
   static constexpr bool fluid = false;
   static constexpr char const* name = "neo_hookean";
   static constexpr char const* meaning =
-      "A neo-Hookean solid of d dimensions, free of stress at rest, with a "
-      "quadratic energy of the volume; Lame's first modulus at rest is kappa, "
-      "more than -2 mu/d.";
+      "A neo-Hookean solid of d dimensions, free of stress at rest, with a quadratic energy of the volume; "
+      "Lame's first modulus at rest is kappa, more than -2 mu/d.";
   static constexpr char const* formula =
-      "\\rho W = \\tfrac\\mu2(\\mathrm{tr}\\,C - d - 2\\ln J) + "
-      "\\tfrac\\kappa2(J-1)^2";
+      "\\rho W = \\tfrac\\mu2(\\mathrm{tr}\\,C - d - 2\\ln J) + \\tfrac\\kappa2(J-1)^2";
   static Constants<NeoHookean> constants() {
     return {{&NeoHookean::mu, {"mu", "shear modulus", 0, "1", "energy/volume"}},
             {&NeoHookean::kappa, {"kappa", "modulus of the volume", any_number, "2", "energy/volume"}}};
@@ -68,14 +66,11 @@ struct MooneyRivlin {
   static constexpr bool fluid = false;
   static constexpr char const* name = "mooney_rivlin";
   static constexpr char const* meaning =
-      "The solid of Mooney and Rivlin of d dimensions, free of stress at rest, "
-      "with I_1 = tr C and I_2 = ((tr C)^2 - tr C^2)/2. For d > 1 its shear "
-      "modulus at rest is mu = 2 (c1 + (d - 2) c2) > 0 and Lame's first modulus "
-      "lambda + 4 c2 > -2 mu/d; on a line c2 does nothing, and the modulus is "
-      "4 c1 + lambda.";
+      "The solid of Mooney and Rivlin of d dimensions, free of stress at rest, with I_1 = tr C and I_2 = "
+      "((tr C)^2 - tr C^2)/2. For d > 1 its shear modulus at rest is mu = 2 (c1 + (d - 2) c2) > 0 and Lame's "
+      "first modulus lambda + 4 c2 > -2 mu/d; on a line c2 does nothing, and the modulus is 4 c1 + lambda.";
   static constexpr char const* formula =
-      "\\rho W = c_1(I_1-d) + c_2(I_2-\\tfrac{d(d-1)}2) - 2(c_1+(d-1)c_2)\\ln J "
-      "+ \\tfrac\\lambda2(\\ln J)^2";
+      "\\rho W = c_1(I_1-d) + c_2(I_2-\\tfrac{d(d-1)}2) - 2(c_1+(d-1)c_2)\\ln J + \\tfrac\\lambda2(\\ln J)^2";
   static Constants<MooneyRivlin> constants() {
     return {
         {&MooneyRivlin::c1, {"c1", "modulus of the first invariant", 0, "0.4", "energy/volume"}},

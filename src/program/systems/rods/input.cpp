@@ -40,8 +40,7 @@ struct VelocityKeys : KeyTable {
 } const velocity_keys{{"initial"}};
 
 StepKeys const rod_step{
-    {"method"},
-    {"half of the longest that is stable"},
+    "half of the longest that is stable",
     "The time that a step takes. By default the longest that divides the times of the rows and is at most "
     "half of the longest that is stable: the quantity step_limit.",
     "0.001"};

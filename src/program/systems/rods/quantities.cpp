@@ -48,8 +48,7 @@ double noether_balance(RodMotion const& motion) {
 std::vector<Quantity> of_the_shape() {
   std::vector<Quantity> out;
   for (std::string const end : {"start", "middle", "end"})
-    out.push_back({end + "_place",
-                   Kind::vector,
+    out.push_back({end + "_place", Kind::vector,
                    end == "middle"
                        ? "Where the section in the middle is; of an even number of sections the one "
                          "behind the middle."
@@ -58,106 +57,59 @@ std::vector<Quantity> of_the_shape() {
                    end == "start" ? "x_0"
                    : end == "end" ? "x_n"
                                   : "x_{n/2}",
-                   "length",
-                   "",
-                   {},
-                   Quantity::Shown::as_trajectory});
+                   "length", "", Quantity::Shown::as_trajectory});
   for (std::string const end : {"start", "end"})
     out.push_back(
-        {end + "_attitude",
-         Kind::quaternion,
+        {end + "_attitude", Kind::quaternion,
          "The unit quaternion, scalar first, that takes the axes of the section at the " + end + " to space.",
-         end == "start" ? "q_0" : "q_n",
-         "1",
-         "",
-         {}});
+         end == "start" ? "q_0" : "q_n", "1"});
   out.push_back(
-      {"largest_strains",
-       Kind::list,
+      {"largest_strains", Kind::list,
        "The largest moduli over all elements of stretch, shear, twist and bend, less those at rest.",
        "\\max|\\Gamma_1|, \\max|\\Gamma_{2,3}|, \\max|\\kappa_1|, \\max|\\kappa_{2,3}|",
-       "1, 1, 1/length, 1/length",
-       "",
-       {}});
+       "1, 1, 1/length, 1/length"});
   for (auto const& [name, what, formula, unit] :
        {std::tuple{"contact_force", "force", "R n", "mass length/time^2"},
         {"contact_moment", "moment about the middle of an element", "R m", "mass length^2/time^2"}})
     out.push_back(
-        {name,
-         Kind::list,
+        {name, Kind::list,
          std::string("The ") + what +
              " with which the rod beyond acts on that before, in space: in the first element, in the "
              "middle one and in the last.",
-         formula,
-         unit,
-         "",
-         {}});
+         formula, unit});
   return out;
 }
 
 std::vector<Quantity> of_sums() {
   return {
-      {"kinetic_energy",
-       Kind::scalar,
-       "The kinetic energy of places and turns.",
-       "\\tfrac12\\sum_a\\left(m_a|v_a|^2+\\langle M_a,J_a^{-1}M_a\\rangle\\right)",
-       "energy",
-       "",
-       {}},
-      {"strain_energy",
-       Kind::scalar,
-       "The energy of stretch, shear, twist and bend.",
+      {"kinetic_energy", Kind::scalar, "The kinetic energy of places and turns.",
+       "\\tfrac12\\sum_a\\left(m_a|v_a|^2+\\langle M_a,J_a^{-1}M_a\\rangle\\right)", "energy"},
+      {"strain_energy", Kind::scalar, "The energy of stretch, shear, twist and bend.",
        "\\tfrac12\\sum_aD_a\\left(\\langle C_N\\Gamma,\\Gamma\\rangle+\\langle C_M\\kappa,\\kappa\\rangle"
        "\\right)",
-       "energy",
-       "",
-       {}},
-      {"potential_energy",
-       Kind::scalar,
-       "That of gravity; it is zero for a rod at the origin.",
-       "-\\sum_am_a\\langle g,x_a\\rangle",
-       "energy",
-       "",
-       {}},
-      {"energy",
-       Kind::scalar,
-       "Kinetic energy, strain energy and that of gravity. The steps keep it to the square of the step; "
-       "loads and ends that are moved do work.",
-       "E",
-       "energy",
-       "",
-       {"kinetic_energy", "strain_energy", "potential_energy"}},
-      {"momentum", Kind::vector, "The linear momentum.", "\\sum_am_av_a", "mass length/time", "", {}},
-      {"angular_momentum",
-       Kind::vector,
+       "energy"},
+      {"potential_energy", Kind::scalar, "That of gravity; it is zero for a rod at the origin.",
+       "-\\sum_am_a\\langle g,x_a\\rangle", "energy"},
+      Quantity{
+          "energy", Kind::scalar,
+          "Kinetic energy, strain energy and that of gravity. The steps keep it to the square of the step; "
+          "loads and ends that are moved do work.",
+          "E", "energy"}
+          .from({"kinetic_energy", "strain_energy", "potential_energy"}),
+      {"momentum", Kind::vector, "The linear momentum.", "\\sum_am_av_a", "mass length/time"},
+      {"angular_momentum", Kind::vector,
        "The angular momentum about the origin, that of the turning sections included, in space.",
-       "\\sum_a\\left(x_a\\times m_av_a+R_aM_a\\right)",
-       "energy x time",
-       "",
-       {}},
-      {"noether_balance",
-       Kind::scalar,
+       "\\sum_a\\left(x_a\\times m_av_a+R_aM_a\\right)", "energy x time"},
+      {"noether_balance", Kind::scalar,
        "The largest component of linear and angular momentum less those at the start and what loads, "
        "supports and gravity have given since, over the sum of the moduli of their parts: zero but for "
        "rounding.",
-       "",
-       "1",
-       "",
-       {}},
-      {"step_limit",
-       Kind::scalar,
-       "The longest step with which small waves along the rod are stable.",
-       "2/\\max\\Omega",
-       "time",
-       "",
-       {}},
-      {"constraint_residual",
-       Kind::scalar,
+       "", "1"},
+      {"step_limit", Kind::scalar, "The longest step with which small waves along the rod are stable.",
+       "2/\\max\\Omega", "time"},
+      {"constraint_residual", Kind::scalar,
        "The largest stretch or shear of a rod with constraint = \"unshearable\"; of another one 0.",
-       "\\max|\\Gamma-\\Gamma_0|",
-       "1",
-       "",
-       {}},
+       "\\max|\\Gamma-\\Gamma_0|", "1"},
   };
 }
 

@@ -272,9 +272,8 @@ SnapshotKind rod_snapshots() {
         "lines for ParaView in snapshots/000000.vtu, ... with the axes d1, d2, d3 of the sections "
         "at the points and what was asked for in each element, and snapshots/series.pvd, which "
         "lists them with their times"}},
-      "all of them in one file snapshots/frames.h5, with time, and of each frame position, "
-      "attitude, velocity and angular_velocity of the sections and what was asked for of the "
-      "elements"};
+      "all of them in one file snapshots/frames.h5, with time, and of each frame position, attitude, "
+      "velocity and angular_velocity of the sections and what was asked for of the elements"};
   for (auto const& field : fields_of_elements())
     out.columns.push_back({field.name, field.meaning + std::string(", of each element in "
                                                                    "snapshots/000000.elements.csv, ...")});

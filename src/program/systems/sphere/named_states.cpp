@@ -70,10 +70,9 @@ struct RossbyHaurwitzKeys : KeyTable {
           "The angular velocity a of the rotation that the fluid has beside that of the sphere.", "0.5");
 } const rossby_haurwitz{
     {"initial.rossby_haurwitz", other_start,
-     "A wave of one degree on a zonal rotation, for which the exact motion is known: relative to "
-     "the sphere it turns about the pole with the angular velocity a - (d_1 a + 2 rotation)/d_l, a = "
-     "zonal_rate; d_l is l (l + 1), in a layer l (l + 1) + gamma, and as for the quantity spectrum in "
-     "averaged flow.",
+     "A wave of one degree on a zonal rotation, for which the exact motion is known: relative to the sphere "
+     "it turns about the pole with the angular velocity a - (d_1 a + 2 rotation)/d_l, a = zonal_rate; d_l is "
+     "l (l + 1), in a layer l (l + 1) + gamma, and as for the quantity spectrum in averaged flow.",
      "{ degree = 5, order = 4 }"}};
 
 sphere::SphereHarmonics read_rossby_haurwitz(StateRequest const& in) {

@@ -47,8 +47,7 @@ std::vector<Method> methods() {
 }
 
 StepKeys const vorticity_step{
-    {"method"},
-    {"from the time asked"},
+    "from the time asked",
     "The time that a step takes, a whole number of times in the time between two rows. By default at "
     "most 0.2 hbar/|P| with the largest eigenvalue of the stream function: then the equation of a step "
     "is solved in few iterations, which from about four times as long on do not converge.",

@@ -17,9 +17,8 @@ namespace {
 struct TorusStartKeys : KeyTable {
   AnyKey vorticity =
       key("vorticity", "a text, a formula in x and y", LeftOut{"or initial.file or initial.state"},
-          "The vorticity, 1/time, at the point x, y, each from 0 to 2 pi, where it begins again. It is "
-          "taken with the wave numbers up to (N - 1)/2 and without its mean; a remark says what was "
-          "left out.",
+          "The vorticity, 1/time, at the point x, y, each from 0 to 2 pi, where it begins again. It is taken "
+          "with the wave numbers up to (N - 1)/2 and without its mean; a remark says what was left out.",
           "\"sin(x) + cos(2*y)\"");
   AnyKey file = key(
       "file", "a text, the path of a file beside the scene", LeftOut{"or initial.vorticity or initial.state"},

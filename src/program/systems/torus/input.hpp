@@ -19,10 +19,9 @@ struct TorusStart {
 struct TorusKeys : KeyTable {
   Key<int> N =
       key("N", whole("an odd whole number, 3 or more", 3, 1 << 20), needed,
-          "The size of the matrices, odd: functions have the wave numbers up to (N - 1)/2 in x and in "
-          "y. Time grows with N^3 and memory with N^2; interactions of waves of the wave number k are "
-          "those of the torus but for a part of about pi^2 k^4/(6 N^2). Sizes with small factors are "
-          "the fastest.",
+          "The size of the matrices, odd: functions have the wave numbers up to (N - 1)/2 in x and in y. "
+          "Time grows with N^3 and memory with N^2; interactions of waves of the wave number k are those of "
+          "the torus but for a part of about pi^2 k^4/(6 N^2). Sizes with small factors are the fastest.",
           "65");
   Key<double> deformation =
       key("deformation", number.called("a number from 0.001 to 1000").in("lengths, of which a side has 2 pi"),

@@ -80,9 +80,7 @@ struct RandomTorusKeys : KeyTable {
                       "The last one.", "8");
   Key<double> slope =
       key("slope", number.called("an exponent, -100 to 100"), 0,
-          "The energy in the ring of the wave number k is on average proportional to this power of "
-          "k.",
-          "-3");
+          "The energy in the ring of the wave number k is on average proportional to this power of k.", "-3");
   Key<double> energy = key("energy", number.called("a number, 0 or more").in("lengths^4/time^2"), 1,
                            "The energy of the flow.", "1");
 } const random_torus{

@@ -14,61 +14,37 @@ namespace actio::scene {
 std::vector<Quantity> torus_quantities() {
   using Kind = Quantity::Kind;
   return {
-      {"energy",
-       Kind::scalar,
+      {"energy", Kind::scalar,
        "The energy of the flow, with unit density: the kinetic one, and with a radius of deformation the "
        "potential one with it.",
        "H = -\\tfrac12\\int\\psi\\,\\omega = -\\tfrac12\\tfrac{4\\pi^2}N\\langle P, W\\rangle",
-       "lengths^4/time^2",
-       "",
-       {}},
-      {"enstrophy",
-       Kind::scalar,
-       "Half of the integral of the square of the vorticity; half of casimirs_2.",
-       "Z = \\tfrac12\\int\\omega^2",
-       "lengths^2/time^2",
-       "",
-       {}},
-      {"casimirs",
-       Kind::list,
+       "lengths^4/time^2"},
+      {"enstrophy", Kind::scalar, "Half of the integral of the square of the vorticity; half of casimirs_2.",
+       "Z = \\tfrac12\\int\\omega^2", "lengths^2/time^2"},
+      {"casimirs", Kind::list,
        "The integrals of the powers 2 to 8 of the vorticity, as traces of the powers of the matrix: "
        "they name the coadjoint orbit. A row takes less than a step.",
        "C_k = \\int\\omega^k = \\tfrac{4\\pi^2}N\\mathrm{Tr}((-iW)^k),\\quad k = 2,\\dots,8",
-       "lengths^2/time^k",
-       "eq_3_17",
-       {}},
-      {"eigenvalues",
-       Kind::list,
+       "lengths^2/time^k", "eq_3_17"},
+      {"eigenvalues", Kind::list,
        "All values of the vorticity in ascending order, each on 1/N of the torus: the eigenvalues of the "
        "matrix. They are constant. A row takes less than a step.",
-       "\\sigma(-iW)",
-       "1/time",
-       "eq_3_17",
-       {}},
-      {"eigenvalue_drift",
-       Kind::scalar,
-       "The largest change of an eigenvalue since the first row, relative to the largest of their "
-       "moduli: rounding.",
-       "\\max_k|\\lambda_k(t)-\\lambda_k(0)|/\\max_k|\\lambda_k(0)|",
-       "1",
-       "eq_3_17",
-       {"eigenvalues"}},
-      {"extrema",
-       Kind::list,
-       "The least and the greatest vorticity: of the eigenvalues of the matrix, each of which is the "
-       "value on 1/N of the torus.",
-       "\\min,\\,\\max\\ \\sigma(-iW)",
-       "1/time",
-       "eq_3_17",
-       {"eigenvalues"}},
-      {"spectrum",
-       Kind::list,
+       "\\sigma(-iW)", "1/time", "eq_3_17"},
+      Quantity{"eigenvalue_drift", Kind::scalar,
+               "The largest change of an eigenvalue since the first row, relative to the largest of their "
+               "moduli: rounding.",
+               "\\max_k|\\lambda_k(t)-\\lambda_k(0)|/\\max_k|\\lambda_k(0)|", "1", "eq_3_17"}
+          .from({"eigenvalues"}),
+      Quantity{"extrema", Kind::list,
+               "The least and the greatest vorticity: of the eigenvalues of the matrix, each of which is the "
+               "value on 1/N of the torus.",
+               "\\min,\\,\\max\\ \\sigma(-iW)", "1/time", "eq_3_17"}
+          .from({"eigenvalues"}),
+      {"spectrum", Kind::list,
        "The energy in rings of wave vectors: the k-th is that of those whose length rounds to k, from "
        "1 to N/sqrt(2); their sum is the energy. Gamma is zero but with a radius of deformation.",
        "H_k = 2\\pi^2\\sum_{\\mathrm{round}|(m,n)|=k}\\frac{|\\omega_{mn}|^2}{\\gamma-\\lambda_{mn}}",
-       "lengths^4/time^2",
-       "",
-       {}},
+       "lengths^4/time^2"},
   };
 }
 

@@ -26,9 +26,8 @@ std::vector<Method> torus_methods() {
   return {
       {"energy_casimir",
        {"2", "4"},
-       "Energy and all Casimir functions: the stream function is that of the mean of the vorticity "
-       "before and after the step. Order 2; composed of substeps 4 (Suzuki). It gives up the Poisson "
-       "bracket.",
+       "Energy and all Casimir functions: the stream function is that of the mean of the vorticity before "
+       "and after the step. Order 2; composed of substeps 4 (Suzuki). It gives up the Poisson bracket.",
        "claim_10_0_reduced_hydrodynamics"},
       {"lie_poisson",
        {"2", "4"},
@@ -40,12 +39,10 @@ std::vector<Method> torus_methods() {
 }
 
 StepKeys const torus_step{
-    {"method"},
-    {"from the time asked"},
-    "The time that a step takes, a whole number of times in the time between two rows. By default at "
-    "most 0.2 hbar/|P| with the largest eigenvalue of the stream function, hbar = 2 pi/N: then the "
-    "equation of a step is solved in few iterations, which from about four times as long on do not "
-    "converge.",
+    "from the time asked",
+    "The time that a step takes, a whole number of times in the time between two rows. By default at most "
+    "0.2 hbar/|P| with the largest eigenvalue of the stream function, hbar = 2 pi/N: then the equation of a "
+    "step is solved in few iterations, which from about four times as long on do not converge.",
     "0.01"};
 struct TorusPrecisionKeys : KeyTable {
   Key<std::string> precision =
@@ -67,9 +64,8 @@ std::string torus_resolution(TorusStart const& start) {
   // sin(x)/x is 1 - x^2/6 with x = pi (a x b)/N, and |a x b| about k^2; at x = pi nothing is left.
   double const off = std::min(1.0, std::pow(M_PI * ring * ring / start.n, 2) / 6);
   return fmt::format(
-      "resolution: the energy is around the wave number {:.0f}, where the bracket of the matrices is "
-      "that of the torus to about {:.1g} (pi^2 k^4/(6 N^2)); from about the wave number {:.0f} on it "
-      "is another one",
+      "resolution: the energy is around the wave number {:.0f}, where the bracket of the matrices is that of "
+      "the torus to about {:.1g} (pi^2 k^4/(6 N^2)); from about the wave number {:.0f} on it is another one",
       ring, off, std::sqrt(start.n));
 }
 

@@ -104,8 +104,7 @@ struct SpinKeys {
 SpinKeys const first_spin{"initial.primary", "first body"}, second_spin{"initial.secondary", "second body"};
 
 StepKeys const pair_step{
-    {"method"},
-    {"from the pace of orbit and rotations"},
+    "from the pace of orbit and rotations",
     "The time that a step takes. By default the longest that divides the times of the rows and in which, in "
     "the pericentre, the orbit turns by at most 0.15 rad and no body by more than an eighth of a revolution; "
     "with splitting of order 4 by 0.05 rad and a sixteenth; of order 2, and with moser_veselov, by 0.01 rad "

@@ -36,31 +36,22 @@ void define_sensitivity(QuantityGraph& graph, PairMotion const& motion) {
 std::vector<Quantity> tangent_quantities() {
   using Kind = Quantity::Kind;
   return {
-      {"tangent_map",
-       Kind::matrix,
+      {"tangent_map", Kind::matrix,
        "How the state changes with that at the start: position, momentum, and of each body a turn and its "
        "momentum, both in its frame. Without tides.",
-       "\\partial z(t)/\\partial z(0)",
-       "mixed",
-       "",
-       {}},
-      {"sensitivity",
-       Kind::list,
-       "How the separation changes with the start: with position and velocity, and of each body with a small "
-       "turn and with the angular velocity, both in its frame. Without tides.",
-       "\\partial|X(t)|/\\partial(X, \\dot X, \\theta_1, \\omega_1, \\theta_2, \\omega_2)(0)",
-       "1, time, length, length x time, length, length x time",
-       "",
-       {"position"}},
-      {"lyapunov",
-       Kind::scalar,
+       "\\partial z(t)/\\partial z(0)", "mixed"},
+      Quantity{
+          "sensitivity", Kind::list,
+          "How the separation changes with the start: with position and velocity, and of each body with a "
+          "small turn and with the angular velocity, both in its frame. Without tides.",
+          "\\partial|X(t)|/\\partial(X, \\dot X, \\theta_1, \\omega_1, \\theta_2, \\omega_2)(0)",
+          "1, time, length, length x time, length, length x time"}
+          .from({"position"}),
+      {"lyapunov", Kind::scalar,
        "The rate at which a tangent vector has grown since the start, its parts in units of the orbit: it "
        "falls as log(t)/t where the motion is regular, and tends to the largest Lyapunov exponent where it "
        "is chaotic. Zero at the start. Without tides.",
-       "\\tfrac1t\\log|\\delta z(t)|/|\\delta z(0)|",
-       "1/time",
-       "",
-       {}},
+       "\\tfrac1t\\log|\\delta z(t)|/|\\delta z(0)|", "1/time"},
   };
 }
 
