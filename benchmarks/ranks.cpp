@@ -68,21 +68,21 @@ int main(int argc, char** argv) {
     return program.finish();
   }
   ::setenv("ACTIO_CHECKPOINT_SECONDS", "1000", 1);  // a busy machine would have more of them
-  int const size = program.length(1000, 400), rounds = program.length(7, 2);
+  int const size = program.length(1000, 400), rounds = program.length(5, 2);
   long const steps = program.length(200, 60), few = program.length(20, 10);
   int const boxes = program.length(512, 192);
   auto const threads = [](int count) { return "ACTIO_THREADS=" + std::to_string(count) + " " ACTIO_COMMAND; };
   auto const on = [&](int ranks) {
-    return benchmark::on_ranks(ranks, "ACTIO_THREADS=1 " ACTIO_MPIEXEC, mpi);
+    return "ACTIO_THREADS=1 " + benchmark::on_ranks(ranks, ACTIO_MPIEXEC, mpi);
   };
   std::vector<Way> ways{{"rubber, one process", threads(1), false, size, size, steps},
                         {"rubber, two threads", threads(2), false, size, size, steps},
                         {"rubber, one rank", on(1), false, size, size, steps},
                         {"rubber, two ranks", on(2), false, size, size, steps},
                         {"rubber, two ranks, twice the cells", on(2), false, size, 2 * size, steps},
-                        {"water, one process", threads(1), true, boxes, boxes, few},
-                        {"water, one rank", on(1), true, boxes, boxes, few},
-                        {"water, two ranks", on(2), true, boxes, boxes, few}};
+                        {"water, one process", threads(1), true, boxes - 1, boxes, few},
+                        {"water, one rank", on(1), true, boxes - 1, boxes, few},
+                        {"water, two ranks", on(2), true, boxes - 1, boxes, few}};
   for (int round = 0; round < rounds; ++round)
     for (Way& way : ways) {
       way.shorter.push_back(run(way, way.steps)["wall_seconds"].get<double>());
