@@ -14,7 +14,8 @@ struct LeastJacobian {
 
 /// Some cells of a body and the nodes at their corners, at least; all where there are none.
 struct BodyPart {
-  Ranges cells, nodes;  ///< numbers of these
+  Ranges cells = {};  ///< numbers of the cells
+  Ranges nodes = {};  ///< numbers of the nodes
 };
 
 /// What acts inside of a body and on it.

@@ -13,11 +13,13 @@ class BodyMotion {
   BodyMotion(BodySteps<d> steps, BodyStepping const& stepping)
       : steps_of_(std::move(steps)), fractions_(stepping.substeps()), conserve_(stepping.conserve) {}
 
-  BodySteps<d> steps_of_;                     ///< of it
-  BodyState state_, kept_;                    ///< now, and before the last step
-  std::vector<double> forces_, kept_forces_;  ///< in these states
-  std::vector<double> fractions_;             ///< of a step that its substeps are
-  Conserve conserve_;                         ///< what they keep
+  BodySteps<d> steps_of_;            ///< of it
+  BodyState state_;                  ///< now
+  BodyState kept_;                   ///< before the last step
+  std::vector<double> forces_;       ///< in the state now
+  std::vector<double> kept_forces_;  ///< in that before
+  std::vector<double> fractions_;    ///< of a step that its substeps are
+  Conserve conserve_;                ///< what they keep
 
   /// Back to the state before the last step.
   void put_back() { state_ = kept_, forces_ = kept_forces_; }

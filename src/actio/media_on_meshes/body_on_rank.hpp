@@ -1,4 +1,4 @@
-// A body whose steps several ranks make, commanded by rank 0, which has the whole of it (\ref share_parts).
+// A body whose steps several ranks make, commanded by rank 0, which has the whole of it.
 //
 // Each rank steps the nodes that it has and the copies that it needs, by the forces that their ranks have
 // found: one exchange a step. Nothing is added across ranks but what viscosity takes, on rank 0 and in the
@@ -44,7 +44,7 @@ class BodyOnRank final : public RankPart, BodyMotion<d> {
  public:
   /// Made on all ranks, with the same arguments as \ref MediumOnMesh.
   /// @throws Error  on all ranks, where they have not the same mesh
-  /// @param told  of the body, from rank 0 to the others (\ref share_parts)
+  /// @param told  of the body, from rank 0 to the others (\ref actio::share_parts "share_parts")
   BodyOnRank(Ranks& ranks, std::string const& told, BodyMesh const& mesh,
              std::shared_ptr<StoredEnergy<d> const> law,
              std::function<double(std::array<double, d> const&)> const& density, BodyStepping const& stepping,

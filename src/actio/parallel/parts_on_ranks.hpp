@@ -85,7 +85,7 @@ class PartsOnRanks {
   /// While it lives, what is called is part of what has been asked.
   class Asked {
    public:
-    explicit Asked(int& depth) : depth_(depth) { ++depth_; }  ///< \copybrief Asked
+    explicit Asked(int& depth) : depth_(depth) { ++depth_; }  ///< Counts it.
     Asked(Asked const&) = delete;                             ///< Asked once.
     Asked& operator=(Asked const&) = delete;                  ///< \copydoc Asked(Asked const&)
     ~Asked() { --depth_; }                                    ///< What follows is asked again.

@@ -37,10 +37,11 @@ struct DealtFunctions {
 
 /// One product, as rank 0 tells it to the others.
 struct DealtCall {
-  int size;         ///< N
-  bool single;      ///< the precision
-  bool lower;       ///< whether only what is on and below the diagonal is wanted
-  int left, right;  ///< how far the factors reach (Reach)
+  int size;     ///< N
+  bool single;  ///< the precision
+  bool lower;   ///< whether only what is on and below the diagonal is wanted
+  int left;     ///< how far the first factor reaches (Reach)
+  int right;    ///< the second
 };
 
 /// What a rank does for a product; with room that stays.
@@ -196,7 +197,7 @@ class DealtProduct {
 
 /// Products of real matrices by all ranks, on rank 0, used by one caller at a time.
 ///
-/// The others call \ref DealtProduct::help each time that they are woken.
+/// The others call `DealtProduct::help` each time that they are woken.
 class ProductsOnRanks : public ProductsBy<ProductsOnRanks> {
  public:
   /// @param wake  tells the others that a product follows
