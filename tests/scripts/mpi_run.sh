@@ -7,7 +7,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ASAN_OPTIONS=detect_leaks=0
-on() { timeout 120 "$mpirun" --oversubscribe "$@"; }
+on() { timeout 300 "$mpirun" --oversubscribe "$@"; }
 ranks() { on -n "$1" "$actio_mpi" "${@:2}"; }
 fail() { printf '%s\n' "$1"; exit 1; }
 hash_of() { sed -n 's/^  "hash": "\(.*\)",$/\1/p' "$1/summary.json"; }
@@ -141,7 +141,7 @@ grep -q '^actio-mpi: the program of rank 1 is not that of rank 0' told.txt || fa
 
 # A run that is interrupted goes on with another number of ranks, and on one does one of which a rank, or
 # mpirun, was killed; the others end then.
-long=(--set run.until=2400 --set run.every=40 --quiet)
+long=(--set run.until=800 --set run.every=40 --quiet)
 "$actio" run solid.toml --out whole "${long[@]}"
 for ended in first last mpirun; do
   part=part_$ended
