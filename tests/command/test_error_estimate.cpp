@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(
   std::string const scene = folder.write("top.toml", tumbling_top("90"));
   auto const told = actio({"run", "--out", folder / "out", scene});
   BOOST_TEST(contains(told.out, "; error of attitude: no number after t = "), told.out);
-  BOOST_TEST(contains(told.out, "and up to 0.1 tells an error"), told.out);
+  BOOST_TEST(contains(told.out, "and up to 0.01 tells an error"), told.out);
   std::string const summary = contents(folder / "out/summary.json");
   BOOST_TEST(contains(summary, "\"attitude\": \"no number after t = "), summary);
   std::string const until = summary.substr(summary.find("\"error_until\""));

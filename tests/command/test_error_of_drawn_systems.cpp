@@ -200,12 +200,8 @@ Told told_of(std::string const& summary, std::string const& name) {
   return {false, after("error"), after("time")};
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_SUITE(error_of_drawn_systems)
-
-BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_wherever_it_is_told_and_is_told_of_four_in_five) {
-  unsigned long const seed = option("--seed", std::random_device{}()), systems = option("--systems", 36);
+void within_a_factor_of_three_wherever_told_and_told_of_four_in_five(unsigned long seed,
+                                                                     unsigned long systems) {
   BOOST_TEST_MESSAGE("systems drawn by --seed " << seed);
   Draw draw(seed);
   int asked = 0, numbers = 0;
@@ -247,6 +243,22 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_wherever_it_is_told_and_is_t
                                            << ratios[ratios.size() / 2] << "; a number for " << numbers
                                            << " of " << asked);
   BOOST_TEST(numbers >= 0.8 * asked, numbers << " of " << asked);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(error_of_drawn_systems)
+
+// Of 14 400 systems one, on SL(2), has an estimate that is further off, by a factor of five: companion and
+// control go 0.4 and 0.8 far in the group in a step, where the order is not seen, and agree by chance.
+BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_wherever_it_is_told_and_is_told_of_four_in_five) {
+  within_a_factor_of_three_wherever_told_and_told_of_four_in_five(option("--seed", std::random_device{}()),
+                                                                  option("--systems", 36));
+}
+
+// A body in orbit, the control of which had gone as far astray as it can, and so agreed with the companion.
+BOOST_AUTO_TEST_CASE(it_is_so_where_the_control_is_lost) {
+  within_a_factor_of_three_wherever_told_and_told_of_four_in_five(719769412, 36);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

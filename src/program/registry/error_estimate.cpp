@@ -8,8 +8,9 @@
 namespace actio::scene {
 namespace {
 
-// In steps between two rows: the closed form takes as long as some fifty, which is no time at the beginning.
-constexpr long between_exact = 128, between_exact_at_first = 8, at_first = 256, between_looks = 64;
+// In steps between two rows: the closed form takes as long as some fifty, a look ahead as two or three, which
+// is no time at the beginning.
+constexpr long at_first = 2048, between_at_first = 8, between_exact = 128, between_looks = 64;
 
 /// What rounding adds over so many steps.
 double rounding(long steps) {
@@ -50,7 +51,7 @@ void ErrorEstimate::see(long row, double time, long steps, bool last) {
   if (!companion_.motion || lost_ || time == 0) return;
   try {
     bool const exact = companion_.steps == 0;
-    long const between = !exact ? between_looks : steps <= at_first ? between_exact_at_first : between_exact;
+    long const between = steps <= at_first ? between_at_first : exact ? between_exact : between_looks;
     bool const due = last || row % (1 + between * row / std::max(1L, steps)) == 0;
     if (exact) {
       if (!due) return;
@@ -91,15 +92,22 @@ void ErrorEstimate::compare(double factor, double control_factor, long steps, do
     // Without a control nothing tells an error of the method from rounding.
     seen.control_apart = companion_.control ? std::max(seen.control_apart, control_apart) : HUGE_VAL;
     seen.error = std::max(seen.error, apart / factor + rounded);
-    seen.control = std::max(seen.control, control_apart / control_factor + rounded);
-    if (holds(seen)) seen.until = time, seen.then = seen.value();
+    seen.whole = std::max(seen.whole, control_apart / control_factor + rounded);
+    if (!companion_.control || seen.near(seen.control_apart))
+      seen.compared = seen.error, seen.control = seen.whole;
   }
+  for (Seen& seen : largest_)
+    if (holds(seen)) seen.until = time, seen.then = seen.value();
   seen_ = true;
 }
 
+/// How far the companion may be for its distance to tell an error.
+double ErrorEstimate::limit() const {
+  return std::ranges::all_of(largest_, [](Seen const& seen) { return seen.linear(); }) ? 0.1 : 0.01;
+}
 /// Whether a number may be told. What is compared with the true motion needs no more.
 bool ErrorEstimate::holds(Seen const& seen) const {
-  return companion_.steps == 0 || (seen.near() && (seen.agree() || seen.as_rounding()));
+  return companion_.steps == 0 || (seen.near(seen.apart, limit()) && (seen.agree() || seen.as_rounding()));
 }
 
 ErrorEstimate::Entry ErrorEstimate::entry(std::string const& name, std::string const& unit,
@@ -117,16 +125,17 @@ ErrorEstimate::Entry ErrorEstimate::entry(std::string const& name, std::string c
   }
   if (lost_)
     out.said += ": the companion run, with longer steps, could not go on";
-  else if (!seen.near())
+  else if (!seen.near(seen.apart, limit()))
     out.said += fmt::format(
-        ": the companion run came to be {:.2g}{} away, and up to 0.1 tells an "
+        ": the companion run came to be {:.2g}{} away, and up to {} tells an "
         "error; shorter steps tell longer",
-        seen.apart / seen.modulus, unit);
+        seen.apart / seen.modulus, unit, limit());
   else
     out.said += fmt::format(
         ": runs with steps {} and {} times as long tell errors of {:.1e} and "
         "{:.1e}; shorter steps tell better",
-        companion_.steps, companion_.control_steps, seen.error / seen.modulus, seen.control / seen.modulus);
+        companion_.steps, companion_.control_steps, seen.compared / seen.modulus,
+        seen.control / seen.modulus);
   return out;
 }
 

@@ -12,10 +12,12 @@
 // control makes the same estimate. No number is told
 //
 // * where run and companion are further apart than a tenth of a radian or of the value: their difference is
-//   then no multiple of the error any more;
-// * where the two estimates differ by more than a factor of three: the steps are too long for the order to be
-//   seen. The rest of the expansion of the error by the powers of h weighs r^2 times as much, at least,
-//   in the estimate of the control, so that the one of the companion is closer than that.
+//   then no multiple of the error any more. Once the control is a tenth apart, or the two are in another
+//   respect, a hundredth is the limit, unless the control still tells the same error within a half;
+// * where the two estimates differed by more than a factor of three while the control was near enough to be
+//   compared: the steps are too long for the order to be seen. The rest of the expansion of the error by the
+//   powers of h weighs r^2 times as much, at least, in the estimate of the control, so that the one of the
+//   companion is closer than that.
 //
 // Instead it is told until when there was one. Where the true motion is known in closed form, that of a free
 // body in space, it takes the place of the companion, and the difference is the error itself.
@@ -43,8 +45,8 @@ class ErrorEstimate {
   /// Moves the companions on with the run, which has made so many steps.
   void follow(long steps);
   /// Compares the states at a row of the run, if that is due: where the companions have a step, and otherwise
-  /// at rows that are some 64 steps apart, some 128 where the companion is exact,
-  /// but 8 in the first 256, and in the last row.
+  /// at rows that are some 8 steps apart in the first 2048, later some 64, or 128 where the companion is
+  /// exact; and in the last row.
   /// @param time   of the row
   /// @param steps  of the run up to the row
   void see(long row, double time, long steps, bool last);
@@ -76,11 +78,14 @@ class ErrorEstimate {
  private:
   /// Of one respect: the largest so far, in its own unit.
   struct Seen {
-    double error = 0, control = 0,          // as estimated by the companion and by the control
+    double error = 0, whole = 0,            // as estimated by the companion and by the control
+        compared = 0, control = 0,          // the same, while the control was near
         apart = 0, control_apart = 0,       // they from the run
         modulus = 0, until = -1, then = 0;  // a time at which an error was told, and that
-    bool near() const { return apart <= 0.1 * modulus; }
-    bool agree() const { return control <= 3 * error && error <= 3 * control; }
+    bool near(double distance, double limit = 0.1) const { return distance <= limit * modulus; }
+    bool linear() const { return near(apart) && (near(control_apart) || agree_closely()); }
+    bool agree() const { return control <= 3 * compared && compared <= 3 * control; }
+    bool agree_closely() const { return whole <= 1.5 * error && error <= 1.5 * whole; }
     bool as_rounding() const { return control_apart < 2 * apart && apart <= 1e-9 * modulus; }
     double value() const { return modulus > 0 ? (as_rounding() ? apart : error) / modulus : 0; }
   };
@@ -96,6 +101,7 @@ class ErrorEstimate {
   Follower control() const { return {companion_.control.get(), companion_.control_steps, control_made_}; }
   bool follow(Follower follower, long& made, long steps) const;
   void compare(double factor, double control_factor, long steps, double time);
+  double limit() const;
   bool holds(Seen const& seen) const;
   Entry entry(std::string const& name, std::string const& unit, Seen const& seen) const;
   bool estimates() const { return companion_.motion && (seen_ || lost_); }
