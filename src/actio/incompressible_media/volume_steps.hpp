@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "actio/incompressible_media/mesh_share.hpp"
 #include "actio/incompressible_media/multigrid_pressure.hpp"
@@ -48,9 +49,11 @@ enum class PressureBy {
 /// How the volumes of a step are solved for.
 struct VolumeSolving {
   double tolerance = 2e-13;  ///< of A/A^0 - 1, the largest modulus over all cells; or rounding of the places
-  int most_rounds = 20;      ///< with one matrix: then there is a new one, then its factors, and then no more
-  int rebuilt_after = 10;    ///< steps with one matrix
-  int many_rounds = 8;       ///< of a step, after which there is a new one
+  /// with one matrix: then there is a new one. If so many more gain less than a digit there are its factors, in
+  /// the plane, and if those do no better no more rounds
+  int most_rounds = 20;
+  int rebuilt_after = 10;            ///< steps with one matrix
+  int many_rounds = 8;               ///< of a step, after which there is a new one
   PressureBy by = PressureBy::best;  ///< the solver
   Ranks* ranks = nullptr;            ///< that step the medium together, a box; null: this process is alone
   std::string told = {};             ///< of the medium, to the other ranks (\ref share_parts)
@@ -148,7 +151,7 @@ class VolumeSteps {
     without_.resize(v.size());
     copy_moved(v, without_);
     bool fresh = false;
-    double last = HUGE_VAL;
+    double last = HUGE_VAL, before = HUGE_VAL;  // the defect of the last round, and `most_rounds` ago
     for (rounds = 1;; ++rounds) {
       push(P, scale, v);
       place(v, y);
@@ -156,10 +159,12 @@ class VolumeSteps {
       if (off <= solving_.tolerance || (off >= 0.5 * last && off <= rounding())) return off;
       bool const lost = !is_finite(off);
       if (lost || rounds % solving_.most_rounds == 0) {
-        // A matrix of these places, then its factors; and no more.
-        if (lost || (fresh && !can_fall_back())) throw VolumesUnsolved(rounds, off, solving_.tolerance);
-        if (fresh) fall_back();
-        rebuild_at(from), fresh = true;
+        // A matrix of these places; if rounds gain less than a digit with it, its factors; and no more.
+        bool const slow = !(off <= 0.1 * std::exchange(before, off));
+        if (lost || (fresh && slow && !can_fall_back()))
+          throw VolumesUnsolved(rounds, off, solving_.tolerance);
+        if (fresh && slow) fall_back();
+        if (!fresh || slow) rebuild_at(from), fresh = true;
       }
       last = off;
       if (pinned) share_out(r_, solving_.tolerance);
