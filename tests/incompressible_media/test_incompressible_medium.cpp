@@ -170,8 +170,8 @@ BOOST_AUTO_TEST_CASE(what_is_looked_ahead_to_is_on_the_way) {
   }
 }
 
-// The first step of a closed box takes some forty cycles. That is no reason for factors, which take minutes on
-// half a million cells, as long as each cycle gains.
+// The first step of a closed box takes some forty cycles. That is no reason for factors, which take minutes
+// on half a million cells, as long as each cycle gains.
 BOOST_AUTO_TEST_CASE(cycles_go_on_as_long_as_they_gain) {
   VolumeSolving solving;
   solving.by = PressureBy::multigrid;

@@ -49,8 +49,8 @@ enum class PressureBy {
 /// How the volumes of a step are solved for.
 struct VolumeSolving {
   double tolerance = 2e-13;  ///< of A/A^0 - 1, the largest modulus over all cells; or rounding of the places
-  /// with one matrix: then there is a new one. If so many more gain less than a digit there are its factors, in
-  /// the plane, and if those do no better no more rounds
+  /// with one matrix: then there is a new one. If so many more gain less than a digit there are its factors,
+  /// in the plane, and if those do no better no more rounds
   int most_rounds = 20;
   int rebuilt_after = 10;            ///< steps with one matrix
   int many_rounds = 8;               ///< of a step, after which there is a new one
