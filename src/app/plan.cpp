@@ -129,8 +129,8 @@ void tell_memory(Scene const& scene, int ranks) {
   if (!(bytes > 0)) return;
   if (ranks == 1) return tell("memory", "at most about " + size_text(bytes));
   tell("memory",
-       fmt::format("at most about {} on rank 0, which has all nodes when rows are written, and {} on each of "
-                   "the others, beside what MPI takes",
+       fmt::format("at most about {} on rank 0, which has the whole state when rows are written, and {} on "
+                   "each of the others, beside what MPI takes",
                    size_text(bytes - shared * (1 - 1.0 / ranks) + part),
                    size_text(bytes_of_program + scene.simulation.whole_bytes + shared / ranks + part)));
 }

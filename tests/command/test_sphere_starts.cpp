@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "process.hpp"
 #include "sphere_scene.hpp"
 
 namespace {
@@ -194,6 +195,35 @@ BOOST_AUTO_TEST_CASE(memory_that_is_not_there_is_refused_before_it_is_touched) {
       actio({"run", folder.write("sphere.toml", scene.text()), "--dry-run"}, "ulimit -v 1000000;");
   BOOST_TEST(limited.status == 2, limited.err);
   BOOST_TEST(has(limited.err, "where 1.02 GB are there"), limited.err);
+}
+
+// The number is an upper bound: that of the torus as well, which counts the same matrices.
+BOOST_AUTO_TEST_CASE(a_run_takes_the_memory_that_was_told_or_a_third_less) {
+  for (std::string const precision : {"mixed", "double"})
+    for (std::string const method : {"all_invariants", "energy_casimir", "lie_poisson"}) {
+      Folder const folder;
+      Sphere scene;
+      scene.n = "400", scene.method = method, scene.step = "0.0001", scene.until = scene.every = "0.0012";
+      std::string const file = folder.write("sphere.toml", scene.text());
+      std::vector<std::string> const run{
+          "run", file, "--set", "method.precision=" + precision, "--set", "output.error_estimate=false"};
+      auto const with = [&run](std::vector<std::string> const& more) {
+        auto out = run;
+        out.insert(out.end(), more.begin(), more.end());
+        return out;
+      };
+      std::string const plan = actio(with({"--dry-run"})).out, before = "at most about ";
+      std::size_t const at = plan.find(before);
+      BOOST_REQUIRE_MESSAGE(at != std::string::npos, plan);
+      double const told = std::stod(plan.substr(at + before.size())),
+                   taken = cost(with({"--quiet", "--out", folder / "out"})).peak_megabytes;
+      BOOST_TEST((told >= taken && told <= 1.5 * taken),
+                 method << ", " << precision << ": " << told << " MB were told, and " << taken << " taken");
+    }
+  Folder const folder;
+  BOOST_TEST(
+      has(actio({"run", folder.write("sphere.toml", Sphere().text()), "--dry-run", "--ranks", "2"}).out,
+          "on each of the others"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "program/base/memory.hpp"
+
 namespace actio::scene {
 
 double bytes_for_vorticity(int n, std::size_t substeps, sphere::Conserved conserved, bool to_rounding,
@@ -31,7 +33,8 @@ double bytes_for_vorticity(int n, std::size_t substeps, sphere::Conserved conser
     if (std::find(quantities.begin(), quantities.end(), name) != quantities.end())
       most = std::max<double>(most, matrices);
   count += most;
-  return count * sizeof(double) * n * n;
+  double const blas = 30e6;  // OpenBLAS and its buffers: 20 MB as measured, others on other processors
+  return bytes_of_program + blas + count * sizeof(double) * n * n;
 }
 
 }  // namespace actio::scene

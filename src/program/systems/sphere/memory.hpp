@@ -8,12 +8,12 @@
 
 namespace actio::scene {
 
-/// The memory that a run takes, in bytes: a number of real matrices of the size N, counted for each part of
-/// the step and for the most demanding of the quantities.
+/// The memory that a run takes at most, in bytes: the program, and real matrices of the size N for each part
+/// of the step and for the most demanding of the quantities.
 /// @param to_rounding  whether steps are found in double precision throughout
 /// @param substeps    of a step: 1, or those of a composition, each of which has its own steps to guess from
 /// @param quantities  that were asked for
-/// Accuracy: measured to be within a third, for N from 256 on.
+/// Accuracy: runs were measured to take as much or up to a third less, for N from 256 on.
 double bytes_for_vorticity(int n, std::size_t substeps, sphere::Conserved conserved, bool to_rounding,
                            std::vector<std::string> const& quantities);
 /// What all ranks together have of matrices that they multiply, bytes: eight real ones of the size N.

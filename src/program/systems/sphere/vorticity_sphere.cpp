@@ -87,9 +87,9 @@ SphereScheme scheme_of(MethodChoice const& choice, SceneTable const& method, boo
           choice.number() == 4 ? suzuki<double>() : std::vector<double>{1}};
 }
 
-/// Before anything of that size is touched.
-void require_memory_of_matrices(SceneFile const& file, SphereScheme const& scheme,
-                                std::vector<std::string> const& quantities) {
+/// The memory that a run takes at most, refused before anything of that size is touched.
+double checked_memory(SceneFile const& file, SphereScheme const& scheme,
+                      std::vector<std::string> const& quantities) {
   int const n = sphere_keys.N.read(file);
   auto const bytes = [&](int size) {
     return bytes_for_vorticity(size, scheme.fractions.size(), scheme.conserved, scheme.to_rounding,
@@ -101,6 +101,7 @@ void require_memory_of_matrices(SceneFile const& file, SphereScheme const& schem
                    int const largest = static_cast<int>(n * std::sqrt(there / needed));
                    return fmt::format("N = {} takes {}", largest, bytes_in_words(bytes(largest)));
                  });
+  return needed;
 }
 
 /// Squares and cubes of the numbers, and what else was asked for, are numbers.
@@ -160,7 +161,7 @@ Simulation prepare(Request const& request) {
   };
   MethodChoice const choice = read_method(method, methods());
   SphereScheme const scheme = scheme_of(choice, method, read_hamiltonian(request.file).layer());
-  require_memory_of_matrices(request.file, scheme, request.quantities);
+  double const bytes = checked_memory(request.file, scheme, request.quantities);
 
   Simulation simulation(with_conserved("vorticity_sphere", vorticity_quantities()));
   VorticityStart start = read_vorticity_start(request.file, simulation.remarks);
@@ -180,6 +181,7 @@ Simulation prepare(Request const& request) {
   define_vorticity(simulation.quantities, *motion, flow);
   simulation.quantities.ask(request.quantities);
   simulation.snapshots = write_vorticity(request, start.n, start.hamiltonian, *motion);
+  simulation.bytes = bytes, simulation.part_bytes = bytes_dealt(start.n);
   simulation.motion = std::move(motion), simulation.on_ranks = true;
   return simulation;
 }
