@@ -37,8 +37,10 @@ class IncompressibleMotion {
       std::swap(state_, next_), prepared_ = whole_ = false;
       std::swap(pressures_[2], pressures_[1]), std::swap(pressures_[1], pressures_[0]);
       std::swap(pressures_[0], pressure_), ++known_, ++steps_;
-      // A matrix that is old, or no longer near.
-      age_ = volumes_.rounds > solving_.many_rounds ? solving_.rebuilt_after : age_ + 1;
+      // A matrix that is old, or no longer near: to build one takes as long as some twenty rounds.
+      if (age_ == 0) first_rounds_ = volumes_.rounds;
+      bool const many = volumes_.rounds > std::max<double>(solving_.many_rounds, 1.5 * first_rounds_);
+      age_ = many ? solving_.rebuilt_after : age_ + 1;
     }
   }
   /// Until the next step the state is that so long after the last one; zero: that of the last step again.
@@ -140,8 +142,10 @@ class IncompressibleMotion {
     auto const asked = parts_.ask({.what = Call::remember});
     bring_all();
     State const& last = ahead_ > 0 ? kept_ : state_;
-    std::vector<double> out{static_cast<double>(steps_), static_cast<double>(ahead_ > 0 ? kept_age_ : age_),
-                            static_cast<double>(known_), last.lag, volumes_.fell_back ? 1.0 : 0.0};
+    std::vector<double> out{
+        static_cast<double>(steps_),    static_cast<double>(ahead_ > 0 ? kept_age_ : age_),
+        static_cast<double>(known_),    last.lag,
+        volumes_.fell_back ? 1.0 : 0.0, static_cast<double>(first_rounds_)};
     SharpPlaces const& built = ahead_ > 0 ? kept_built_ : volumes_.built;
     std::array<std::vector<double> const*, 8> const parts{&last.at.y,     &last.at.rest, &last.v,
                                                           &built.y,       &built.rest,   &pressures_[0],
@@ -153,14 +157,15 @@ class IncompressibleMotion {
   /// @throws OutsideDomain  where it is of another size
   void restore(std::vector<double> const& from) {
     std::size_t const n = state_.at.y.size(), cells = volumes_.kept.size();
-    std::size_t const known = from.size() < 5 ? 0 : std::min(3.0, from[2]);
-    if (from.size() != 5 + 5 * n + known * cells)
+    std::size_t const known = from.size() < 6 ? 0 : std::min(3.0, from[2]);
+    if (from.size() != 6 + 5 * n + known * cells)
       throw OutsideDomain("incompressible medium", "a remembered state is that of the same mesh; numbers",
-                          static_cast<double>(from.size()), static_cast<double>(5 + 5 * n + known * cells));
+                          static_cast<double>(from.size()), static_cast<double>(6 + 5 * n + known * cells));
     auto const asked = parts_.ask({.what = Call::restore, .count = static_cast<long>(from.size())}, from);
     steps_ = static_cast<long>(from[0]), age_ = static_cast<long>(from[1]),
     known_ = static_cast<long>(from[2]);
-    auto at = from.begin() + 5;
+    auto at = from.begin() + 6;
+    first_rounds_ = static_cast<long>(from[5]);
     auto const take = [&](std::vector<double>& part, std::size_t count) {
       part.assign(at, at + static_cast<long>(count)), at += static_cast<long>(count);
     };
@@ -310,6 +315,7 @@ class IncompressibleMotion {
   std::vector<double> forces_, whole_slopes_;            // room
   mutable std::vector<double> pressure_, pressures_[3];  // of the step from the state, of the last three
   long steps_ = 0, known_ = 0, age_ = 0, kept_age_ = 0;  // age: steps with one matrix
+  long first_rounds_ = 0;                                // of the first of these
   bool prepared_ = false;                                // next_ and pressure_ are those of the next step
   double ahead_ = 0, projected_ = 0;
 

@@ -52,8 +52,9 @@ struct VolumeSolving {
   /// with one matrix: then there is a new one. If so many more gain less than a digit there are its factors,
   /// in the plane, and if those do no better no more rounds
   int most_rounds = 20;
-  int rebuilt_after = 10;            ///< steps with one matrix
-  int many_rounds = 8;               ///< of a step, after which there is a new one
+  int rebuilt_after = 10;  ///< steps with one matrix
+  /// of a step, after which there is a new one, unless the first step with this one took more than two thirds
+  int many_rounds = 8;
   PressureBy by = PressureBy::best;  ///< the solver
   Ranks* ranks = nullptr;            ///< that step the medium together, a box; null: this process is alone
   std::string told = {};             ///< of the medium, to the other ranks (\ref share_parts)
