@@ -29,6 +29,17 @@ struct Case {
     solving.by = by, solving.ranks = ranks;
     return std::make_unique<IncompressibleMedium<d>>(mesh(), law, start, step, sides, loads, solving);
   }
+  /// Does this on so many ranks that share such media.
+  void on_ranks(int count, std::function<void(Ranks&)> const& work) const {
+    on_thread_ranks(count, [&](Ranks& ranks) {
+      share_parts(
+          ranks,
+          [&](std::string const&, double) {
+            return std::make_unique<LikePart<IncompressibleMedium<d>>>(made(&ranks));
+          },
+          [&] { work(ranks); });
+    });
+  }
 };
 
 /// All numbers of a run with looks ahead, another step, and a state that is gone on from.
@@ -69,14 +80,7 @@ void check_ranks(Case<d> const& of, std::vector<int> const& counts) {
   auto const alone = numbers_of(of, nullptr);
   for (int const count : counts) {
     std::vector<double> together;
-    on_thread_ranks(count, [&](Ranks& ranks) {
-      share_parts(
-          ranks,
-          [&](std::string const&, double) {
-            return std::make_unique<LikePart<IncompressibleMedium<d>>>(of.made(&ranks));
-          },
-          [&] { together = numbers_of(of, &ranks); });
-    });
+    of.on_ranks(count, [&](Ranks& ranks) { together = numbers_of(of, &ranks); });
     std::size_t const same =
         static_cast<std::size_t>(std::ranges::mismatch(alone, together).in1 - alone.begin());
     BOOST_TEST(same == alone.size(),
@@ -180,14 +184,7 @@ BOOST_AUTO_TEST_CASE(what_ends_a_run_ends_it_on_all_ranks) {
   };
   std::string const alone = told(nullptr);
   BOOST_TEST(alone.find("folds") != std::string::npos, alone);
-  on_thread_ranks(3, [&](Ranks& ranks) {
-    share_parts(
-        ranks,
-        [&](std::string const&, double) {
-          return std::make_unique<LikePart<IncompressibleMedium<2>>>(of.made(&ranks));
-        },
-        [&] { BOOST_TEST(told(&ranks) == alone); });
-  });
+  of.on_ranks(3, [&](Ranks& ranks) { BOOST_TEST(told(&ranks) == alone); });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,11 +4,20 @@
 #include "actio/fast_media/fast_medium_2d.hpp"
 #include "actio/fast_media/fast_medium_3d.hpp"
 #include "actio/parallel/thread_ranks.hpp"
+#include "ranks_through.hpp"
 
 using namespace actio;
 using namespace actio::media;
 
 namespace {
+
+/// A start in the plane.
+std::array<double, 2> place(std::array<double, 2> const& X) {
+  return {X[0] + 0.02 * std::sin(3 * X[1]), X[1] + 0.03 * std::cos(2 * X[0])};
+}
+std::array<double, 2> rate(std::array<double, 2> const& X) {
+  return {0.1 * std::sin(5 * X[1]), -0.2 * X[0] * X[1]};
+}
 
 /// Places and velocities after some steps, with a state that was taken on the way and gone on from.
 template <class Medium, class Box, class Placement, class Velocity>
@@ -51,34 +60,16 @@ void check_ranks(Medium const& medium, Box const& box, double dt, Placement cons
 
 /// Ranks that put a copy together from a share of each of three, as one does who sums over ranks, where
 /// others copy it.
-class AddingRanks final : public Ranks {
+class AddingRanks final : public testing::RanksThrough {
  public:
-  explicit AddingRanks(Ranks& others) : others_(others) {}
-  int rank() const override { return others_.rank(); }
-  int size() const override { return others_.size(); }
-  void broadcast(std::span<std::byte> data) override { others_.broadcast(data); }
-  void gather(std::span<std::byte const> mine, std::span<std::byte> all) override {
-    others_.gather(mine, all);
-  }
-  void scatter(std::span<std::byte const> all, std::span<std::byte> mine) override {
-    others_.scatter(all, mine);
-  }
-  bool any(bool here) override { return others_.any(here); }
-  double most(double here) override { return others_.most(here); }
+  using RanksThrough::RanksThrough;
   void exchange(int to, std::span<std::byte const> mine, int from, std::span<std::byte> theirs) override {
-    others_.exchange(to, mine, from, theirs);
-    std::vector<double> now = numbers(theirs);
-    for (std::size_t k = 0; k < now.size(); ++k) now[k] = now[k] / 3 + now[k] / 3 + now[k] / 3;
+    RanksThrough::exchange(to, mine, from, theirs);
+    std::vector<double> now(theirs.size() / sizeof(double));
+    std::ranges::copy(theirs, bytes_of(now).begin());
+    for (double& one : now) one = one / 3 + one / 3 + one / 3;
     std::ranges::copy(bytes_of(now), theirs.begin());
   }
-
- private:
-  static std::vector<double> numbers(std::span<std::byte const> bytes) {
-    std::vector<double> out(bytes.size() / sizeof(double));
-    std::ranges::copy(bytes, bytes_of(out).begin());
-    return out;
-  }
-  Ranks& others_;
 };
 
 BOOST_AUTO_TEST_SUITE(media_on_ranks)
@@ -87,12 +78,6 @@ BOOST_AUTO_TEST_SUITE(media_on_ranks)
 BOOST_AUTO_TEST_CASE(a_sum_across_ranks_changes_bits) {
   auto const law = neo_hookean(1, 1);
   FastBox2d const box{{13, 17}, {0.1, 0.08}};
-  auto const place = [](std::array<double, 2> const& X) {
-    return std::array<double, 2>{X[0] + 0.02 * std::sin(3 * X[1]), X[1] + 0.03 * std::cos(2 * X[0])};
-  };
-  auto const rate = [](std::array<double, 2> const& X) {
-    return std::array<double, 2>{0.1 * std::sin(5 * X[1]), -0.2 * X[0] * X[1]};
-  };
   auto const alone = run(law, box, 0.01, place, rate, {});
   for (int const ranks : {1, 3}) {
     decltype(run(law, box, 0.01, place, rate, {})) together;
@@ -149,12 +134,6 @@ BOOST_AUTO_TEST_CASE(what_throws_ends_all_ranks) {
 }
 
 BOOST_AUTO_TEST_CASE(in_the_plane) {
-  auto const place = [](std::array<double, 2> const& X) {
-    return std::array<double, 2>{X[0] + 0.02 * std::sin(3 * X[1]), X[1] + 0.03 * std::cos(2 * X[0])};
-  };
-  auto const rate = [](std::array<double, 2> const& X) {
-    return std::array<double, 2>{0.1 * std::sin(5 * X[1]), -0.2 * X[0] * X[1]};
-  };
   auto const solid = neo_hookean(1, 1);
   check_ranks(solid, FastBox2d{{13, 17}, {0.1, 0.08}}, 0.01, place, rate);
   FastBox2d walls{{9, 15}, {0.1, 0.08}};

@@ -6,6 +6,7 @@
 #include "actio/meshes/gmsh_mesh.hpp"
 #include "actio/parallel/thread_ranks.hpp"
 #include "caught.hpp"
+#include "ranks_through.hpp"
 #include "refused.hpp"
 
 using namespace actio;
@@ -132,27 +133,15 @@ Body<2> loaded() {
 }
 
 /// Ranks of which one hears nothing of its neighbours in one exchange.
-class Deaf final : public Ranks {
+class Deaf final : public testing::RanksThrough {
  public:
-  explicit Deaf(Ranks& ranks) : ranks_(ranks) {}
-  int rank() const override { return ranks_.rank(); }
-  int size() const override { return ranks_.size(); }
-  void broadcast(std::span<std::byte> data) override { ranks_.broadcast(data); }
+  using RanksThrough::RanksThrough;
   void exchange(int to, std::span<std::byte const> mine, int from, std::span<std::byte> theirs) override {
-    ranks_.exchange(to, mine, from, theirs);
+    RanksThrough::exchange(to, mine, from, theirs);
     if (rank() == 1 && ++heard_ == 21) std::ranges::fill(theirs, std::byte{0});
   }
-  void gather(std::span<std::byte const> mine, std::span<std::byte> all) override {
-    ranks_.gather(mine, all);
-  }
-  void scatter(std::span<std::byte const> all, std::span<std::byte> mine) override {
-    ranks_.scatter(all, mine);
-  }
-  bool any(bool here) override { return ranks_.any(here); }
-  double most(double here) override { return ranks_.most(here); }
 
  private:
-  Ranks& ranks_;
   int heard_ = 0;
 };
 

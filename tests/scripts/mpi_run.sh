@@ -1,15 +1,8 @@
 #!/usr/bin/env bash
 # mpi_run.sh ACTIO ACTIO_MPI MPIRUN: a run on several ranks writes what it writes on one, file by file; a run
 # that was ended goes on with another number of ranks; what ranks cannot share is refused.
-set -euo pipefail
-actio=$1 actio_mpi=$2 mpirun=$3
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ASAN_OPTIONS=detect_leaks=0
-on() { timeout 300 "$mpirun" --oversubscribe "$@"; }
-ranks() { on -n "$1" "$actio_mpi" "${@:2}"; }
-fail() { printf '%s\n' "$1"; exit 1; }
+# shellcheck source=tests/scripts/on_ranks.sh
+. "$(dirname "$0")/on_ranks.sh" 300 "$@"
 hash_of() { sed -n 's/^  "hash": "\(.*\)",$/\1/p' "$1/summary.json"; }
 # Everything that a run leaves is the same, but for how long it took and on how many ranks.
 same() {

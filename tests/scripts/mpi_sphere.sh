@@ -5,14 +5,8 @@
 #
 # The bound: the products of a step are of N terms and A is below one, so that a step changes the flow by at
 # most N roundings of it, and so many steps by as many times that; no step amplifies it.
-set -euo pipefail
-actio=$1 actio_mpi=$2 mpirun=$3
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ASAN_OPTIONS=detect_leaks=0
-ranks() { timeout 120 "$mpirun" --oversubscribe -n "$1" "$actio_mpi" "${@:2}"; }
-fail() { printf '%s\n' "$1"; exit 1; }
+# shellcheck source=tests/scripts/on_ranks.sh
+. "$(dirname "$0")/on_ranks.sh" 120 "$@"
 size=64 steps=2
 bound=$(awk "BEGIN { print $size * $steps * 2.2e-16 }")
 

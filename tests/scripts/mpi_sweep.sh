@@ -1,14 +1,8 @@
 #!/usr/bin/env bash
 # mpi_sweep.sh ACTIO ACTIO_MPI MPIRUN: a sweep on two ranks writes what the same sweep writes on one machine,
 # and where a rank dies the others end.
-set -euo pipefail
-actio=$1 actio_mpi=$2 mpirun=$3
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ASAN_OPTIONS=detect_leaks=0
-ranks() { timeout 60 "$mpirun" --oversubscribe -n 2 "$actio_mpi" "$@"; }
-fail() { printf '%s\n' "$1"; exit 1; }
+# shellcheck source=tests/scripts/on_ranks.sh
+. "$(dirname "$0")/on_ranks.sh" 60 "$@"
 
 cat >apophis.toml <<'TOML'
 [system]
@@ -31,7 +25,7 @@ over=(--over "method.step=0.125,0.25,fast" --over "run.until=10,15,20")
 timeless() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "wall_seconds") clock = i } { $clock = ""; print }' "$1/sweep.csv"; }
 one=0 two=0
 "$actio" sweep apophis.toml "${over[@]}" --out one >one.out 2>one.err || one=$?
-ranks apophis.toml "${over[@]}" --out two >two.out 2>two.err || two=$?
+ranks 2 apophis.toml "${over[@]}" --out two >two.out 2>two.err || two=$?
 [[ $one == 2 && $two == 2 ]] || { cat two.err; fail "a wrong member ends a sweep with status 2, not $one on one machine and $two on ranks"; }
 diff <(timeless one) <(timeless two) || fail "the tables differ in more than the time"
 for member in one/0*; do
@@ -44,14 +38,14 @@ grep -q "two: 9 members, 6 done, 3 failed (status 2), in .* s; table two/sweep.c
 
 # Without one member in order nothing is left, and the ranks do not wait for each other.
 two=0
-ranks apophis.toml --over method.stp=1,2,3 --out none >none.err 2>&1 || two=$?
+ranks 2 apophis.toml --over method.stp=1,2,3 --out none >none.err 2>&1 || two=$?
 if ! [[ $two == 2 && ! -e none ]] || ! grep -q "did you mean 'step'?" none.err; then
   cat none.err
   fail "an unknown key ended with status $two"
 fi
 
 # One member at a time and two at a time on each rank, more ranks than members.
-ranks apophis.toml --over method.step=0.125 --jobs 2 --out single --quiet
+ranks 2 apophis.toml --over method.step=0.125 --jobs 2 --out single --quiet
 [[ $(wc -l <single/sweep.csv) == 2 ]] || fail "a sweep of one member on two ranks leaves another table"
 
 # A rank, and then mpirun itself, is killed in the midst of members that would take days.
@@ -79,7 +73,7 @@ long=(apophis.toml --over "run.until=10,1000000,15,1200000" --set run.every=5)
 "$actio" sweep "${long[@]}" --out unbroken --quiet
 for how in ranks alone; do
   timeout -s INT 1 "$actio" sweep "${long[@]}" --out "$how" --jobs 1 --quiet 2>/dev/null || true
-  if [[ $how == ranks ]]; then ranks --resume ranks --quiet; else "$actio" resume alone --quiet; fi
+  if [[ $how == ranks ]]; then ranks 2 --resume ranks --quiet; else "$actio" resume alone --quiet; fi
   diff <(timeless unbroken) <(timeless "$how") || fail "the table of a sweep that went on ($how) is another"
 done
 killed no_mpirun mpirun

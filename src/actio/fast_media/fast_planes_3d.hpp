@@ -8,36 +8,25 @@
 #include "actio/fast_media/fast_options.hpp"
 #include "actio/fast_media/fast_strains.hpp"
 #include "actio/fast_media/fast_sweep_3d.hpp"
+#include "actio/fast_media/nodes_in_registers.hpp"
 #include "actio/parallel/team.hpp"
 
 namespace actio::media::detail {
 
 /// Places and velocities of all nodes, and their steps.
 template <class Cell>
-class FusedPlanes3d {
+class FusedPlanes3d : public NodesInRegisters<FastBox3d, Space> {
  public:
-  using Register = Space<Quad>;
-
   FusedPlanes3d(FastBox3d const& box, Cell const& cell, double dt, FastOptions const& options)
-      : box_(box),
+      : NodesInRegisters(box, options.ranks, 1),
         cell_(cell),
         dt_(dt),
         registers_(options.registers),
-        strips_(box),
-        rows_(box.nodes(1)),
         planes_(box.nodes(2)),
-        halo_(options.ranks, planes_, box.periodic(2), 1),
-        packs_(static_cast<std::size_t>(strips_.packs)),
-        // Rows that are a multiple of a page apart would be in each other's way.
-        stride_(2 * packs_ + (strips_.packs % 8 == 0 ? 1 : 0)),
-        state_(stride_ * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(halo_.stored()), zero()) {
+        packs_(static_cast<std::size_t>(strips_.packs)) {
     prepare(options);
   }
 
-  /// Keeps a copy of the state.
-  void keep() { kept_ = state_; }
-  /// Back to the copy.
-  void restore() { state_ = kept_; }
   /// How many steps a pass makes.
   int levels() const { return 1; }
   /// Memory, bytes.
@@ -48,23 +37,6 @@ class FusedPlanes3d {
     return sum * sizeof(Register);
   }
 
-  /// Sets places, and velocities half a step back, of the nodes row by row; given on rank 0.
-  void put(std::vector<Space<double>> const& x, std::vector<Space<double>> const& v) {
-    if (halo_.alone()) return put_own(x, v);
-    std::vector<Space<double>> mine(own_nodes()), rates(mine.size());
-    halo_.ranks().scatter(bytes_of(x), bytes_of(mine));
-    halo_.ranks().scatter(bytes_of(v), bytes_of(rates));
-    put_own(mine, rates);
-    halo_.exchange(state_);
-  }
-  /// Places of the nodes row by row, or their velocities; on rank 0.
-  std::vector<Space<double>> read(bool velocity) const {
-    auto const mine = read_own(velocity);
-    if (halo_.alone()) return mine;
-    std::vector<Space<double>> all(halo_.ranks().rank() == 0 ? static_cast<std::size_t>(box_.count()) : 0);
-    halo_.ranks().gather(bytes_of(mine), bytes_of(all));
-    return all;
-  }
   /// So many steps on. @return whether no Jacobian was seen that is negative
   bool advance(long count) {
     for (auto& band : bands_) band.signs = Quad::Bits{};
@@ -114,45 +86,6 @@ class FusedPlanes3d {
 
   static Register zero() { return {Quad(0), Quad(0), Quad(0)}; }
   static Register registers(Space<double> const& a) { return {Quad(a.x), Quad(a.y), Quad(a.z)}; }
-  std::size_t row_offset(int j) const { return static_cast<std::size_t>(j) * stride_; }
-  Register* plane(int k) { return state_.data() + halo_.local(k) * row_offset(rows_); }
-  Register const* plane(int k) const { return state_.data() + halo_.local(k) * row_offset(rows_); }
-  Register const* line(int number) const { return plane(number / rows_) + row_offset(number % rows_); }
-  Register* line(int number) { return plane(number / rows_) + row_offset(number % rows_); }
-  std::size_t own_nodes() const {
-    return static_cast<std::size_t>(halo_.own().count()) * static_cast<std::size_t>(rows_) *
-           static_cast<std::size_t>(box_.nodes(0));
-  }
-
-  /// Of the planes of this rank alone.
-  void put_own(std::vector<Space<double>> const& x, std::vector<Space<double>> const& v) {
-    int const n = box_.nodes(0);
-    std::size_t k = 0;
-    for (int number = rows_ * halo_.own().from; number < rows_ * halo_.own().to;
-         ++number, k += static_cast<std::size_t>(n))
-      for (int i = 0; i <= box_.cells[0]; ++i) {
-        bool const round = i == n;
-        std::size_t const at = k + static_cast<std::size_t>(round ? 0 : i);
-        int const s = strips_.pack(i), lane = strips_.lane(i);
-        Register* const row = line(number);
-        Register &place = row[s], &rate = row[strips_.packs + s];
-        auto const shift = round ? box_.shift(0) : Space<double>{0, 0, 0};
-        place.x.lane[lane] = x[at].x + shift.x, rate.x.lane[lane] = v[at].x;
-        place.y.lane[lane] = x[at].y + shift.y, rate.y.lane[lane] = v[at].y;
-        place.z.lane[lane] = x[at].z + shift.z, rate.z.lane[lane] = v[at].z;
-      }
-  }
-  std::vector<Space<double>> read_own(bool velocity) const {
-    std::vector<Space<double>> out;
-    out.reserve(own_nodes());
-    for (int number = rows_ * halo_.own().from; number < rows_ * halo_.own().to; ++number)
-      for (int i = 0; i < box_.nodes(0); ++i) {
-        Register const& r = line(number)[strips_.pack(i) + (velocity ? strips_.packs : 0)];
-        int const lane = strips_.lane(i);
-        out.push_back({r.x.lane[lane], r.y.lane[lane], r.z.lane[lane]});
-      }
-    return out;
-  }
   bool round() const { return box_.periodic(2); }
   /// Calls `look(band, rows)` on a thread for each band, with the rows at the cells above its own planes.
   template <class Look>
@@ -165,7 +98,7 @@ class FusedPlanes3d {
     std::vector<Register const*> x, v;
     for (int k = from; k < to; ++k)
       for (int j = 0; j < across; ++j) {
-        Register const* const row = plane(k == planes_ ? 0 : k) + row_offset(j == rows_ ? 0 : j);
+        Register const* const row = slice(k == planes_ ? 0 : k) + row_offset(j == rows_ ? 0 : j);
         x.push_back(row), v.push_back(row + packs_);
         if (k < planes_ && j < rows_) continue;
         Space<double> by{0, 0, 0};
@@ -191,13 +124,8 @@ class FusedPlanes3d {
       row_shares_.push_back({box_.moves(1, j, 0) ? share : 0, box_.moves(1, j, 1) ? share : 0,
                              box_.moves(1, j, 2) ? share : 0});
     }
-    auto const own = halo_.own();
-    int const bands = std::clamp(options.threads, 1, own.count());
-    bands_.resize(static_cast<std::size_t>(bands));
-    for (int b = 0; b < bands; ++b) {
-      Band& band = bands_[static_cast<std::size_t>(b)];
-      auto const part = RowRange::of(own.count(), b, bands);
-      band.from = own.from + part.from, band.to = own.from + part.to;
+    cut(bands_, options.threads);
+    for (Band& band : bands_) {
       if (round() || band.from > 0) band.below.assign(places, zero());
       if (band.to < planes_) band.above.assign(places, zero());
       band.room.assign(places + 6 * packs_, zero());
@@ -212,7 +140,7 @@ class FusedPlanes3d {
       else if (k + 1 == band.to)
         layer.high = band.above.data(), layer.high_stride = packs_;
       else
-        layer.high = plane(k + 1);
+        layer.high = slice(k + 1);
       double const kick = dt_ / (box_.share(2, std::max(k, 0)) * box_.measure());
       if (moves)
         layer.kick = {box_.moves(2, k, 0) ? kick : 0, box_.moves(2, k, 1) ? kick : 0,
@@ -220,12 +148,12 @@ class FusedPlanes3d {
       band.layers.push_back(layer);
     };
     if (!band.below.empty()) add(band.from - 1, band.below.data(), packs_, false);
-    for (int k = band.from; k < band.to; ++k) add(k, plane(k), stride_, true);
+    for (int k = band.from; k < band.to; ++k) add(k, slice(k), stride_, true);
   }
   /// The places of a plane, row by row without gaps.
   void copy_places(int k, std::vector<Register>& out) {
     for (int j = 0; j < rows_; ++j)
-      std::copy_n(plane(k) + row_offset(j), packs_, out.data() + static_cast<std::size_t>(j) * packs_);
+      std::copy_n(slice(k) + row_offset(j), packs_, out.data() + static_cast<std::size_t>(j) * packs_);
   }
   /// What other threads move while this one needs it. A plane is moved by a period here and nowhere else, so
   /// that what rounding makes of that does not depend on who steps it.
@@ -242,16 +170,11 @@ class FusedPlanes3d {
   }
   void sweep(Band& band);
 
-  FastBox3d box_;
   Cell cell_;
   double dt_;
   Registers registers_;
-  Strips strips_;
-  int rows_, planes_;  // of nodes in a plane, and planes
-  HaloRows halo_;
-  std::size_t packs_;   // registers of a row
-  std::size_t stride_;  // from row to row
-  std::vector<Register> state_, kept_;
+  int planes_;                  // of nodes
+  std::size_t packs_;           // registers of a row
   std::vector<Register> seam_;  // the places of the first plane, a period further
   std::vector<Space<double>> row_shares_;
   std::vector<Band> bands_;

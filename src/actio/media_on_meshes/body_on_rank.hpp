@@ -70,19 +70,15 @@ class BodyOnRank final : public RankPart, BodyMotion<d> {
   /// @return how many were made
   long make(BodyState& whole, std::vector<double>& forces, bool is_known, long count, double step,
             long before) {
-    PartCall const call{.what = is_known, .count = count, .numbers = {step, static_cast<double>(before)}};
-    auto const asked = parts_.ask(call);
-    return make(whole, forces, call);
+    return Calls::template ask<&BodyOnRank::make_here>(parts_, *this, whole, forces, is_known, count, step,
+                                                       before);
   }
-  void answer(PartCall const& call) override {
-    BodyState none;
-    std::vector<double> no_forces;
-    make(none, no_forces, call);
-  }
+  void answer(PartCall const& call) override { Calls::answer(*this, call); }
 
  private:
   using BodyMotion<d>::steps_of_, BodyMotion<d>::state_, BodyMotion<d>::forces_;
   using BodyMotion<d>::in_parts, BodyMotion<d>::put_back;
+  using Calls = PartCalls<&BodyOnRank::make_here>;
   std::unique_ptr<SharedNodes> shared_;
   PartsOnRanks parts_;
 
@@ -94,16 +90,15 @@ class BodyOnRank final : public RankPart, BodyMotion<d> {
         shared_(std::move(shared)),
         parts_(&shared_->ranks(), told) {}
 
-  long make(BodyState& whole, std::vector<double>& forces, PartCall const& call) {
-    bool const is_known = call.what != 0;
-    auto const [step, before] = call.numbers;
+  long make_here(BodyState& whole, std::vector<double>& forces, bool is_known, long count, double step,
+                 long before) {
     if (!is_known)
       each_list(whole, forces, [&](auto const& all, auto& here) { shared_->scatter(all, here); });
     state_.dissipated = whole.dissipated;
     long made = 0;
     try {
-      for (; made < call.count; ++made) {
-        double const steps = before + static_cast<double>(made);
+      for (; made < count; ++made) {
+        double const steps = static_cast<double>(before + made);
         in_parts(step, steps * step, (steps + 1) * step);
       }
     } catch (FailsOnARank const&) {

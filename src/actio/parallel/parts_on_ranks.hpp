@@ -2,10 +2,12 @@
 // object it asks of all ranks. The others have parts of it and do nothing else.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include "actio/numbers/errors.hpp"
 #include "actio/parallel/ranks.hpp"
@@ -14,10 +16,9 @@ namespace actio {
 
 /// What rank 0 asks for.
 struct PartCall {
-  int what = 0;                ///< of what the object can do; or one of those below
-  int which = 0;               ///< of the objects that there are
-  long count = 0;              ///< of steps, or whatever is counted
-  double numbers[2] = {0, 0};  ///< what else there is to say
+  int what = 0;                        ///< of what the object can do; or one of those below
+  int which = 0;                       ///< of the objects that there are
+  std::array<double, 4> numbers = {};  ///< what else there is to say
 
   static constexpr int make = -1;   ///< a part of a new object
   static constexpr int drop = -2;   ///< it is gone
@@ -27,12 +28,13 @@ struct PartCall {
   static void agree(Ranks& ranks, PartCall& call) {
     ranks.broadcast(std::as_writable_bytes(std::span(&call, 1)));
   }
-  /// The same of a text.
-  static void agree(Ranks& ranks, std::string& text) {
-    std::size_t size = text.size();
+  /// The same of a text, or of numbers.
+  template <class List>
+  static void agree(Ranks& ranks, List& list) {
+    std::size_t size = list.size();
     ranks.broadcast(std::as_writable_bytes(std::span(&size, 1)));
-    text.resize(size);
-    ranks.broadcast(std::as_writable_bytes(std::span(text)));
+    list.resize(size);
+    ranks.broadcast(std::as_writable_bytes(std::span(list)));
   }
 };
 
@@ -68,7 +70,7 @@ class PartsOnRanks {
     if (!ranks_) return;
     static int made = 0;
     which_ = ++made;
-    say({.what = PartCall::make, .numbers = {number, 0}});
+    say({.what = PartCall::make, .numbers = {number}});
     PartCall::agree(*ranks_, told);
   }
   PartsOnRanks(PartsOnRanks const&) = delete;             ///< One object has them.
@@ -94,13 +96,8 @@ class PartsOnRanks {
     int& depth_;
   };
   /// Asks all parts to do what this rank is about to do; nothing within what has been asked.
-  /// @param numbers  are told too; the other ranks know how many
-  [[nodiscard]] Asked ask(PartCall const& call, std::vector<double> const& numbers = {}) const {
-    if (ranks_ && depth_ == 0) {
-      say(call);
-      auto told = numbers;
-      if (!told.empty()) ranks_->broadcast(bytes_of(told));
-    }
+  [[nodiscard]] Asked ask(PartCall const& call) const {
+    if (ranks_ && depth_ == 0) say(call);
     return Asked(depth_);
   }
 
@@ -113,6 +110,60 @@ class PartsOnRanks {
   void say(PartCall call) const {
     call.which = which_;
     PartCall::agree(*ranks_, call);
+  }
+};
+
+/// Functions of an object that all ranks do together, told by their places in this list.
+///
+/// Numbers among their arguments are told too. Whatever else they take rank 0 has alone: on the others it is
+/// empty, and the functions bring what they need of it.
+template <auto... functions>
+struct PartCalls {
+  /// Does one of them on all ranks.
+  template <auto function, class Object>
+  static auto ask(PartsOnRanks const& parts, Object& object, auto&&... arguments) {
+    static_assert((is_same<functions, function> || ...), "a function of the list");
+    PartCall call;
+    ((is_same<functions, function> || (++call.what, false)) || ...);
+    each_number(
+        call, [](double& told, auto number) { told = static_cast<double>(number); }, arguments...);
+    auto const asked = parts.ask(call);
+    return (object.*function)(arguments...);
+  }
+  /// Does on another rank what has been asked.
+  template <class Object>
+  static void answer(Object& object, PartCall const& call) {
+    int place = 0;
+    ((place++ == call.what && (answer_by(object, functions, call), true)) || ...);
+  }
+
+ private:
+  template <auto one, auto other>
+  static constexpr bool is_same = std::is_same_v<std::integral_constant<decltype(one), one>,
+                                                 std::integral_constant<decltype(other), other>>;
+  /// Calls f(what is told, number) for the numbers among the arguments.
+  static void each_number(auto& call, auto const& f, auto&... arguments) {
+    static_assert((0 + ... + std::is_arithmetic_v<std::remove_cvref_t<decltype(arguments)>>) <=
+                  std::tuple_size_v<decltype(PartCall::numbers)>);
+    [[maybe_unused]] auto told = call.numbers.begin();
+    [[maybe_unused]] auto const visit = [&]<class T>(T& argument) {
+      if constexpr (std::is_arithmetic_v<T>) f(*told++, argument);
+    };
+    (visit(arguments), ...);
+  }
+  template <class... Arguments>
+  static void call_with(PartCall const& call, auto const& function) {
+    std::tuple<std::decay_t<Arguments>...> all;
+    auto const hear = []<class T>(double told, T& number) { number = static_cast<T>(told); };
+    std::apply([&](auto&... one) { each_number(call, hear, one...), function(one...); }, all);
+  }
+  template <class Class, class Result, class... Arguments>
+  static void answer_by(auto& object, Result (Class::*function)(Arguments...), PartCall const& call) {
+    call_with<Arguments...>(call, [&](auto&... one) { (object.*function)(one...); });
+  }
+  template <class Class, class Result, class... Arguments>
+  static void answer_by(auto& object, Result (Class::*function)(Arguments...) const, PartCall const& call) {
+    call_with<Arguments...>(call, [&](auto&... one) { (object.*function)(one...); });
   }
 };
 
