@@ -42,44 +42,18 @@ Number field_root(Number const& x) {
       x.convert_to<double>(), 0);
 }
 
-inline double hardware_function(Function f, double x) {
-  switch (f) {
-    case Function::sqrt:
-      return std::sqrt(x);
-    case Function::exp:
-      return std::exp(x);
-    case Function::log:
-      return std::log(x);
-    case Function::sin:
-      return std::sin(x);
-    case Function::cos:
-      return std::cos(x);
-    case Function::tan:
-      return std::tan(x);
-    case Function::asin:
-      return std::asin(x);
-    case Function::acos:
-      return std::acos(x);
-    case Function::atan:
-      return std::atan(x);
-    case Function::sinh:
-      return std::sinh(x);
-    case Function::cosh:
-      return std::cosh(x);
-    default:
-      return std::tanh(x);
-  }
-}
-constexpr char const* name_of(Function f) {
-  constexpr char const* names[] = {"sqrt", "exp",  "log",  "sin",  "cos",  "tan",
-                                   "asin", "acos", "atan", "sinh", "cosh", "tanh"};
-  return names[static_cast<int>(f)];
-}
+/// In the order of `Function`.
+constexpr struct {
+  char const* name;
+  double (*of_double)(double);
+} functions[] = {{"sqrt", std::sqrt}, {"exp", std::exp},   {"log", std::log},   {"sin", std::sin},
+                 {"cos", std::cos},   {"tan", std::tan},   {"asin", std::asin}, {"acos", std::acos},
+                 {"atan", std::atan}, {"sinh", std::sinh}, {"cosh", std::cosh}, {"tanh", std::tanh}};
 
 Number function(Function f, Number const& x) {
   switch (arithmetic_in_force.kind()) {
     case Kind::hardware:
-      return Number(hardware_function(f, NumberParts::hardware(x)));
+      return Number(functions[static_cast<int>(f)].of_double(NumberParts::hardware(x)));
     case Kind::decimal:
       return detail::decimal_function(f, x);
     case Kind::ball:
@@ -105,7 +79,7 @@ Number function(Function f, Number const& x) {
     default:
       if (at_zero) return Number(0);
   }
-  not_here(name_of(f), x);
+  not_here(functions[static_cast<int>(f)].name, x);
 }
 
 }  // namespace

@@ -37,20 +37,9 @@ class Draw {
  public:
   explicit Draw(unsigned long seed) : random_(seed) {}
   Drawn next() {
-    switch (kind_++ % 6) {
-      case 0:
-        return top();
-      case 1:
-        return in_orbit();
-      case 2:
-        return under_formula();
-      case 3:
-        return free_body();
-      case 4:
-        return in_n();
-      default:
-        return on_group();
-    }
+    constexpr Drawn (Draw::*kinds[])() = {&Draw::top,       &Draw::in_orbit, &Draw::under_formula,
+                                          &Draw::free_body, &Draw::in_n,     &Draw::on_group};
+    return (this->*kinds[kind_++ % 6])();
   }
 
  private:

@@ -4,57 +4,28 @@ namespace actio {
 
 namespace detail {
 
+namespace {
+
+// Where they are single instructions of a processor.
+double root(double x) { return std::sqrt(x); }
+double modulus(double x) { return std::abs(x); }
+double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+double below(double x) { return std::floor(x); }
+double above(double x) { return std::ceil(x); }
+
+/// In the order of `Operation`, from the first function of one number on.
+constexpr double (*functions[])(double) = {
+    root,       std::cbrt,  std::exp,  std::log,  std::log2, std::log10, std::sin,  std::cos,
+    std::tan,   std::asin,  std::acos, std::atan, std::sinh, std::cosh,  std::tanh, std::asinh,
+    std::acosh, std::atanh, modulus,   sign,      below,     above,      std::round};
+constexpr auto first = static_cast<std::size_t>(Operation::sqrt);
+static_assert(first + std::size(functions) == std::size(operation_names));
+
+}  // namespace
+
 double function_of_double(Operation operation, double x) {
-  switch (operation) {
-    case Operation::sqrt:
-      return std::sqrt(x);
-    case Operation::cbrt:
-      return std::cbrt(x);
-    case Operation::exp:
-      return std::exp(x);
-    case Operation::log:
-      return std::log(x);
-    case Operation::log2:
-      return std::log2(x);
-    case Operation::log10:
-      return std::log10(x);
-    case Operation::sin:
-      return std::sin(x);
-    case Operation::cos:
-      return std::cos(x);
-    case Operation::tan:
-      return std::tan(x);
-    case Operation::asin:
-      return std::asin(x);
-    case Operation::acos:
-      return std::acos(x);
-    case Operation::atan:
-      return std::atan(x);
-    case Operation::sinh:
-      return std::sinh(x);
-    case Operation::cosh:
-      return std::cosh(x);
-    case Operation::tanh:
-      return std::tanh(x);
-    case Operation::asinh:
-      return std::asinh(x);
-    case Operation::acosh:
-      return std::acosh(x);
-    case Operation::atanh:
-      return std::atanh(x);
-    case Operation::abs:
-      return std::abs(x);
-    case Operation::sign:
-      return x > 0 ? 1 : x < 0 ? -1 : 0;
-    case Operation::floor:
-      return std::floor(x);
-    case Operation::ceil:
-      return std::ceil(x);
-    case Operation::round:
-      return std::round(x);
-    default:
-      return std::numeric_limits<double>::quiet_NaN();
-  }
+  auto const k = static_cast<std::size_t>(operation);
+  return k < first ? std::numeric_limits<double>::quiet_NaN() : functions[k - first](x);
 }
 
 }  // namespace detail

@@ -136,26 +136,9 @@ Json bodies(Scene const& scene) {
 
 /// How the page shows a quantity, in the words of its script; null: by curves.
 char const* shown_how(Quantity::Shown shown) {
-  using Shown = Quantity::Shown;
-  switch (shown) {
-    case Shown::by_curves:
-      break;
-    case Shown::beside_motion:
-      return "beside";
-    case Shown::as_direction:
-      return "direction";
-    case Shown::by_planes:
-      return "planes";
-    case Shown::as_trajectory:
-      return "trajectory";
-    case Shown::on_sphere:
-      return "sphere";
-    case Shown::as_rotation:
-      return "rotation";
-    case Shown::as_motion:
-      return "motion";
-  }
-  return nullptr;
+  constexpr char const* words[] = {nullptr,      "beside", "direction", "planes",
+                                   "trajectory", "sphere", "rotation",  "motion"};
+  return words[static_cast<std::size_t>(shown)];
 }
 
 Json head(Scene const& scene) {

@@ -1,78 +1,60 @@
 #include "program/registry/conservation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace actio::scene {
 
-char const* in_words(Feature feature) {
-  switch (feature) {
-    case Feature::torque:
-      return "a torque acts";
-    case Feature::torque_depends_on_time:
-      return "the torque depends on time";
-    case Feature::torque_of_time:
-      return "the potential is a formula in the time";
-    case Feature::torque_without_axis:
-      return "turns about the axis change the potential";
-    case Feature::torque_without_potential:
-      return "a part of the torque has no potential";
-    case Feature::gravity:
-      return "gravity acts";
-    case Feature::left_invariance:
-      return "the Lagrangian is left-invariant";
-    case Feature::right_invariance:
-      return "the Lagrangian is right-invariant";
-    case Feature::carried_vector:
-      return "a carried vector is in the Lagrangian";
-    case Feature::force:
-      return "a force acts";
-    case Feature::damping:
-      return "the momentum is damped";
-    case Feature::friction_on_the_orbit:
-      return "friction turns the momentum";
-    case Feature::constraint_on_velocity:
-      return "the velocity is constrained";
-    case Feature::moving_constraint:
-      return "a constraint on the velocity moves";
-    case Feature::periodic_box:
-      return "the box is periodic";
-    case Feature::held_side:
-      return "a side is fixed, sliding or moved";
-    case Feature::moved_side:
-      return "a side is moved";
-    case Feature::driven_side:
-      return "a side that is fixed has a velocity at the start, or one that is sliding has one across it";
-    case Feature::potential:
-      return "gravity or an obstacle acts";
-    case Feature::potential_around_a_loop:
-      return "a potential grows once around the box, where a loop goes";
-    case Feature::traction:
-      return "a traction acts";
-    case Feature::pressure_on_a_side:
-      return "a pressure acts on one side alone";
-    case Feature::viscosity:
-      return "the method has viscosity";
-    case Feature::loop_at_a_side:
-      return "a loop runs through nodes of a side that is moved, pulled or pressed, or partly of one that is "
-             "fixed";
-    case Feature::pressure_of_the_jacobian:
-      return "the density varies and the pressure depends on the Jacobian alone";
-    case Feature::third_body:
-      return "a third body attracts them";
-    case Feature::tides:
-      return "there are tides";
-    case Feature::held_end:
-      return "an end is held";
-    case Feature::moved_end:
-      return "an end is moved";
-    case Feature::end_load:
-      return "a force or a moment acts on an end";
-  }
-  return "";
-}
+namespace {
+
+using enum Feature;
+
+/// In the order of the features.
+constexpr std::pair<Feature, char const*> clauses[] = {
+    {torque, "a torque acts"},
+    {torque_depends_on_time, "the torque depends on time"},
+    {torque_of_time, "the potential is a formula in the time"},
+    {torque_without_axis, "turns about the axis change the potential"},
+    {torque_without_potential, "a part of the torque has no potential"},
+    {gravity, "gravity acts"},
+    {left_invariance, "the Lagrangian is left-invariant"},
+    {right_invariance, "the Lagrangian is right-invariant"},
+    {carried_vector, "a carried vector is in the Lagrangian"},
+    {force, "a force acts"},
+    {damping, "the momentum is damped"},
+    {friction_on_the_orbit, "friction turns the momentum"},
+    {constraint_on_velocity, "the velocity is constrained"},
+    {moving_constraint, "a constraint on the velocity moves"},
+    {periodic_box, "the box is periodic"},
+    {held_side, "a side is fixed, sliding or moved"},
+    {moved_side, "a side is moved"},
+    {driven_side,
+     "a side that is fixed has a velocity at the start, or one that is sliding has one across it"},
+    {potential, "gravity or an obstacle acts"},
+    {potential_around_a_loop, "a potential grows once around the box, where a loop goes"},
+    {traction, "a traction acts"},
+    {pressure_on_a_side, "a pressure acts on one side alone"},
+    {viscosity, "the method has viscosity"},
+    {loop_at_a_side,
+     "a loop runs through nodes of a side that is moved, pulled or pressed, or partly of one that is fixed"},
+    {third_body, "a third body attracts them"},
+    {tides, "there are tides"},
+    {held_end, "an end is held"},
+    {moved_end, "an end is moved"},
+    {end_load, "a force or a moment acts on an end"},
+    {pressure_of_the_jacobian, "the density varies and the pressure depends on the Jacobian alone"}};
+static_assert([] {
+  std::size_t k = 0;
+  for (auto const& [feature, words] : clauses)
+    if (feature != static_cast<Feature>(k++)) return false;
+  return clauses[k - 1].first == pressure_of_the_jacobian;
+}());
+
+}  // namespace
+
+char const* in_words(Feature feature) { return clauses[static_cast<std::size_t>(feature)].second; }
 
 std::vector<ConservationLaw> const& conservation_laws() {
-  using enum Feature;
   static std::vector<ConservationLaw> const all = [] {
     std::vector<ConservationLaw> laws{
         {"rigid_body", "energy", {torque_depends_on_time, torque_without_potential}},

@@ -7,22 +7,8 @@
 namespace actio::scene {
 
 char const* kind_name(Quantity::Kind kind) {
-  using Kind = Quantity::Kind;
-  switch (kind) {
-    case Kind::scalar:
-      return "scalar";
-    case Kind::vector:
-      return "vector";
-    case Kind::quaternion:
-      return "quaternion";
-    case Kind::matrix:
-      return "matrix";
-    case Kind::skew:
-      return "skew matrix";
-    case Kind::list:
-      break;
-  }
-  return "list";
+  constexpr char const* names[] = {"scalar", "vector", "quaternion", "matrix", "skew matrix", "list"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::vector<std::size_t> ColumnGroup::shape() const {

@@ -3,35 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
-#include "program/base/byte_order_mark.hpp"
+#include "program/systems/sphere/flow_input.hpp"
 #include "program/systems/sphere/input.hpp"
 
 namespace actio::scene {
-namespace {
-
-/// Four numbers with commas between them.
-bool parse_row(std::string_view line, double (&row)[4]) {
-  for (int k = 0; k < 4; ++k) {
-    while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-    auto const [end, error] = std::from_chars(line.data(), line.data() + line.size(), row[k]);
-    if (error != std::errc() || !std::isfinite(row[k])) return false;
-    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
-    while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-    if (k == 3) return line.empty();
-    if (line.empty() || line.front() != ',') return false;
-    line.remove_prefix(1);
-  }
-  return false;
-}
-
-}  // namespace
-
 std::string put_coefficient(sphere::SphereHarmonics& f, Eigen::MatrixXi& lines, int line, double l, double m,
                             double re, double im) {
   int const n = f.degrees();
@@ -65,43 +43,25 @@ std::string put_coefficient(sphere::SphereHarmonics& f, Eigen::MatrixXi& lines, 
 }
 
 sphere::SphereHarmonics read_harmonics_file(std::string const& path, int n) {
-  std::ifstream in(path, std::ios::binary);
-  std::string const text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) throw FileError(path + ": cannot be read");
-  return read_harmonics(text, path, n);
+  return read_harmonics(text_of_file(path), path, n);
 }
 
 sphere::SphereHarmonics read_harmonics(std::string const& text, std::string const& path, int n) {
-  std::istringstream in(text);
-  skip_byte_order_mark(in);
   sphere::SphereHarmonics f(n);
   Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(n, n);
-  int number = 0, last = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    Place const here{path, static_cast<unsigned>(number), 1};
-    if (number == 1) {
-      if (line != "l,m,re,im")
-        throw SceneError(here, fmt::format("the heading l,m,re,im is expected, found '{}'", shown(line, 40)));
-      continue;
-    }
-    if (line.empty() && in.peek() == std::istringstream::traits_type::eof()) break;
-    double row[4];
-    if (!parse_row(line, row))
-      throw SceneError(here, fmt::format("four numbers l,m,re,im are expected, found '{}'", shown(line, 60)));
+  int last = 0;
+  int const count = read_coefficients(text, path, "l,m,re,im", [&](auto const& row, int line) -> std::string {
     // What a snapshot holds of the mean is zero.
-    if (row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == 0) continue;
-    std::string const wrong = put_coefficient(f, lines, number, row[0], row[1], row[2], row[3]);
-    if (!wrong.empty()) throw SceneError(here, wrong);
-    last = std::max(last, static_cast<int>(row[0]));
-  }
-  if (number == 0) throw SceneError({path}, "the heading l,m,re,im is expected, the file is empty");
+    if (row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == 0) return "";
+    std::string const wrong = put_coefficient(f, lines, line, row[0], row[1], row[2], row[3]);
+    if (wrong.empty()) last = std::max(last, static_cast<int>(row[0]));
+    return wrong;
+  });
   for (int l = 1; l <= last; ++l)
     for (int m = 0; m <= l; ++m)
       if (lines(l, m) == 0)
         throw SceneError(
-            {path, static_cast<unsigned>(number), 1},
+            {path, static_cast<unsigned>(count), 1},
             fmt::format("the row of l = {}, m = {} is missing; the file goes to the degree {}, and holds "
                         "every order of every degree up to it",
                         l, m, last));

@@ -2,10 +2,8 @@
 
 #include "program/systems/sphere/input.hpp"
 
-#include <fmt/format.h>
-
-#include "actio/numbers/nearest_name.hpp"
 #include "program/registry/common_keys.hpp"
+#include "program/systems/sphere/flow_input.hpp"
 #include "program/systems/sphere/named_states.hpp"
 
 namespace actio::scene {
@@ -42,16 +40,6 @@ void read_rows(SceneTable const& initial, sphere::SphereHarmonics& f) {
   }
 }
 
-/// The coefficients in the file of the scene.
-sphere::SphereHarmonics read_file(SceneTable& initial, int n) {
-  auto const [path, text] = initial.read_file("file", "a table of harmonics");
-  try {
-    return read_harmonics(text, path, n);
-  } catch (SceneError const& error) {
-    start_keys.file.fail(initial, error.what());
-  }
-}
-
 }  // namespace
 
 std::vector<Parameter> vorticity_parameters() {
@@ -65,29 +53,17 @@ VorticityStart read_vorticity_start(SceneFile const& file, std::vector<std::stri
   start.hamiltonian = read_hamiltonian(file);
   start.rotation = sphere_keys.rotation.read(file);
 
-  std::string const state = state_of(initial, names_of_states(), start_keys.state);
-  std::vector<std::string> given;
-  for (char const* key : {"harmonics", "file"})
-    if (initial.has(key)) given.emplace_back(key);
-  if (!state.empty()) given.push_back(initial.has("state") ? "state" : state);
-  if (given.empty())
-    throw SceneError(initial.place(),
-                     fmt::format("[initial] needs 'harmonics', rows l, m, re, im; or 'file', a table of "
-                                 "such rows; or 'state', one of {}",
-                                 listed(names_of_states())));
-  if (given.size() > 1)
-    initial.fail(given[1], fmt::format("[initial] has '{}' and '{}'; one of them says how the flow begins",
-                                       given[0], given[1]));
-  start.key = given[0];
-
+  auto const [key, state] = read_flow_source(
+      initial, "harmonics", "'harmonics', rows l, m, re, im; or 'file', a table of such rows",
+      names_of_states(), start_keys.state);
+  start.key = key;
   start.relative = sphere::SphereHarmonics(start.n);
-  if (given[0] == "harmonics") {
+  if (key == "harmonics") {
     read_rows(initial, start.relative);
-  } else if (given[0] == "file") {
-    start.relative = read_file(initial, start.n);
-    remarks.emplace_back(
-        "file: the copy of the scene names it by its whole path; who repeats or resumes the "
-        "run needs it there, as it is now");
+  } else if (key == "file") {
+    start.relative = read_flow_file(
+        initial, start_keys.file, "a table of harmonics", remarks,
+        [&](auto const& text, auto const& path) { return read_harmonics(text, path, start.n); });
   } else {
     start_keys.state.write(file, state);
     NamedFlow flow = read_named_state(

@@ -261,22 +261,6 @@ constexpr State states[] = {{"rossby_haurwitz", read_rossby_haurwitz},
 
 }  // namespace
 
-std::string state_of(SceneTable& initial, std::vector<std::string> const& names,
-                     Key<std::string> const& state) {
-  std::vector<std::string> tables;
-  for (auto const& key : initial.keys())
-    if (std::find(names.begin(), names.end(), key) != names.end()) tables.push_back(key);
-  if (tables.size() > 1)
-    initial.fail(tables[1], fmt::format("[initial] has '{}' and '{}'; one of them says how the flow begins",
-                                        tables[0], tables[1]));
-  if (!initial.has("state")) return tables.empty() ? "" : tables[0];
-  std::string const name = state.read(initial);
-  if (!tables.empty() && tables[0] != name)
-    initial.fail(tables[0], fmt::format("[initial.{}] holds parameters of another state than state = \"{}\"",
-                                        tables[0], name));
-  return name;
-}
-
 std::vector<std::string> names_of_states() { return names_of(states); }
 
 std::vector<Parameter> parameters_of_states() {

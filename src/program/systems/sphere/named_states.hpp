@@ -23,13 +23,6 @@ struct NamedFlow {
 /// What excludes a named state.
 inline LeftOut const other_start{"or initial.harmonics or initial.file"};
 
-/// The state that a scene names, by `state` or by the table of its parameters; empty where it names none.
-/// @param names  of all states
-/// @param state  the key
-/// @throws SceneError  where it names two
-std::string state_of(SceneTable& initial, std::vector<std::string> const& names,
-                     Key<std::string> const& state);
-
 /// `rossby_haurwitz`, `random`, ...
 std::vector<std::string> names_of_states();
 /// The records of their parameters.

@@ -39,6 +39,14 @@ std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
                                                 SphereHamiltonian const& hamiltonian,
                                                 VorticityMotion const& motion);
 
+/// Maps of some snapshots of a run: the whole sphere in the projection of Mollweide, with the north above and
+/// the longitude pi in the middle.
+/// @throws FileError, SceneError  where the coefficients of one cannot be read
+std::string vorticity_map(Scene const& scene, std::string const& folder, double width);
+/// Values on a grid of equal angles for the page of the run.
+/// @throws FileError, SceneError  as above
+std::string vorticity_maps_json(Scene const& scene, std::string const& folder);
+
 /// Fields as NetCDF-4, after the conventions CF-1.10.
 struct FieldsFile {
   /// What belongs to one time.

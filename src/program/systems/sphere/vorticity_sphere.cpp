@@ -15,7 +15,6 @@
 #include "program/systems/sphere/input.hpp"
 #include "program/systems/sphere/memory.hpp"
 #include "program/systems/sphere/quantities.hpp"
-#include "program/systems/sphere/snapshot_maps.hpp"
 #include "program/systems/sphere/snapshots.hpp"
 
 namespace actio::scene {

@@ -4,10 +4,9 @@
 
 #include <cmath>
 
-#include "actio/numbers/nearest_name.hpp"
 #include "program/registry/common_keys.hpp"
 #include "program/systems/formula.hpp"
-#include "program/systems/sphere/named_states.hpp"
+#include "program/systems/sphere/flow_input.hpp"
 #include "program/systems/torus/named_states.hpp"
 
 namespace actio::scene {
@@ -100,32 +99,16 @@ TorusStart read_torus_start(SceneFile const& file, std::vector<std::string>& rem
   TorusStart start;
   start.n = read_torus_size(file);
   start.gamma = read_torus_gamma(file);
-  std::string const state = state_of(initial, names_of_torus_states(), torus_start_keys.state);
-  std::vector<std::string> given;
-  for (char const* key : {"vorticity", "file"})
-    if (initial.has(key)) given.emplace_back(key);
-  if (!state.empty()) given.push_back(initial.has("state") ? "state" : state);
-  if (given.empty())
-    throw SceneError(initial.place(),
-                     fmt::format("[initial] needs 'vorticity', a formula in x and y; or 'file', a table of "
-                                 "coefficients; or 'state', one of {}",
-                                 listed(names_of_torus_states())));
-  if (given.size() > 1)
-    initial.fail(given[1], fmt::format("[initial] has '{}' and '{}'; one of them says how the flow begins",
-                                       given[0], given[1]));
-  start.key = given[0];
-  if (given[0] == "vorticity") {
+  auto const [key, state] = read_flow_source(
+      initial, "vorticity", "'vorticity', a formula in x and y; or 'file', a table of coefficients",
+      names_of_torus_states(), torus_start_keys.state);
+  start.key = key;
+  if (key == "vorticity") {
     start.vorticity = read_formula(initial, start.n, remarks);
-  } else if (given[0] == "file") {
-    auto const [path, text] = initial.read_file("file", "a table of Fourier coefficients");
-    try {
-      start.vorticity = read_torus_harmonics(text, path, start.n);
-    } catch (SceneError const& error) {
-      torus_start_keys.file.fail(initial, error.what());
-    }
-    remarks.emplace_back(
-        "file: the copy of the scene names it by its whole path; who repeats or resumes the run needs "
-        "it there, as it is now");
+  } else if (key == "file") {
+    start.vorticity = read_flow_file(
+        initial, torus_start_keys.file, "a table of Fourier coefficients", remarks,
+        [&](auto const& text, auto const& path) { return read_torus_harmonics(text, path, start.n); });
   } else {
     torus_start_keys.state.write(file, state);
     start.vorticity = read_torus_state(state, {file, start.n, start.gamma, scene_keys.seed.read(file)});
