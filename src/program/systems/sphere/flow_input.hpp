@@ -33,8 +33,8 @@ auto read_flow_file(SceneTable& initial, AnyKey const& key, std::string const& w
                     std::vector<std::string>& remarks, Make const& make) {
   auto const [path, text] = initial.read_file("file", what);
   remarks.emplace_back(
-      "file: the copy of the scene names it by its whole path; who repeats or resumes the run needs it there, "
-      "as it is now");
+      "file: the copy of the scene names it by its whole path; who repeats or resumes the run needs it "
+      "there, as it is now");
   try {
     return make(text, path);
   } catch (SceneError const& error) {

@@ -28,8 +28,8 @@ torus::TorusHarmonics read_torus_harmonics(std::string const& text, std::string 
       return fmt::format("wave numbers are whole, found m = {}, n = {}", row[0], row[1]);
     if (!(std::abs(row[0]) <= f.largest() && std::abs(row[1]) <= f.largest()))
       return fmt::format(
-          "the wave numbers m = {}, n = {} are outside of what matrices of this size hold: with N = {} they go "
-          "from {} to {}",
+          "the wave numbers m = {}, n = {} are outside of what matrices of this size hold: with N = {} they "
+          "go from {} to {}",
           row[0], row[1], n, -f.largest(), f.largest());
     int const m = static_cast<int>(row[0]), k = static_cast<int>(row[1]);
     if (k < 0 || (k == 0 && m <= 0))
