@@ -156,7 +156,7 @@ void show_curves(book::Program& program, std::vector<Curve> const& curves) {
   for (Curve const& c : curves) {
     book::Program::Row row{c.name};
     for (double const target : targets) {
-      Run const* const best = c.cheapest(target);
+      Timed const* const best = c.cheapest(target);
       row.push_back(best ? microseconds(best->seconds) : "not reached");
     }
     row.push_back(book::number(c.best_error(), 2));
@@ -199,13 +199,13 @@ void show_curves(book::Program& program, std::vector<Curve> const& curves) {
 // The race at 1e-12: the exact steps and the best of the general-purpose codes, in turns.
 double race(Benchmark& program, std::vector<Curve> const& curves) {
   Curve const* exact = nullptr;
-  std::vector<std::pair<Curve const*, Run const*>> others;
+  std::vector<std::pair<Curve const*, Timed const*>> others;
   for (Curve const& c : curves) {
     if (c.name == peers::exact_half_turns().name) exact = &c;
     bool const general = c.name.starts_with("GSL") || c.name.starts_with("odeint");
     if (general) others.push_back({&c, c.cheapest(std::max(1e-12, c.best_error()))});
   }
-  Run const* const own = exact->cheapest(1e-12);
+  Timed const* const own = exact->cheapest(1e-12);
   program.claim(own != nullptr, "the exact steps reach 1e-12");
   if (!own) return 0;
   // Of those that reach 1e-12 the fastest; if none does, of all, each with the step that brings it nearest.

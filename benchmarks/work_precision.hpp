@@ -5,11 +5,8 @@
 // and then, and the step that happens to do so would win.
 #pragma once
 
-#include <cmath>
-#include <limits>
-
+#include "error_against_time.hpp"
 #include "peers/witness.hpp"
-#include "timing.hpp"
 
 namespace benchmark {
 
@@ -18,31 +15,9 @@ inline constexpr int looks = 10;
 using States = std::array<peers::Seven, looks>;
 using Witnesses = std::array<peers::Exact, looks>;
 
-/// One run over the whole time.
-struct Run {
-  double setting;  ///< number of steps, or the tolerance where steps are controlled
-  double error;    ///< largest at the ten times, against the reference solution
-  double seconds;  ///< set-up included
-};
-
-/// All runs of one method.
-struct Curve {
-  std::string name;
+/// All runs of one method, each with a number of steps, or the tolerance where steps are controlled.
+struct Curve : Line {
   std::function<States(double setting)> solve;
-  std::vector<Run> runs;
-
-  /// The cheapest run that comes under an error; null where there is none.
-  Run const* cheapest(double error) const {
-    Run const* best = nullptr;
-    for (Run const& r : runs)
-      if (r.error <= error && (!best || r.seconds < best->seconds)) best = &r;
-    return best;
-  }
-  double best_error() const {
-    double best = std::numeric_limits<double>::infinity();
-    for (Run const& r : runs) best = std::min(best, r.error);
-    return best;
-  }
 };
 
 /// How long the search for the best step continues.
@@ -53,8 +28,8 @@ struct Patience {
 };
 
 /// Runs with one setting; short ones are repeated, and the shortest time counts.
-inline Run run(Curve const& curve, double setting, Witnesses const& exact, Patience const& patience) {
-  Run out{setting, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+inline Timed run(Curve const& curve, double setting, Witnesses const& exact, Patience const& patience) {
+  Timed out{setting, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   double spent = 0;
   for (int repeat = 0; repeat < patience.repeats || (repeat < 20 && spent < 2e-3); ++repeat) {
     States states{};
@@ -75,15 +50,13 @@ inline Run run(Curve const& curve, double setting, Witnesses const& exact, Patie
 inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Method const& method,
                               Witnesses const& exact, double first, double ratio, double longest,
                               Patience const& patience) {
-  Curve curve{method.name,
-              [=](double steps) {
+  Curve curve{{method.name, {}}, [=](double steps) {
                 auto const stepper = method.make(task, time / steps);
                 States states;
                 for (peers::Seven& s : states)
                   stepper->advance(static_cast<long>(steps) / looks), s = stepper->state();
                 return states;
-              },
-              {}};
+              }};
   int idle = 0;
   double best = std::numeric_limits<double>::infinity();
   for (double steps = first; idle < patience.idle; steps = looks * std::round(steps * ratio / looks)) {
@@ -92,7 +65,7 @@ inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Metho
     } catch (std::exception const&) {
       continue;  // the step is too long for the method
     }
-    Run const& last = curve.runs.back();
+    Timed const& last = curve.runs.back();
     idle = last.error < best ? 0 : best < 1e-7 ? idle + 1 : 0;
     best = std::min(best, last.error);
     if (last.seconds > longest * patience.share) break;
@@ -104,7 +77,7 @@ inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Metho
 template <class Solve>
 Curve with_step_control(std::string name, Solve const& solve, Witnesses const& exact,
                         Patience const& patience) {
-  Curve curve{std::move(name), solve, {}};
+  Curve curve{{std::move(name), {}}, solve};
   // Near the rounding of double the control takes steps without end: 1e-14 is the last.
   for (int k = 20; k <= 56 && (curve.runs.empty() || curve.runs.back().seconds < 0.1 * patience.share); ++k)
     curve.runs.push_back(run(curve, std::pow(10.0, -k / 4.0), exact, patience));

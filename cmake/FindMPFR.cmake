@@ -1,11 +1,3 @@
 # The GNU library of floating-point numbers of any precision, as target MPFR::mpfr: for checks and tests.
-find_path(MPFR_INCLUDE_DIR mpfr.h)
-find_library(MPFR_LIBRARY mpfr)
-include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(MPFR REQUIRED_VARS MPFR_LIBRARY MPFR_INCLUDE_DIR)
-if(MPFR_FOUND AND NOT TARGET MPFR::mpfr)
-  add_library(MPFR::mpfr UNKNOWN IMPORTED)
-  set_target_properties(MPFR::mpfr PROPERTIES
-    IMPORTED_LOCATION "${MPFR_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${MPFR_INCLUDE_DIR}")
-endif()
-mark_as_advanced(MPFR_INCLUDE_DIR MPFR_LIBRARY)
+include("${CMAKE_CURRENT_LIST_DIR}/plain_library.cmake")
+actio_plain_library(MPFR mpfr)

@@ -9,7 +9,7 @@ install(DIRECTORY src/actio DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHI
 install(EXPORT actio_targets NAMESPACE actio:: DESTINATION ${actio_config_dir})
 
 write_basic_package_version_file(actioConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES cmake/actioConfig.cmake cmake/FindGMP.cmake cmake/FindFFTW3.cmake "${CMAKE_CURRENT_BINARY_DIR}/actioConfigVersion.cmake"
+install(FILES cmake/actioConfig.cmake cmake/FindGMP.cmake cmake/FindFFTW3.cmake cmake/plain_library.cmake "${CMAKE_CURRENT_BINARY_DIR}/actioConfigVersion.cmake"
         DESTINATION ${actio_config_dir})
 if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/data")
   install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/actio/data)

@@ -14,6 +14,7 @@ struct Cell {
   arb_t value;
   Cell() { arb_init(value); }
   ~Cell() { arb_clear(value); }
+  void put(Number const& x) { arb_set_si(value, NumberParts::word(x)); }
 };
 
 arb_ptr value(Number const& x) { return static_cast<Cell*>(NumberParts::cell(x))->value; }
@@ -21,20 +22,7 @@ std::int64_t whole(Number const& x) { return NumberParts::word(x); }
 slong precision() { return current_arithmetic().bits(); }
 void put(Number& z, Cell* cell) { NumberParts::set(z, reinterpret_cast<std::int64_t>(cell), ball_cell); }
 
-/// A number as Arb's, in a cell of its own where it is a whole one.
-struct Argument {
-  explicit Argument(Number const& x) : own(NumberParts::in_cell(x) ? nullptr : free_cells<Cell>().take()) {
-    if (own) arb_set_si(own->value, whole(x));
-    at = own ? own->value : value(x);
-  }
-  ~Argument() {
-    if (own) free_cells<Cell>().give(own);
-  }
-  Argument(Argument const&) = delete;
-  Argument& operator=(Argument const&) = delete;
-  Cell* own;
-  arb_srcptr at;
-};
+using Argument = InCell<Cell>;
 
 [[noreturn]] void undecided(char const* question) {
   throw Undecided(std::string(question) + ": balls of " + std::to_string(current_arithmetic().digits()) +

@@ -13,6 +13,12 @@ struct Cell {
   mpfr_t value;
   Cell() { mpfr_init2(value, current_arithmetic().bits()); }
   ~Cell() { mpfr_clear(value); }
+  /// Takes the precision in force.
+  void renew() {
+    long const bits = current_arithmetic().bits();
+    if (mpfr_get_prec(value) != bits) mpfr_set_prec(value, bits);
+  }
+  void put(Number const& x) { renew(), mpfr_set_si(value, NumberParts::word(x), MPFR_RNDN); }
 };
 constexpr mpfr_rnd_t nearest = MPFR_RNDN;
 
@@ -23,26 +29,12 @@ bool is_zero(Number const& x) { return !NumberParts::in_cell(x) && whole(x) == 0
 /// A free cell of the precision in force.
 Cell* fresh() {
   Cell* const cell = free_cells<Cell>().take();
-  if (mpfr_get_prec(cell->value) != current_arithmetic().bits())
-    mpfr_set_prec(cell->value, current_arithmetic().bits());
+  cell->renew();
   return cell;
 }
 void put(Number& z, Cell* cell) { NumberParts::set(z, reinterpret_cast<std::int64_t>(cell), decimal_cell); }
 
-/// A number as MPFR's, in a cell of its own where it is a whole one.
-struct Argument {
-  explicit Argument(Number const& x) : own(NumberParts::in_cell(x) ? nullptr : fresh()) {
-    if (own) mpfr_set_si(own->value, whole(x), nearest);
-    at = own ? own->value : value(x);
-  }
-  ~Argument() {
-    if (own) free_cells<Cell>().give(own);
-  }
-  Argument(Argument const&) = delete;
-  Argument& operator=(Argument const&) = delete;
-  Cell* own;
-  mpfr_srcptr at;
-};
+using Argument = InCell<Cell>;
 
 /// The two operands are whole numbers and so is the result: true where it was put into z.
 bool whole_operation(Operation op, Number& z, std::int64_t a, std::int64_t b) {

@@ -46,4 +46,21 @@ FreeCells<Cell>& free_cells() {
   return cells;
 }
 
+/// A number as a library has it, in a cell of its own where it is no cell.
+/// @tparam Cell  has `value`, what the library calls a number, and `put`, which takes one that is no cell
+template <class Cell>
+struct InCell {
+  explicit InCell(Number const& x) : own(NumberParts::in_cell(x) ? nullptr : free_cells<Cell>().take()) {
+    if (own) own->put(x);
+    at = (own ? own : static_cast<Cell*>(NumberParts::cell(x)))->value;
+  }
+  ~InCell() {
+    if (own) free_cells<Cell>().give(own);
+  }
+  InCell(InCell const&) = delete;
+  InCell& operator=(InCell const&) = delete;
+  Cell* own;
+  std::decay_t<decltype(Cell::value)> at;
+};
+
 }  // namespace actio::detail

@@ -19,6 +19,9 @@ struct Cell {
   mpq_t value;
   Cell() { mpq_init(value); }
   ~Cell() { mpq_clear(value); }
+  void put(Number const& x) {
+    mpq_set_si(value, NumberParts::word(x), static_cast<unsigned long>(NumberParts::mark(x) + 1));
+  }
 };
 
 constexpr std::int64_t largest = INT64_MAX;
@@ -74,20 +77,7 @@ void multiply_small(Number& z, std::int64_t a, std::int64_t b, std::int64_t c, s
   set_fraction(z, Wide(a / g) * (c / h), Wide(b / h) * (d / g));
 }
 
-/// A number as GMP's, in a cell of its own where it is a small one.
-struct Argument {
-  explicit Argument(Number const& x) : own(NumberParts::in_cell(x) ? nullptr : free_cells<Cell>().take()) {
-    if (own) mpq_set_si(own->value, numerator(x), static_cast<unsigned long>(denominator(x)));
-    at = own ? own->value : value(x);
-  }
-  ~Argument() {
-    if (own) free_cells<Cell>().give(own);
-  }
-  Argument(Argument const&) = delete;
-  Argument& operator=(Argument const&) = delete;
-  Cell* own;
-  mpq_srcptr at;
-};
+using Argument = InCell<Cell>;
 
 }  // namespace
 

@@ -61,10 +61,10 @@ class NodesInRegisters {
   NodesInRegisters(Box const& box, Ranks* ranks, int width)
       : box_(box),
         strips_(box),
-        rows_(last == 2 ? box.nodes(1) : 1),
+        rows_(sliced == 2 ? box.nodes(1) : 1),
         // Rows that are a multiple of a page apart would be in each other's way.
         stride_(2 * static_cast<std::size_t>(strips_.packs) + gap(strips_.packs)),
-        halo_(ranks, box.nodes(last), box.periodic(last), width),
+        halo_(ranks, box.nodes(sliced), box.periodic(sliced), width),
         state_(stride_ * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(halo_.stored()),
                Register{}) {}
 
@@ -95,10 +95,10 @@ class NodesInRegisters {
   std::vector<Register> kept_;   ///< its copy
 
  private:
-  static constexpr int last = Box::dimension - 1;  // the direction that ranks share
+  static constexpr int sliced = Box::dimension - 1;  // the direction across slices
 
   static std::size_t gap(int packs) {
-    return last == 2 ? (packs % 8 == 0 ? 1 : 0) : (packs % 16 == 0 ? 2 : 0);
+    return sliced == 2 ? (packs % 8 == 0 ? 1 : 0) : (packs % 16 == 0 ? 2 : 0);
   }
   std::size_t own_nodes() const {
     return static_cast<std::size_t>(halo_.own().count()) * static_cast<std::size_t>(rows_) *

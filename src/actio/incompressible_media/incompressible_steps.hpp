@@ -227,7 +227,7 @@ class IncompressibleSteps {
   long known_ = 0, age_ = 0, kept_age_ = 0;      // pressures of steps; steps with one matrix
   long first_rounds_ = 0;                        // of the first of these
   bool prepared_ = false;                        // next_ and pressure_ are those of the next step
-  double ahead_ = 0;                             // of the last step
+  double ahead_ = 0;                             // how long after the last step the state is
 
   void prepare() {
     if (prepared_) return;

@@ -17,6 +17,7 @@
 
 #include "actio/incompressible_media/mesh_share.hpp"
 #include "actio/incompressible_media/multigrid_pressure.hpp"
+#include "actio/incompressible_media/pressures_without_push.hpp"
 #include "actio/media_on_meshes/body_steps.hpp"
 
 namespace actio::media {
@@ -98,8 +99,8 @@ class VolumeSteps {
                            "a node has mass: its cells are not bent inwards there; mass", masses[k], 0);
     hold(held);
     set_slopes(reference, volumes.all());
-    pinned = is_closed();
-    refuse_chessboards(mesh);
+    pinned = push_of(mesh, volumes, slopes_, std::vector<double>(kept.size(), 1.0)) <= no_push;
+    refuse_chessboards(mesh, volumes, slopes_);
     solver_ = solver_for(mesh);
     rebuild(reference);
   }
@@ -273,42 +274,6 @@ class VolumeSteps {
       for (int b = 0; b < Cell::corners; ++b)
         if (int const part = at[volumes.node(cell, b)]; part >= 0)
           held_.push_back({cell * Cell::corners + b, &parts_[part].part});
-  }
-  /// Whether nothing that the nodes may do changes the sum of all volumes.
-  bool is_closed() const { return push_of(std::vector<double>(kept.size(), 1.0)) <= 1e-9; }
-  /// The largest force of these pressures on a node, over the largest slope.
-  double push_of(std::vector<double> const& pressure) const {
-    std::vector<double> f(masses.size() * N, 0);
-    volumes.push(slopes_, pressure, 1, f, volumes.all());
-    double most = 0, slope = 0;
-    for (double const one : f) most = std::max(most, std::abs(one));
-    for (double const one : slopes_) slope = std::max(slope, std::abs(one));
-    return most / slope;
-  }
-  /// Refuses boxes in which nothing changes the sum of volumes on white less that on black cells, of a
-  /// chessboard along two or three directions.
-  void refuse_chessboards(BodyMesh const& mesh) const {
-    if (mesh.grid[0] == 0) return;
-    for (int axes = 1; axes < 1 << mesh.dimension; ++axes) {
-      if ((axes & (axes - 1)) == 0) continue;  // one direction alone
-      std::vector<double> board;
-      for (int cell = 0; cell < static_cast<int>(kept.size()); ++cell) {
-        int const at[] = {cell % mesh.grid[0], cell / mesh.grid[0] % mesh.grid[1],
-                          cell / mesh.grid[0] / mesh.grid[1]};
-        int sum = 0;
-        for (int k = 0; k < mesh.dimension; ++k) sum += axes >> k & 1 ? at[k] : 0;
-        board.push_back(sum % 2 == 0 ? 1 : -1);
-      }
-      double const push = push_of(board), bound = 1e-9;
-      if (push <= bound)
-        throw VolumesNotIndependent(
-            "incompressible medium",
-            "pressures alternating from cell to cell push the nodes, which they do not "
-            "where all nodes of the rim are prescribed, or all counts of cells are even "
-            "along periodic directions: an odd count or sliding sides help; largest "
-            "force over that of one cell",
-            push, bound);
-    }
   }
   /// Takes from defects of all volumes the part of each in their sum, which no pressure can mend: rounding,
   /// or what walls do.

@@ -78,7 +78,6 @@ class BodyOnRank final : public RankPart, BodyMotion<d> {
  private:
   using BodyMotion<d>::steps_of_, BodyMotion<d>::state_, BodyMotion<d>::forces_;
   using BodyMotion<d>::in_parts, BodyMotion<d>::put_back;
-  using Calls = PartCalls<&BodyOnRank::make_here>;
   std::unique_ptr<SharedNodes> shared_;
   PartsOnRanks parts_;
 
@@ -110,6 +109,7 @@ class BodyOnRank final : public RankPart, BodyMotion<d> {
     whole.dissipated = state_.dissipated;
     return made;
   }
+  using Calls = PartCalls<&BodyOnRank::make_here>;
   /// Calls f(of all nodes, of those here) for the lists of a state.
   template <class F>
   void each_list(BodyState& whole, std::vector<double>& forces, F const& f) {

@@ -20,6 +20,7 @@
 
 #include "actio/media_on_meshes/body_on_rank.hpp"
 #include "actio/media_on_meshes/body_start.hpp"
+#include "actio/media_on_meshes/measured_body.hpp"
 
 namespace actio::media {
 
@@ -27,10 +28,9 @@ namespace actio::media {
 ///
 /// \snippet media.cpp medium_on_mesh
 template <int d>
-class MediumOnMesh : BodyMotion<d> {
+class MediumOnMesh : public MeasuredBody<d> {
  public:
   using Place = std::array<double, d>;                 ///< a point, or a vector
-  using Tensor = Matrix<double, d, d>;                 ///< a deformation gradient, or a stress
   using Law = std::shared_ptr<StoredEnergy<d> const>;  ///< a medium: \ref stored_energy
 
   /// @param ranks  others that make its steps with this one, where these are explicit and each
@@ -42,7 +42,7 @@ class MediumOnMesh : BodyMotion<d> {
   MediumOnMesh(BodyMesh mesh, Law law, BodyStart<d> const& start, BodyStepping const& stepping,
                BodySides<d> const& sides = {}, BodyLoads<d> const& loads = {}, Ranks* ranks = nullptr,
                std::string const& told = {})
-      : BodyMotion<d>((stepping.examine(), BodySteps<d>(mesh, law, start.density, sides, loads)), stepping),
+      : MeasuredBody<d>((stepping.examine(), BodySteps<d>(mesh, law, start.density, sides, loads)), stepping),
         mesh_(std::move(mesh)),
         stepping_(stepping) {
     for (auto* part : {&state_.x, &state_.v}) part->reserve(d * mesh_.nodes.size());
@@ -138,8 +138,6 @@ class MediumOnMesh : BodyMotion<d> {
   double time_step() const { return stepping_.step; }
   /// The mesh of the body.
   BodyMesh const& mesh() const { return mesh_; }
-  /// The masses of the nodes.
-  std::vector<double> const& masses() const { return steps_of_.forces.body.masses; }
   /// Memory for mesh, cells and states, bytes.
   std::size_t bytes() const {
     // A state, its copy, forces and their copy, an acceleration, and displacements with the places they are
@@ -148,82 +146,6 @@ class MediumOnMesh : BodyMotion<d> {
            14 * state_.x.size() * sizeof(double) +
            (steps_of_.viscosity ? steps_of_.viscosity->bytes() + 3 * state_.x.size() * sizeof(double) : 0);
   }
-
-  /// Places of the nodes, length.
-  std::vector<Place> places() const { return points(state_.x); }
-  /// Velocities of the nodes, length/time.
-  std::vector<Place> velocities() const { return points(state_.v); }
-  /// Kinetic and stored energy, and that of loads, now.
-  BodyEnergies energies() const {
-    BodyEnergies e{0, steps_of_.forces.stored(state_.x, state_.x_rest), steps_of_.forces.of_loads(state_.x)};
-    for (std::size_t k = 0; k < state_.v.size(); ++k)
-      e.kinetic += 0.5 * masses()[k / d] * state_.v[k] * state_.v[k];
-    return e;
-  }
-  /// The energy that viscosity has taken since the start: energies and this together are constant up to the
-  /// square of the step, where energies are without viscosity.
-  double dissipated() const { return state_.dissipated; }
-  /// Linear momentum, mass x length/time: kept to rounding where nothing is held and no load acts.
-  Place momentum() const { return state_.template momentum<d>(masses()); }
-  /// Angular momentum about the origin of space, \f$\sum m\,x\times v\f$, mass x area/time: kept to rounding
-  /// where momentum is, and by the outside pressure. In the plane the third component; on a line none.
-  std::array<double, 3> angular_momentum() const { return state_.template angular_momentum<d>(masses()); }
-  /// For each cell the least det F at its points.
-  std::vector<double> jacobians() const {
-    std::vector<double> out(mesh_.cells.size(), HUGE_VAL);
-    steps_of_.forces.each_point(state_.x, [&](int cell, int, CellPoint<d> const&, Tensor const& F) {
-      out[cell] = std::min(out[cell], small_determinant(F));
-    });
-    return out;
-  }
-  /// For each cell the mean of Cauchy's stress \f$PF^T/J\f$ over its points, pressure unit.
-  std::vector<Tensor> cauchy_stresses() const {
-    std::vector<Tensor> out(mesh_.cells.size(), Tensor::Zero());
-    double const share = 1.0 / steps_of_.forces.body.points_per_cell;
-    steps_of_.forces.each_displacement(
-        state_.x, state_.x_rest, [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
-          Tensor const P = steps_of_.forces.law().stress_beyond(H), F = beyond_identity(H);
-          out[cell] += P * F.transpose() * (share * point.weight / point.volume / small_determinant(F));
-        });
-    return out;
-  }
-  /// For each cell minus the mean of the diagonal of Cauchy's stress.
-  std::vector<double> pressures() const {
-    std::vector<double> out;
-    for (Tensor const& stress : cauchy_stresses()) {
-      double trace = 0;
-      for (int a = 0; a < d; ++a) trace += stress(a, a);
-      out.push_back(-trace / d);
-    }
-    return out;
-  }
-  /// For each cell what it has stored, per reference volume.
-  std::vector<double> energy_densities() const {
-    std::vector<double> out(mesh_.cells.size(), 0), volume(mesh_.cells.size(), 0);
-    steps_of_.forces.each_displacement(
-        state_.x, state_.x_rest, [&](int cell, int, CellPoint<d> const& point, Tensor const& H) {
-          out[cell] += point.weight * steps_of_.forces.law().energy_beyond(H), volume[cell] += point.volume;
-        });
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] /= volume[k];
-    return out;
-  }
-  /// The longest time step for which small motions about the state now are stable, with the explicit step and
-  /// without viscosity: two over the largest frequency, which comes from below, so that the step comes from
-  /// above, within a per cent. With order 4 no substep is longer than 0.66 of the step, and the step may be
-  /// longer by that.
-  double largest_step_of_waves() const {
-    double longest = 0;
-    for (double const one : fractions_) longest = std::max(longest, std::abs(one));
-    return 2 / steps_of_.largest_frequency(state_.x) / longest;
-  }
-  /// The longest that viscosity allows in one part now, HUGE_VAL without it.
-  double largest_step_of_viscosity() const {
-    if (!steps_of_.viscosity) return HUGE_VAL;
-    auto const& forces = steps_of_.forces;
-    return steps_of_.viscosity->limit(forces.body, forces.law(), state_.x, state_.v).step;
-  }
-  /// The lesser of the two.
-  double largest_step() const { return std::min(largest_step_of_waves(), largest_step_of_viscosity()); }
 
   /// The whole state: number of steps, places, velocities and their rests.
   std::vector<double> remember() const {
@@ -270,17 +192,12 @@ class MediumOnMesh : BodyMotion<d> {
   BodyMesh mesh_;
   BodyStepping stepping_;
   using BodyMotion<d>::steps_of_, BodyMotion<d>::state_, BodyMotion<d>::kept_, BodyMotion<d>::forces_;
-  using BodyMotion<d>::fractions_, BodyMotion<d>::put_back, BodyMotion<d>::in_parts, BodyMotion<d>::attempt;
+  using BodyMotion<d>::put_back, BodyMotion<d>::in_parts, BodyMotion<d>::attempt;
   std::unique_ptr<BodyOnRank<d>> part_;  // on this rank; null: there are no others
   bool is_known_ = false;                // whether they have this state
   long steps_ = 0;
   bool ahead_ = false;  // the state is one between two steps, and what was kept is that of the last step
 
-  std::vector<Place> points(std::vector<double> const& in) const {
-    std::vector<Place> out(in.size() / d);
-    for (std::size_t k = 0; k < in.size(); ++k) out[k / d][k % d] = in[k];
-    return out;
-  }
   void begin() {
     is_known_ = false;
     LeastJacobian const least = steps_of_.forces.forces(state_.x, time(), forces_, state_.x_rest);
@@ -325,9 +242,9 @@ class MediumOnMesh : BodyMotion<d> {
   }
   /// Puts the state before the step back, and throws.
   [[noreturn]] void refuse(LeastJacobian const& least, double step) {
-    double const shorter = shorter_step(step), before = jacobians()[least.cell];
+    double const shorter = shorter_step(step), before = this->jacobians()[least.cell];
     throw BodyCellInverts(least.cell, mesh_.cell_name(least.cell), least.jacobian,
-                          {steps_ + 1, step, before, shorter, largest_step()});
+                          {steps_ + 1, step, before, shorter, this->largest_step()});
   }
   /// \copydoc refuse
   [[noreturn]] void refuse_unsolved(NotConverged const& error, double step) {
@@ -335,7 +252,7 @@ class MediumOnMesh : BodyMotion<d> {
     LeastJacobian const least = steps_of_.forces.least_jacobian(state_.x);
     throw BodyStepUnsolved(error.residuals.size(), error.residuals.back(), error.tolerance, least.cell,
                            mesh_.cell_name(least.cell),
-                           {steps_ + 1, step, least.jacobian, shorter, largest_step()});
+                           {steps_ + 1, step, least.jacobian, shorter, this->largest_step()});
   }
 };
 

@@ -128,7 +128,7 @@ struct PartCalls {
     each_number(
         call, [](double& told, auto number) { told = static_cast<double>(number); }, arguments...);
     auto const asked = parts.ask(call);
-    return (object.*function)(arguments...);
+    return std::invoke(function, object, arguments...);
   }
   /// Does on another rank what has been asked.
   template <class Object>

@@ -14,24 +14,9 @@ PairState<Dual<double>> TwoBodies::moved(PairState<Dual<double>> const& from, lo
   if (tides_)
     throw OutsideDomain("tangent map of two bodies",
                         "there must be no tides, whose kicks depend on velocities; their number", 2, 0);
-  auto const& kicks = options_.method.splitting.kicks;
-  double const h = options_.step;
   auto const run = [&](auto const& force) {
     detail::InTime<D, std::decay_t<decltype(force)>> const in_time{force, third_ ? &*third_ : nullptr};
-    detail::PairSteps<D, std::decay_t<decltype(in_time)>> steps{setting_,
-                                                                options_.method.kepler,
-                                                                options_.method.rotor == Rotor::moser_veselov,
-                                                                stages_,
-                                                                kicks.front() * h,
-                                                                kicks.back() * h,
-                                                                in_time,
-                                                                h,
-                                                                options_.start,
-                                                                first,
-                                                                count,
-                                                                from,
-                                                                5,
-                                                                5};
+    auto steps = kernel<D>(in_time, first, count, from, 5, 5);
     steps();
     return steps.state;
   };

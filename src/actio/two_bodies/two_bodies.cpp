@@ -117,26 +117,10 @@ void TwoBodies::step(long count) {
 }
 
 double TwoBodies::take(long count) {
-  auto const& kicks = options_.method.splitting.kicks;
-  double const h = options_.step;
   double const nearest = std::visit(
       [&]<class F>(F const& force) {
         detail::InTime<double, F> const in_time{force, third_ ? &*third_ : nullptr};
-        detail::PairSteps<double, detail::InTime<double, F>> steps{
-            setting_,
-            options_.method.kepler,
-            options_.method.rotor == Rotor::moser_veselov,
-            stages_,
-            kicks.front() * h,
-            kicks.back() * h,
-            in_time,
-            h,
-            options_.start,
-            steps_,
-            count,
-            state_,
-            terms_1_,
-            terms_2_};
+        auto steps = kernel<double>(in_time, steps_, count, state_, terms_1_, terms_2_);
         run_on_best_machine(steps);
         state_ = steps.state, terms_1_ = steps.terms_1, terms_2_ = steps.terms_2;
         return std::sqrt(steps.nearest_square);

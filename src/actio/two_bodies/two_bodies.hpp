@@ -114,6 +114,28 @@ class TwoBodies {
   Kick<double> interaction() const;
   double take(long count);  // the least distance on the way
   PairState<Dual<double>> moved(PairState<Dual<double>> const& from, long first, long count) const;
+  /// The kernel of so many steps from a state, the first of which begins after so many others.
+  template <class T, class F>
+  detail::PairSteps<T, F> kernel(F const& force, long first, long count, PairState<T> const& state,
+                                 int terms_1, int terms_2) const {
+    auto const& method = options_.method;
+    auto const& kicks = method.splitting.kicks;
+    double const h = options_.step;
+    return {setting_,
+            method.kepler,
+            method.rotor == Rotor::moser_veselov,
+            stages_,
+            kicks.front() * h,
+            kicks.back() * h,
+            force,
+            h,
+            options_.start,
+            first,
+            count,
+            state,
+            terms_1,
+            terms_2};
+  }
 
   ExtendedBody first_, second_;
   TwoBodyOptions options_;
