@@ -96,8 +96,7 @@ STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its
   claim.maybe_scan();
   // Jets of degree 6 in polynomials of second degree. Linear maps through polynomials and their inverses: an
   // allowance of ten times that of plain evaluation.
-  over_points<S>(JetDimensions{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(JetDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     BundleCharts<S, n, N> const charts(draw);
     Event<S, n> const x = draw_event<S, n>(draw), at = charts.before(x);
     auto const phi = draw_section<S, n, N>(draw), psi = draw_section<S, n, N>(draw);
@@ -152,39 +151,39 @@ STATEMENT(claim_6_1_contracted_volume, "n-forms obtained from the volume form on
                   "sections 6.1 and 6.2 need the contraction, into the first slot.");
   claim.maybe_scan();
   // Determinants of up to four drawn columns.
-  over_points<S>(std::tuple<Dimensions<1, 1>, Dimensions<2, 2>, Dimensions<3, 3>>{}, [&]<class D>(
-                                                                                         D,
-                                                                                         std::string const&) {
-    constexpr int n = D::n;
-    std::string const model = "n = " + std::to_string(n);
-    auto const x = draw_event<S, n>(draw);
-    auto const V = draw_tangents<S, n + 1, n + 1>(draw);
-    auto const sides = draw_tangents<S, n + 1, n>(draw);
-    for (int mu = 0; mu <= n; ++mu) {
-      auto const below = contracted_volume<S, n>(mu);
-      S const scale = determinant(V);
-      for (int nu = 0; nu <= n; ++nu)
-        claim.zero("dx^nu ^ d^nx_mu", model,
-                   S(wedge(differential_of_coordinate(nu), below)(x, V) - (mu == nu ? scale : S(0))), scale);
-      // The determinant of the other rows, in their order, with the sign of the row that is left out.
-      Matrix<S, n, n> rows;
-      for (int r = 0, to = 0; r <= n; ++r)
-        if (r != mu) rows.row(to++) = sides.row(r);
-      S const product = determinant(rows);
-      claim.equal("(-1)^mu times the product of the other differentials", model, below(x, sides),
-                  mu % 2 == 0 ? product : S(-product));
-      if (mu % 2 == 1) claim.differs("without the sign", model, below(x, sides), product);
-      Matrix<S, n + 1, n + 1> last;
-      last << sides, Event<S, n>(Event<S, n>::Unit(mu));
-      if (n % 2 == 1)
-        claim.differs("contracted into the last slot", model, below(x, sides), determinant(last));
-      // By Cartan's formula the derivative of the volume form along x^mu is the differential of d^nx_mu.
-      S const derivative = exterior_derivative(below)(x, V);
-      claim.zero("the derivative of the volume form along x^mu", model, derivative, scale);
-      claim.refutes("printed: that derivative in place of dx^mu ^ d^nx_mu", model, S(derivative - scale),
-                    scale);
-    }
-  });
+  over_dimensions(
+      std::tuple<Dimensions<1, 1>, Dimensions<2, 2>, Dimensions<3, 3>>{},
+      [&]<int n>(Dimensions<n, n>, std::string const&) {
+        std::string const model = "n = " + std::to_string(n);
+        auto const x = draw_event<S, n>(draw);
+        auto const V = draw_tangents<S, n + 1, n + 1>(draw);
+        auto const sides = draw_tangents<S, n + 1, n>(draw);
+        for (int mu = 0; mu <= n; ++mu) {
+          auto const below = contracted_volume<S, n>(mu);
+          S const scale = determinant(V);
+          for (int nu = 0; nu <= n; ++nu)
+            claim.zero("dx^nu ^ d^nx_mu", model,
+                       S(wedge(differential_of_coordinate(nu), below)(x, V) - (mu == nu ? scale : S(0))),
+                       scale);
+          // The determinant of the other rows, in their order, with the sign of the row that is left out.
+          Matrix<S, n, n> rows;
+          for (int r = 0, to = 0; r <= n; ++r)
+            if (r != mu) rows.row(to++) = sides.row(r);
+          S const product = determinant(rows);
+          claim.equal("(-1)^mu times the product of the other differentials", model, below(x, sides),
+                      mu % 2 == 0 ? product : S(-product));
+          if (mu % 2 == 1) claim.differs("without the sign", model, below(x, sides), product);
+          Matrix<S, n + 1, n + 1> last;
+          last << sides, Event<S, n>(Event<S, n>::Unit(mu));
+          if (n % 2 == 1)
+            claim.differs("contracted into the last slot", model, below(x, sides), determinant(last));
+          // By Cartan's formula the derivative of the volume form along x^mu is the differential of d^nx_mu.
+          S const derivative = exterior_derivative(below)(x, V);
+          claim.zero("the derivative of the volume form along x^mu", model, derivative, scale);
+          claim.refutes("printed: that derivative in place of dx^mu ^ d^nx_mu", model, S(derivative - scale),
+                        scale);
+        }
+      });
 }
 
 namespace {
@@ -260,8 +259,8 @@ STATEMENT(claim_6_1_canonical_forms, "canonical forms on the dual jet bundle in 
   claim.holds();
   // Products of at most five drawn columns and a coordinate.
   using Dims = std::tuple<Dimensions<2, 2>, Dimensions<1, 2>, Dimensions<3, 1>>;
-  over_points<S>(Dims{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, all = DualJet<S, n, N>::dimension;
+  over_dimensions(Dims{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    constexpr int all = DualJet<S, n, N>::dimension;
     Matrix<S, all, 1> const at = draw.vector<S, Matrix<S, all, 1>>(all);
     auto const z = dual_jet_at<n, N>(at);
     auto const V = draw_tangents<S, all, n + 1>(draw);
@@ -353,10 +352,10 @@ STATEMENT(claim_6_1_dual_jet_bundle_unique, "forms of the dual jet bundle are wr
       "Every $(n+1)$-form that two vertical vectors annihilate has one pair $\\Pi$, $p_a{}^\\mu$, and is "
       "known by its values on jets; equal coordinates in one chart are equal coordinates in all.");
   // Products of at most four drawn columns and a coefficient. An elimination in nine unknowns at most.
-  over_points<S>(
+  over_dimensions(
       std::tuple<Dimensions<1, 2>, Dimensions<2, 2>, Dimensions<3, 1>>{},
-      [&]<class D>(D, std::string const& model) {
-        constexpr int n = D::n, N = D::N, Y = n + 1 + N, all = coefficients<n, N>, affine = 1 + N * (n + 1);
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+        constexpr int Y = n + 1 + N, all = coefficients<n, N>, affine = 1 + N * (n + 1);
         using Point = Matrix<S, Y, 1>;
         // Any (n+1)-form at a point of Y, by its coefficients; and the sets of its differentials.
         auto const c = draw.vector<S, Matrix<S, all, 1>>(all);
@@ -530,8 +529,7 @@ STATEMENT(eq_6_1, "Jacobian as a function on the first jet bundle") {
       "$[v]$ is the square block $v^a{}_j$, $n = N$: with the velocity it is $n$ by $n + 1$ and has no "
       "determinant. The metric of space is taken at the point of space, that of the body at the particle.");
   // Frames of degree 13 in a section of degree 6, two determinants of them.
-  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     TwoMetrics<S, n, n> const m(draw);
     Tangents<S, n, n> const all = Tangents<S, n, n>::Identity();
     S const J = jacobian(m.G, m.g, m.F), pulled = pull_back(m.deformation(), volume_form(m.space))(m.x, all),
@@ -548,61 +546,58 @@ STATEMENT(eq_6_2, "Green and Finger deformation tensors in coordinates") {
   claim.holds(
       "$g$ is taken at the point of space, $G$ at the particle; $C$ is defined whether or not the "
       "deformation is regular, $c$ where $n = N$ and $F$ has an inverse.");
-  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
-                 [&]<class D>(D, std::string const& model) {
-                   constexpr int n = D::n, N = D::N;
-                   TwoMetrics<S, n, N> const m(draw);
-                   Matrix<S, n, n> sum = Matrix<S, n, n>::Zero(), elsewhere = sum;
-                   auto const there = m.space(Matrix<S, N, 1>(Matrix<S, N, 1>::Zero()));
-                   for (int i = 0; i < n; ++i)
-                     for (int k = 0; k < n; ++k)
-                       for (int a = 0; a < N; ++a)
-                         for (int b = 0; b < N; ++b) {
-                           sum(i, k) += m.g(a, b) * m.F(a, i) * m.F(b, k);
-                           elsewhere(i, k) += there(a, b) * m.F(a, i) * m.F(b, k);
-                         }
-                   claim.equal("C in coordinates", model, green_tensor(m.g, m.F), sum);
-                   claim.differs("C with the metric of another place", model, green_tensor(m.g, m.F),
-                                 elsewhere);
-                   if constexpr (n == N) {
-                     // c measures moved vectors as G measures them before: it needs no inverse to say so.
-                     auto const c = inverse_finger_tensor(m.G, m.F);
-                     // An inverse of F: the allowance is ten times that of plain evaluation.
-                     claim.equal("c of moved vectors", model, pulled_back(c, m.F), m.G, 10);
-                     Matrix<S, n, n> const inverse = inverse_matrix(m.F);
-                     claim.differs("indices of the inverse exchanged", model, c,
-                                   pulled_back(m.G, Matrix<S, n, n>(inverse.transpose())));
-                     auto flat = m.F;
-                     flat.col(n - 1) = flat.col(0);
-                     claim.zero("C of a flat deformation has no inverse", model,
-                                determinant(green_tensor(m.g, flat)), determinant(m.g));
-                     claim.template refuses<Singular>("c of a flat deformation", model,
-                                                      [&] { inverse_finger_tensor(m.G, flat); });
-                   }
-                 });
+  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
+                  [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+                    TwoMetrics<S, n, N> const m(draw);
+                    Matrix<S, n, n> sum = Matrix<S, n, n>::Zero(), elsewhere = sum;
+                    auto const there = m.space(Matrix<S, N, 1>(Matrix<S, N, 1>::Zero()));
+                    for (int i = 0; i < n; ++i)
+                      for (int k = 0; k < n; ++k)
+                        for (int a = 0; a < N; ++a)
+                          for (int b = 0; b < N; ++b) {
+                            sum(i, k) += m.g(a, b) * m.F(a, i) * m.F(b, k);
+                            elsewhere(i, k) += there(a, b) * m.F(a, i) * m.F(b, k);
+                          }
+                    claim.equal("C in coordinates", model, green_tensor(m.g, m.F), sum);
+                    claim.differs("C with the metric of another place", model, green_tensor(m.g, m.F),
+                                  elsewhere);
+                    if constexpr (n == N) {
+                      // c measures moved vectors as G measures them before: it needs no inverse to say so.
+                      auto const c = inverse_finger_tensor(m.G, m.F);
+                      // An inverse of F: the allowance is ten times that of plain evaluation.
+                      claim.equal("c of moved vectors", model, pulled_back(c, m.F), m.G, 10);
+                      Matrix<S, n, n> const inverse = inverse_matrix(m.F);
+                      claim.differs("indices of the inverse exchanged", model, c,
+                                    pulled_back(m.G, Matrix<S, n, n>(inverse.transpose())));
+                      auto flat = m.F;
+                      flat.col(n - 1) = flat.col(0);
+                      claim.zero("C of a flat deformation has no inverse", model,
+                                 determinant(green_tensor(m.g, flat)), determinant(m.g));
+                      claim.template refuses<Singular>("c of a flat deformation", model,
+                                                       [&] { inverse_finger_tensor(m.G, flat); });
+                    }
+                  });
 }
 
 STATEMENT(claim_6_1_green_tensor, "Green tensor as a pulled-back metric") {
   claim.holds();
-  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
-                 [&]<class D>(D, std::string const& model) {
-                   constexpr int n = D::n, N = D::N;
-                   TwoMetrics<S, n, N> const m(draw);
-                   auto const pulled = matrix_of(pull_back(m.deformation(), as_form(m.space)), m.x);
-                   claim.equal("C equals the pull-back of g", model, green_tensor(m.g, m.F), pulled);
-                   if constexpr (n == N)
-                     claim.differs("F g F^T", model, Matrix<S, n, n>(m.F * m.g * m.F.transpose()), pulled);
-                   // A measurement of lengths by the body's own metric is another tensor.
-                   claim.differs("G in place of C", model, m.G, pulled);
-                 });
+  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
+                  [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+                    TwoMetrics<S, n, N> const m(draw);
+                    auto const pulled = matrix_of(pull_back(m.deformation(), as_form(m.space)), m.x);
+                    claim.equal("C equals the pull-back of g", model, green_tensor(m.g, m.F), pulled);
+                    if constexpr (n == N)
+                      claim.differs("F g F^T", model, Matrix<S, n, n>(m.F * m.g * m.F.transpose()), pulled);
+                    // A measurement of lengths by the body's own metric is another tensor.
+                    claim.differs("G in place of C", model, m.G, pulled);
+                  });
 }
 
 STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward metric") {
   claim.holds(
       "The inverse is that of mixed tensors, or of $c_{ab}$ and $b^{ab}$; lowering both indices of $b$ "
       "with $g$ does not invert the matrix of $c$.");
-  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     // Draw the inverse of a deformation, which takes points of space to particles: the push-forward by the
     // one is the pull-back by the other.
     TwoMetrics<S, n, n> const m(draw);
@@ -625,8 +620,7 @@ STATEMENT(claim_6_1_sharp_of_pullback, "index raising and pull-back of the spati
   claim.convention(
       "They differ for a general deformation; they agree exactly where the "
       "deformation is an isometry, $C = G$.");
-  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using M = Matrix<S, n, n>;
     TwoMetrics<S, n, n> const m(draw);
     M const C = green_tensor(m.g, m.F), Finv = inverse_matrix(m.F),
@@ -650,8 +644,7 @@ STATEMENT(claim_6_1_jacobian_scalar, "Jacobian of a section under coordinate cha
   claim.convention(
       "Charts of body and space are to keep the orientation: a reflection changes the sign of "
       "$\\det F$ and not of the roots.");
-  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using M = Matrix<S, n, n>;
     TwoMetrics<S, n, n> const m(draw);
     // Derivatives of the old coordinates by the new ones, on the body and in space.
@@ -771,10 +764,10 @@ struct PositiveJacobians {
 
 template <class S>
 void positive_jacobians(Claim<S>& claim, Draw const& draw) {
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const decide = [&](auto const& which, bool hypothesis) {
       return [&draw, &which, hypothesis] {
-        PositiveJacobians<S, D::n> const m(draw);
+        PositiveJacobians<S, n> const m(draw);
         return m.decide(which(m), hypothesis);
       };
     };
@@ -800,8 +793,7 @@ STATEMENT(claim_6_1_initial_jacobian,
                   "It is 1 where the two metrics have the same volume, as for a fluid in its container. "
                   "That $J$ stays positive for a regular motion is right in either case: decided for all "
                   "times of motions that turn by up to 150 degrees.");
-  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     TwoMetrics<S, n, n> const m(draw);
     auto const motion = [&m]<class T>(Event<T, n> const& x) {
       auto const later = m.phi(x);
@@ -831,8 +823,7 @@ STATEMENT(claim_6_1_metrics_cancel, "where the metrics of body and space may be 
       "general: where the metric does not depend on a coordinate, a motion along it has $g(y) = G(x)$ "
       "as well. With a constant metric determinants and derivatives drop; indices move trivially "
       "where its matrix is the identity.");
-  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using M = Matrix<S, n, n>;
     using Column = Matrix<S, n, 1>;
     TwoMetrics<S, n, n> const m(draw);

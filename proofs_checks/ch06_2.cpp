@@ -22,8 +22,7 @@ STATEMENT(eq_6_3, "Lagrangian density of a continuous medium") {
                   "where the stored energy is a scalar.");
   claim.maybe_scan();
   // A stored energy of third degree in metrics of degree 26.
-  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Media{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     MediumAtAJet<S, n, N> const m(draw);
     S const K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
     claim.equal("K - P", model, m.L(m.j), S(K - P));
@@ -72,8 +71,7 @@ STATEMENT(eq_6_3, "Lagrangian density of a continuous medium") {
 
 STATEMENT(eq_6_4, "conjugate momenta of the continuum Lagrangian") {
   claim.holds();
-  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Media{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     MediumAtAJet<S, n, N> const m(draw);
     auto const p = momenta(m.L, m.j);
     auto const printed = m.printed_momenta();
@@ -93,8 +91,8 @@ STATEMENT(eq_6_4, "conjugate momenta of the continuum Lagrangian") {
 
 STATEMENT(claim_6_2_affine_momentum, "affine component of the continuum Legendre transformation") {
   claim.holds();
-  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
-    MediumAtAJet<S, D::n, D::N> const m(draw);
+  over_dimensions(Media{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    MediumAtAJet<S, n, N> const m(draw);
     S const Pi = legendre(m.L, m.j).Pi, gradient = m.energy_gradient().cwiseProduct(m.j.gradient()).sum(),
             weight = m.mass * m.root;
     // Three terms cancel in Pi: their sizes are within ten times its own.
@@ -109,8 +107,8 @@ STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
   claim.holds(
       "The factor $\\sqrt{\\det G}$ is part of $e$, which is a density: (6.5) makes $e\\,d^{n+1}x$ the sum "
       "of $\\mathbb K$ and $\\mathbb P$.");
-  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
-    MediumAtAJet<S, D::n, D::N> const m(draw);
+  over_dimensions(Media{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    MediumAtAJet<S, n, N> const m(draw);
     S const e = energy_density(m.L, m.j), K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
     claim.zero("p^0 v_0 - L is K + P", model, S(e - K - P), S(magnitude(K) + magnitude(P)));
     claim.differs("without the root of det G", model, e, S((K + P) / m.root));
@@ -121,8 +119,7 @@ STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
 STATEMENT(claim_6_2_energy_two_expressions, "the two expressions of the energy density compared") {
   claim.holds(
       "They agree because $\\mathbb K$ is quadratic in the velocity and $\\mathbb P$ does not depend on it.");
-  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Media{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     MediumAtAJet<S, n, N> const m(draw);
     S const K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
     auto const p = momenta(m.L, m.j);
@@ -144,8 +141,8 @@ STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms 
   claim.corrected("\\Pi = -p_a{}^jv^a{}_j - \\sqrt{\\det G}\\,e", "\\Pi = -p_a{}^jv^a{}_j - e",
                   "The energy density of (6.5) already carries $\\sqrt{\\det G}$; the printed "
                   "form is right where $\\det G = 1$.");
-  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
-    MediumAtAJet<S, D::n, D::N> const m(draw);
+  over_dimensions(Media{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    MediumAtAJet<S, n, N> const m(draw);
     S const Pi = legendre(m.L, m.j).Pi, e = energy_density(m.L, m.j), sum = m.sum_of_spatial_momenta();
     S const scale =
         magnitude(sum) + magnitude(m.mass * m.root) * (magnitude(m.kinetic()) + magnitude(m.energy()));
@@ -157,8 +154,8 @@ STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms 
 STATEMENT(eq_6_6, "Cartan form of the continuum Lagrangian") {
   claim.holds();
   using Dims = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<3, 3>>;
-  over_points<S>(Dims{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
+  over_dimensions(Dims{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    constexpr int all = Jet<S, n, N>::dimension;
     MediumAtAJet<S, n, N> const m(draw);
     auto p = m.printed_momenta();
     S const Pi = (-m.kinetic() - m.energy() + m.energy_gradient().cwiseProduct(m.j.gradient()).sum()) *
@@ -217,8 +214,7 @@ STATEMENT(eq_6_8, "Euler-Lagrange derivative through the multisymplectic form") 
       "D_{EL}\\mathcal L\\cdot\\mathcal V = -(j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]",
       "With $\\Omega = -d\\Theta$, as it is set after (6.6), the sign is the other one.");
   // A density of degree 33 in what is drawn, differentiated twice, times a field of degree 21.
-  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Three{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     OffShell<S, n, N> const m(draw);
     auto const V = draw_variation<S, n, N>(draw, 3);
     auto const lifted = prolonged<n, N>(V)(coordinates(m.first()));
@@ -231,13 +227,13 @@ STATEMENT(eq_6_8, "Euler-Lagrange derivative through the multisymplectic form") 
 
 STATEMENT(eq_6_9, "Euler-Lagrange derivative in coordinates") {
   claim.holds("The wedge with $d^{n+1}x$ is contracted with the variation and pulled back.");
-  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
-    OffShell<S, D::n, D::N> const m(draw);
-    Matrix<S, D::N, 1> const force = partial_y(m.L, m.first());
+  over_dimensions(Three{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    OffShell<S, n, N> const m(draw);
+    Matrix<S, N, 1> const force = partial_y(m.L, m.first());
     auto const written_out = [&](bool points, bool places) {
-      return Matrix<S, D::N, 1>(force - expanded_divergence(m.L, m.j, points, places));
+      return Matrix<S, N, 1>(force - expanded_divergence(m.L, m.j, points, places));
     };
-    claim.zero("written out", model, Matrix<S, D::N, 1>(m.E - written_out(true, true)),
+    claim.zero("written out", model, Matrix<S, N, 1>(m.E - written_out(true, true)),
                S(magnitude(force) + magnitude(m.E)));
     claim.differs("without the mixed derivative in x", model, m.E, written_out(false, true));
     claim.differs("without the mixed derivative in y", model, m.E, written_out(true, false));
@@ -246,8 +242,7 @@ STATEMENT(eq_6_9, "Euler-Lagrange derivative in coordinates") {
 
 STATEMENT(eq_6_10, "Cartan form in coordinates for a general Lagrangian") {
   claim.holds();
-  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Three{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     OffShell<S, n, N> const m(draw);
     auto const at = coordinates(m.first());
     auto const V = draw_tangents<S, OffShell<S, n, N>::dimension, n + 1>(draw);
@@ -270,8 +265,7 @@ STATEMENT(eq_6_10, "Cartan form in coordinates for a general Lagrangian") {
 
 STATEMENT(cor_6_2_1, "Lagrangian density recovered from the Cartan form") {
   claim.holds();
-  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Three{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     OffShell<S, n, N> const m(draw);
     auto const psi = draw_section<S, n, N>(draw);
     auto const theta = cartan_form<n, N>(m.L);
@@ -289,8 +283,8 @@ STATEMENT(claim_6_2_el_by_contraction,
   claim.holds(
       "The sections are those of $Y$. Along a section of the jet bundle that is no jet, fields along the "
       "derivatives need not give zero.");
-  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, all = OffShell<S, n, N>::dimension;
+  over_dimensions(Three{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    constexpr int all = OffShell<S, n, N>::dimension;
     using W = Matrix<S, all, 1>;
     OffShell<S, n, N> const m(draw);
     // All fields on the jet bundle, whatever their part along the derivatives.
@@ -318,8 +312,7 @@ STATEMENT(claim_6_2_el_by_contraction,
 
 STATEMENT(eq_6_12, "field Euler-Lagrange equations in total-derivative form") {
   claim.holds();
-  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Three{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     using Column = Matrix<S, N, 1>;
     OffShell<S, n, N> const m(draw);
     // Momenta as functions on space-time, differentiated there; and at a fixed jet.
@@ -342,8 +335,8 @@ STATEMENT(eq_6_12, "field Euler-Lagrange equations in total-derivative form") {
 
 STATEMENT(claim_6_2_el_forms_equivalent, "the field equations with total derivatives and written out") {
   claim.holds();
-  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
-    OffShell<S, D::n, D::N> const m(draw);
+  over_dimensions(Three{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    OffShell<S, n, N> const m(draw);
     claim.equal("(6.12) equals (6.9)", model, momentum_divergence(m.L, m.j), expanded_divergence(m.L, m.j));
     claim.differs("without the derivative in x", model, momentum_divergence(m.L, m.j),
                   expanded_divergence(m.L, m.j, false, true));

@@ -83,8 +83,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
                   "The free index $b$ of the left side is summed on the right, where $a$ is left over: the "
                   "names of $a$ and $b$ are exchanged in the last term.");
   // A metric of degree 4 and its inverse, a section of degree 3, a chart of degree 3.
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const dust = draw_medium<S, n, N>(draw, Kind::dust);
     auto const j = draw_second_jet<S, n, N>(draw);
     auto const E = (euler_lagrange(dust, j) / body_volume(dust, j)).eval();
@@ -93,8 +92,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
       claim.differs("as printed, a given the value " + std::to_string(a + 1), model, raised(dust.g(j.y), E),
                     (printed_acceleration(dust, j, a) * -S(dust.rho(j.particle()))).eval());
   });
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     AnyChart<S, n> chart;
     for (auto& c : chart.added) c = draw_cubic<S, n>(draw, ratio<S>(1, 5));
     auto const g = draw_metric<S, n>(draw);
@@ -114,8 +112,7 @@ STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") 
   claim.holds(
       "The symmetric symbols under which the metric is parallel. That fixes them: solved "
       "for, all $n^2(n+1)/2$ come out.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const g = draw_metric<S, n>(draw);
     actio::Matrix<S, n, 1> const y = draw.vector<S, actio::Matrix<S, n, 1>>(n) * ratio<S>(1, 2);
     auto const gamma = christoffel(g, y);
@@ -160,8 +157,7 @@ STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
       "In coordinates in which $g$ and $G$ are constant; the mass density, which may "
       "vary, stays inside the derivative.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const curved = draw_medium<S, n, N>(draw, Kind::any), flat = flattened<S, n, N>(curved);
     auto const j = draw_second_jet<S, n, N>(draw);
     auto const left = [&](AnyContinuum<S, n, N> const& medium) {
@@ -192,8 +188,7 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
                   "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence "
                   "is fixed by Leibniz' rule with vector fields of space.");
   claim.maybe_scan();
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     using Column = actio::Matrix<S, N, 1>;
     using OfBody = actio::Matrix<S, n, 1>;
     auto const medium = draw_medium<S, n, N>(draw, Kind::any);
@@ -248,8 +243,7 @@ STATEMENT(claim_6_2_cancelling_terms, "the terms from the determinant and from t
       "Piola's identity. Each of the two terms alone is not zero; the section must be "
       "one: mixed derivatives commute.");
   // Determinant and inverse of a gradient of degree 2 in the body, n = 3.
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using Column = actio::Matrix<S, n, 1>;
     auto const G = draw_metric<S, n>(draw), g = draw_metric<S, n>(draw);
     auto const j = draw_second_jet<S, n>(draw);
@@ -287,8 +281,7 @@ STATEMENT(eq_6_19, "the first Piola-Kirchhoff stress from the stored energy") {
   claim.maybe_scan();
   claim.same_slip_as("claim_6_2_barotropic_momenta");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     using T = Dual<S, n>;
     auto const medium = draw_medium<S, n, N>(draw, Kind::any);
     Jet<S, n, N> const j = draw_jet<S, n, N>(draw);
@@ -313,8 +306,7 @@ STATEMENT(eq_6_19, "the first Piola-Kirchhoff stress from the stored energy") {
 
 STATEMENT(claim_6_2_piola_momenta, "the stress and the spatial momenta") {
   claim.holds();
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const medium = draw_medium<S, n, N>(draw, Kind::any);
     Jet<S, n, N> const j = draw_jet<S, n, N>(draw);
     actio::Matrix<S, N, n> const p = momenta(medium, j).template rightCols<n>(),
@@ -332,8 +324,7 @@ STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
   claim.convention(
       "$W$ depends on $F$ and $g$ through the Green tensor alone (on $x$ and $G$ as it likes); the index "
       "is lowered with $g$, and $F$ has an inverse. The solid has no symmetry.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const solid = draw_medium<S, n>(draw, Kind::solid);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     auto const at = point_of_medium(solid, j);
@@ -354,8 +345,7 @@ STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
       "With the symmetric derivative in $g$ it is so by definition. The balance of moment of momentum, "
       "that the Piola-Kirchhoff stress times $F$ is symmetric, needs a $W$ of the Green tensor, of a "
       "solid without symmetry as well.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using T = Dual<S, n>;
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     auto const any = draw_medium<S, n>(draw, Kind::any);
@@ -391,8 +381,7 @@ STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
       "The left side is a vector and the right a covector: one index is raised with $g$. $W$ is a "
       "function of the Green tensor, the point of the body and $G$, without symmetry; bodies of fewer "
       "dimensions than their space as well.");
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const j = draw_second_jet<S, n, N>(draw);
     auto const E = [&](auto const& medium) {
       return raised(medium.g(j.y),
@@ -426,8 +415,7 @@ STATEMENT(claim_6_2_euclidean_elasticity, "elasticity in a Euclidean space") {
   claim.convention(
       "In coordinates in which $g$ and $G$ are constant; the first index of the stress is raised with $g$. "
       "The solid has no symmetry, and may have fewer dimensions than its space.");
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const j = draw_second_jet<S, n, N>(draw);
     // Both sides of the equation, their difference, and what it should be.
     auto const residual = [&](auto const& medium) {
@@ -475,8 +463,7 @@ STATEMENT(claim_6_2_barotropic_momenta, "the spatial momenta of a barotropic flu
                   "In both denominators $i$ is set as an index of $a$; it is one of $v$.");
   claim.maybe_scan();
   // A law of degree 3 in a Jacobian of degree 8 over another.
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     auto const at = point_of_medium(fluid, j);
@@ -498,8 +485,7 @@ STATEMENT(eq_6_16, "the material pressure from the stored energy") {
   claim.holds(
       "With the density of space $\\rho/J$ it is the pressure of thermodynamics, the square of that "
       "density times the derivative of $W$ in it.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     auto const at = point_of_medium(fluid, j);
@@ -514,8 +500,7 @@ STATEMENT(eq_6_16, "the material pressure from the stored energy") {
 
 STATEMENT(claim_6_2_barotropic_stress, "the Cauchy stress of a barotropic fluid") {
   claim.holds("With the symmetric derivative in $g$, of which $J$ has half of $J$ times the inverse of $g$.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     auto const at = point_of_medium(fluid, j);
@@ -532,8 +517,7 @@ STATEMENT(claim_6_2_barotropic_stress, "the Cauchy stress of a barotropic fluid"
 
 STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid") {
   claim.holds();
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     auto const at = point_of_medium(fluid, j);
@@ -555,8 +539,7 @@ STATEMENT(claim_6_2_barotropic_spatial_form,
   claim.holds(
       "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ taken at the particle, "
       "and the gradient is that of $g$.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using T = Dual<S, n>;
     using Column = actio::Matrix<S, n, 1>;
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
@@ -646,32 +629,32 @@ STATEMENT(eq_6_17, "the left side for a barotropic fluid, in three lines") {
       "The last term of the middle line lacks the root over $\\det g$. The "
       "first and the last line are right.");
   claim.maybe_scan();
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
-    auto const j = draw_second_jet<S, D::n>(draw);
-    Expansion<S, D::n> const lines(fluid, j);
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
+    auto const j = draw_second_jet<S, n>(draw);
+    Expansion<S, n> const lines(fluid, j);
     claim.equal("first and middle line", model, lines.first, (lines.pressure + lines.volume).eval());
     claim.equal("middle and last line", model, lines.volume, lines.metric);
-    if (D::n != 2)
-      claim.differs("the last line with 1/n", model, lines.volume, (lines.metric * ratio<S>(2, D::n)).eval());
+    if (n != 2)
+      claim.differs("the last line with 1/n", model, lines.volume, (lines.metric * ratio<S>(2, n)).eval());
     claim.differs("the middle line as printed", model, lines.first, (lines.pressure + lines.printed).eval());
   });
 }
 
 STATEMENT(claim_6_2_barotropic_expansion_end, "the first and the last expression of the expansion") {
   claim.holds();
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
-    auto const j = draw_second_jet<S, D::n>(draw);
-    Expansion<S, D::n> const lines(fluid, j);
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
+    auto const j = draw_second_jet<S, n>(draw);
+    Expansion<S, n> const lines(fluid, j);
     auto const first = (inertial_force(fluid, j) + lines.first).eval();
     auto const last = [&](S const& factor) {
       return (inertial_force(fluid, j) + lines.pressure + lines.metric * factor).eval();
     };
     claim.equal("left side of (6.13)", model, first, last(S(1)));
-    claim.equal("and with the right side", model, actio::Matrix<S, D::n, 1>(first - metric_force(fluid, j)),
+    claim.equal("and with the right side", model, actio::Matrix<S, n, 1>(first - metric_force(fluid, j)),
                 medium_equation(fluid, j));
-    if (D::n != 2) claim.differs("1/n in place of the half", model, first, last(ratio<S>(2, D::n)));
+    if (n != 2) claim.differs("1/n in place of the half", model, first, last(ratio<S>(2, n)));
     claim.differs("without the half", model, first, last(S(2)));
     claim.differs("without the metric", model, first, last(S(0)));
   });
@@ -781,9 +764,9 @@ STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
       "The derivative in $x$ is the total one and acts on the mass density too; that in $g$ is the "
       "symmetric one, summed over both indices. For bodies of fewer dimensions than their space as well.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3, and inverses of metrics.
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    auto const medium = draw_medium<S, D::n, D::N>(draw, Kind::any);
-    check_medium_equation(claim, medium, draw_second_jet<S, D::n, D::N>(draw), model);
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    auto const medium = draw_medium<S, n, N>(draw, Kind::any);
+    check_medium_equation(claim, medium, draw_second_jet<S, n, N>(draw), model);
   });
   if (exact_arithmetic<S>()) return;
   over_media<S>(draw, [&]<class Medium, class Fluid, int n>(
@@ -883,8 +866,7 @@ STATEMENT(claim_6_2_pressure_definition, "the stress of a fluid defines its pres
   claim.holds(
       "All entries of the stress of a $W(J)$, and of a $W(J,x)$, give one number, and it is (6.16). With "
       "the symmetric derivative in $g$. The stress of a solid gives a different number for each entry.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     // The stress by (6.14), lowered: -P for every pair of equal indices, 0 for the others.
     auto const lowered_stress = [&](AnyContinuum<S, n> const& medium) {
@@ -914,8 +896,7 @@ STATEMENT(claim_6_2_isentropic_media, "isentropic media with a stored energy of 
       "point of the body that takes it up, beside that on the deformation gradient; a $W$ of the "
       "Jacobian alone does so only where the entropy is the same everywhere. The pressure is then "
       "(6.16) with the entropy of the particle.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using Column = actio::Matrix<S, n, 1>;
     auto const fluid = draw_medium<S, n>(draw, Kind::isentropic);
     auto const j = draw_second_jet<S, n>(draw);

@@ -51,8 +51,7 @@ STATEMENT(thm_6_2_2, "multisymplectic form formula") {
       "vertical variations, so both are to solve the linearised equations. Variations that move "
       "space-time add $E\\cdot V\\,W^\\mu - E\\cdot W\\,V^\\mu$ to the current of their vertical "
       "parts, which is nothing on a solution.");
-  over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Varied{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     // The linearised equations are to have a solution for the accelerations.
     auto const L = draw_regular_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
@@ -207,8 +206,7 @@ STATEMENT(eq_6_11, "boundary integral of two first variations and the multisympl
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");
   // Integrals of polynomials of degree 5 over a drawn box, with accelerations from two equations.
-  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(SmallDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     // In a medium that is the same everywhere, uniform strain is a solution, and variations of second degree
     // solve the linearised equations.
     auto const L = draw_uniform_density<S, n, N>(draw);
@@ -310,43 +308,44 @@ STATEMENT(claim_6_2_time_slice_symplectic,
       "For a body of no dimensions (6.11) on an interval says that the map from the state at one end "
       "to that at the other preserves $dy^a\\wedge dp_a$: for a Lagrangian that depends on time and is "
       "not quadratic in its coordinates.");
-  over_points<S>(std::tuple<Dimensions<0, 2>, Dimensions<0, 3>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int N = D::N;
-    using Curve = BentMotion<S, N>;
-    BentFall<S, N> const L(draw);
-    Curve const motion(L, draw), V = motion.variation(draw), W = motion.variation(draw),
-                                 pushed = motion.variation(draw, S(3));
-    auto const box = draw_box<S, 0>(draw);
-    claim.zero("the curve is a motion", model, euler_lagrange(L, second_jet(motion, box.low)),
-               S(magnitude(momenta(L, first_jet(motion, box.low))) + magnitude(L.f)), 10);
-    // The pairing of two tangent vectors of the space of states, at either end.
-    auto const pairing_at = [&](Event<S, 0> const& t, auto const& w) {
-      return S(multisymplectic_current(L, first_jet(motion, t), first_jet(V, t), first_jet(w, t))[0]);
-    };
-    auto const speeds_at = [&](Event<S, 0> const& t) {
-      auto const v = first_jet(V, t), w = first_jet(W, t);
-      return S(v.velocity().dot(w.y) - w.velocity().dot(v.y));
-    };
-    claim.equal("dy ^ dp of two tangent vectors, at both ends", model, pairing_at(box.low, W),
-                pairing_at(box.high, W), 10);
-    claim.differs("with a vector that the flow does not carry", model, pairing_at(box.low, pushed),
-                  pairing_at(box.high, pushed));
-    claim.differs("dy ^ dv in place of dy ^ dp", model, speeds_at(box.low), speeds_at(box.high));
-    // As (6.11), with variations that move time as well.
-    auto const boundary = [&](auto const& w) {
-      auto const field = [&](Curve const& Q) {
-        return WithVerticalPart<S, 0, N, Curve, Curve>{Q, draw_variation<S, 0, N>(draw, 2), motion};
-      };
-      auto const v = field(V), u = field(w);
-      auto const form = pull_back(
-          jet_extension(motion),
-          contract(prolonged<0, N>(v), contract(prolonged<0, N>(u), multisymplectic_form<0, N>(L))));
-      return boundary_integral(form, box, 0);
-    };
-    S const scale = magnitude(pairing_at(box.low, W)) + magnitude(pairing_at(box.high, W));
-    claim.zero("(6.11) on an interval", model, boundary(W), scale, 10);
-    claim.refutes("(6.11) with a variation that is none of motions", model, boundary(pushed), scale);
-  });
+  over_dimensions(
+      std::tuple<Dimensions<0, 2>, Dimensions<0, 3>>{},
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+        using Curve = BentMotion<S, N>;
+        BentFall<S, N> const L(draw);
+        Curve const motion(L, draw), V = motion.variation(draw), W = motion.variation(draw),
+                                     pushed = motion.variation(draw, S(3));
+        auto const box = draw_box<S, 0>(draw);
+        claim.zero("the curve is a motion", model, euler_lagrange(L, second_jet(motion, box.low)),
+                   S(magnitude(momenta(L, first_jet(motion, box.low))) + magnitude(L.f)), 10);
+        // The pairing of two tangent vectors of the space of states, at either end.
+        auto const pairing_at = [&](Event<S, 0> const& t, auto const& w) {
+          return S(multisymplectic_current(L, first_jet(motion, t), first_jet(V, t), first_jet(w, t))[0]);
+        };
+        auto const speeds_at = [&](Event<S, 0> const& t) {
+          auto const v = first_jet(V, t), w = first_jet(W, t);
+          return S(v.velocity().dot(w.y) - w.velocity().dot(v.y));
+        };
+        claim.equal("dy ^ dp of two tangent vectors, at both ends", model, pairing_at(box.low, W),
+                    pairing_at(box.high, W), 10);
+        claim.differs("with a vector that the flow does not carry", model, pairing_at(box.low, pushed),
+                      pairing_at(box.high, pushed));
+        claim.differs("dy ^ dv in place of dy ^ dp", model, speeds_at(box.low), speeds_at(box.high));
+        // As (6.11), with variations that move time as well.
+        auto const boundary = [&](auto const& w) {
+          auto const field = [&](Curve const& Q) {
+            return WithVerticalPart<S, 0, N, Curve, Curve>{Q, draw_variation<S, 0, N>(draw, 2), motion};
+          };
+          auto const v = field(V), u = field(w);
+          auto const form = pull_back(
+              jet_extension(motion),
+              contract(prolonged<0, N>(v), contract(prolonged<0, N>(u), multisymplectic_form<0, N>(L))));
+          return boundary_integral(form, box, 0);
+        };
+        S const scale = magnitude(pairing_at(box.low, W)) + magnitude(pairing_at(box.high, W));
+        claim.zero("(6.11) on an interval", model, boundary(W), scale, 10);
+        claim.refutes("(6.11) with a variation that is none of motions", model, boundary(pushed), scale);
+      });
 }
 
 namespace {
@@ -375,8 +374,7 @@ STATEMENT(claim_6_2_induced_section, "action of bundle automorphisms on sections
   claim.holds(
       "Composition acts on maps of $U$ into $Y$; on the sections that they make "
       "it is an action from the left.");
-  over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Varied{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     using Base = Matrix<S, n + 1, n + 1>;
     BundleMap<S, n, N> const eta(draw), zeta(draw);
     AnyTilted<S, n, N> const phi(draw);
@@ -415,8 +413,8 @@ STATEMENT(claim_6_2_tangent_of_tilted_sections, "tangent vectors of the manifold
       "$\\varphi$ is a map of $U$, and so is a vector along it; what it covers is a vector "
       "field on $U_X$ at the point $\\varphi_X(u)$. As printed it is right for sections, "
       "where $\\varphi_X$ is the identity.");
-  over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, all = n + 1 + N;
+  over_dimensions(Varied{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    constexpr int all = n + 1 + N;
     BundleMap<S, n, N> const eta(draw);
     AnyTilted<S, n, N> const phi(draw);
     auto const section = draw_section<S, n, N>(draw);

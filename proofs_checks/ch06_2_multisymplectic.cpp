@@ -160,8 +160,8 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
       "That the condition is enough is found at random jets of bodies of one and two dimensions, from all "
       "contractions of the form there.");
   // Twice differentiated cubics; and sums over sets of basis vectors.
-  over_points<S>(Few{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
+  over_dimensions(Few{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    constexpr int all = Jet<S, n, N>::dimension;
     auto const L = draw_density<S, n, N>(draw);
     auto const j = draw_jet<S, n, N>(draw);
     auto const X = draw_tangents<S, all, n + 1>(draw);
@@ -202,33 +202,35 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
     claim.fact("the rank is less there", model, matrix_rank(contractions_of(degenerate, j)) < all);
   });
   // The form is closed; a function times it is not.
-  over_points<S>(std::tuple<Dimensions<1, 1>, Dimensions<1, 2>, Dimensions<2, 1>>{},
-                 [&]<class D>(D, std::string const& model) {
-                   constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
-                   auto const L = draw_density<S, n, N>(draw);
-                   auto const at = coordinates(draw_jet<S, n, N>(draw));
-                   auto const X = draw_tangents<S, all, n + 3>(draw);
-                   auto const omega = multisymplectic_form<n, N>(L);
-                   auto const f = draw_cubic<S, all>(draw);
-                   auto const product = [&]<class T, int k>(Matrix<T, all, 1> const& z,
-                                                            Tangents<T, all, k> const& V) -> T {
-                     return f(z) * omega(z, V);
-                   };
-                   // Terms of the alternating sum, each of the size of second derivatives.
-                   S terms(0);
-                   for (int c = 0; c < n + 3; ++c) {
-                     Tangents<S, all, n + 2> others;
-                     for (int i = 0, to = 0; i < n + 3; ++i)
-                       if (i != c) others.col(to++) = X.col(i);
-                     terms += size_of(S(omega(at, others)));
-                   }
-                   claim.zero("d Omega", model, exterior_derivative(omega)(at, X), terms, 10);
-                   claim.refutes("d of a function times Omega", model, exterior_derivative(product)(at, X),
-                                 terms);
-                 });
+  over_dimensions(std::tuple<Dimensions<1, 1>, Dimensions<1, 2>, Dimensions<2, 1>>{},
+                  [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+                    constexpr int all = Jet<S, n, N>::dimension;
+                    auto const L = draw_density<S, n, N>(draw);
+                    auto const at = coordinates(draw_jet<S, n, N>(draw));
+                    auto const X = draw_tangents<S, all, n + 3>(draw);
+                    auto const omega = multisymplectic_form<n, N>(L);
+                    auto const f = draw_cubic<S, all>(draw);
+                    auto const product = [&]<class T, int k>(Matrix<T, all, 1> const& z,
+                                                             Tangents<T, all, k> const& V) -> T {
+                      return f(z) * omega(z, V);
+                    };
+                    // Terms of the alternating sum, each of the size of second derivatives.
+                    S terms(0);
+                    for (int c = 0; c < n + 3; ++c) {
+                      Tangents<S, all, n + 2> others;
+                      for (int i = 0, to = 0; i < n + 3; ++i)
+                        if (i != c) others.col(to++) = X.col(i);
+                      terms += size_of(S(omega(at, others)));
+                    }
+                    claim.zero("d Omega", model, exterior_derivative(omega)(at, X), terms, 10);
+                    claim.refutes("d of a function times Omega", model, exterior_derivative(product)(at, X),
+                                  terms);
+                  });
   // Time alone.
-  over_points<S>(std::tuple<Dimensions<0, 2>, Dimensions<0, 3>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int N = D::N, all = Jet<S, 0, N>::dimension;
+  over_dimensions(std::tuple<Dimensions<0, 2>, Dimensions<0, 3>>{}, [&]<int n, int N>(
+                                                                        Dimensions<n, N>,
+                                                                        std::string const& model) {
+    constexpr int all = Jet<S, 0, N>::dimension;
     auto const L = draw_density<S, 0, N>(draw);
     SecondJet<S, 0, N> j = second_jet(draw_section<S, 0, N>(draw), draw_event<S, 0>(draw));
     Jet<S, 0, N> const first = j;
@@ -254,10 +256,10 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
         scale);
   });
   // A body without stress, and one with.
-  over_points<S>(
+  over_dimensions(
       std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<3, 3>>{},
-      [&]<class D>(D, std::string const& model) {
-        constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+        constexpr int all = Jet<S, n, N>::dimension;
         if (n > 2 && numbers_grow()) return;
         auto const j = draw_jet<S, n, N>(draw);
         auto const G = draw_metric<S, n>(draw);
@@ -296,8 +298,8 @@ STATEMENT(claim_6_2_multisymplectic_manifold,
         }
       });
   // A fluid: the second derivatives in F in closed form, and where they have no inverse.
-  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, all = Jet<S, n, n>::dimension;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int all = Jet<S, n, n>::dimension;
     if (n > 2 && numbers_grow()) return;
     auto const j = draw_jet<S, n, n>(draw);
     S const det_F = determinant(Matrix<S, n, n>(j.gradient())), a = draw.number<S>() + S(2),

@@ -100,8 +100,7 @@ STATEMENT(eq_6_7, "variation of the field action for arbitrary variations") {
       "The derivative $D_{EL}\\mathcal L\\cdot V$ contracts $V$ into $dy^a\\wedge d^{n+1}x$ and pulls "
       "back: it is $E_a(V^a - \\phi^a{}_{,\\mu}V^\\mu)$, and $E_aV^a$ for vertical variations alone.");
   // A density of degree 33 in what is drawn, differentiated twice, times a field on Y of degree 21.
-  over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Varied{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
     auto const V = draw_variation<S, n, N>(draw, 3);
@@ -180,9 +179,8 @@ bool numbers_are_words() {
 constexpr double of_elimination = 1e4;
 
 /// Both parts of (6.7) solved for, and compared with (6.9) and (6.10).
-template <class S, class D>
-void determined_from_variations(Claim<S>& claim, Draw& draw, D, std::string const& model) {
-  constexpr int n = D::n, N = D::N;
+template <class S, int n, int N>
+void determined_from_variations(Claim<S>& claim, Draw& draw, Dimensions<n, N>, std::string const& model) {
   using Column = Matrix<S, n + 1 + N, 1>;
   using Flux = Matrix<S, n + 1 + N, n + 1>;
   auto const L = draw_low_density<S, n, N>(draw);
@@ -229,8 +227,7 @@ STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variati
       "boundary term gives, and not among all forms: see claim_6_2_cartan_form_uniqueness.");
   claim.same_slip_as("eq_6_8");
   // Integrals of polynomials of degree 6 in x over a drawn box.
-  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(SmallDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     // A section of second degree, a field on Y of first: the density's variation and both terms are of degree
     // 5 at most.
     constexpr int degree = 5;
@@ -261,7 +258,7 @@ STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variati
     claim.differs("(6.8) as printed", model, here, contracted);
   });
   // Rates of a density of degree 20 under cubics, and an elimination.
-  over_points<S>(Varied{}, [&](auto dimensions, std::string const& model) {
+  over_dimensions(Varied{}, [&](auto dimensions, std::string const& model) {
     if (dimensions.n + dimensions.N > 3 && !numbers_are_words()) return;
     determined_from_variations(claim, draw, dimensions, model);
   });
@@ -363,8 +360,7 @@ STATEMENT(claim_6_2_euler_lagrange_map_unique, "uniqueness of the Euler-Lagrange
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");
   determined_from_one_box(claim, draw);
-  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(SmallDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const L = draw_low_density<S, n, N>(draw);
     auto const phi = draw_section_of_degree<S, n, N>(draw, 2);
     auto const x = draw_event<S, n>(draw), e = draw_event<S, n>(draw);
@@ -408,8 +404,7 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
   claim.leaves(
       "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
       "coefficient here depends on the dimension.");
-  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(SmallDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     using Density = AnyDensity<S, n, N>;
     using Section = AnySection<S, n, N>;
     auto const L = draw_uniform_density<S, n, N>(draw);
@@ -462,8 +457,7 @@ STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical var
   claim.holds(
       "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$. Vertical variations do "
       "not determine it, and give the field equations and the other coefficients without it.");
-  over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Varied{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
     auto const V = draw_variation<S, n, N>(draw, 2), upright = V.upright();
@@ -566,8 +560,8 @@ STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the
       "$dv^a{}_\\mu\\wedge d^nx_\\nu$ may not. For $n = 0$ it is unique among all one-forms.");
   without_body(claim, draw);
   // Products of a polynomial of second degree on jets and derivatives of cubics.
-  over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
+  over_dimensions(Varied{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    constexpr int all = Jet<S, n, N>::dimension;
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
     auto const x = draw_event<S, n>(draw);
@@ -640,8 +634,7 @@ STATEMENT(claim_6_2_cartan_form_two_routes, "variational and Legendre routes to 
   claim.holds(
       "The boundary term is the part of the action's variation that depends on the derivatives of a factor "
       "of $V$; no Cartan form is needed to find it.");
-  over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Varied{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
     auto const x = draw_event<S, n>(draw);

@@ -136,8 +136,7 @@ STATEMENT(eq_7_1, "induced constraint function on sections") {
   claim.holds(
       "The number of components of $\\Phi$ is the rank of $\\mathcal V$, which the thesis calls $n$; it "
       "need not be the dimension of the body.");
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& name) {
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{draw_metric<S, n>(draw),
                                                                  draw_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);
@@ -202,8 +201,7 @@ STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the
                   S(delta.size[0] / S(36)));
   }
   // In other dimensions at a point, with two multipliers: the integrands are equal, and their derivatives.
-  over_dimensions(ConstrainedDimensions{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(ConstrainedDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& name) {
     auto const L = draw_density<S, n, N>(draw);
     auto const Phi = draw_constraint<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
@@ -229,8 +227,7 @@ STATEMENT(eq_7_2, "constrained Euler-Lagrange equations") {
       "They are those of $L - \\langle\\lambda, \\Phi\\rangle$, in components of an orthonormal frame of "
       "$\\mathcal V$; the derivative of the augmented action in $\\phi$ is minus their pairing with the "
       "variation, up to the divergence of a field that vanishes with it.");
-  over_dimensions(ConstrainedDimensions{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(ConstrainedDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& name) {
     auto const L = draw_density<S, n, N>(draw);
     auto const Phi = draw_constraint<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw), w = draw_section<S, n, N>(draw, S(1));
@@ -260,8 +257,7 @@ STATEMENT(claim_7_2_augmented_lagrangian, "Lagrangian on the extended bundle and
                   "The equations of the printed density are (7.2) with $-\\lambda$ for $\\lambda$; chapter "
                   "8 keeps the printed density, whose multiplier is the pressure, positive in compression.");
   claim.maybe_scan();
-  over_dimensions(ConstrainedDimensions{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(ConstrainedDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& name) {
     auto const L = draw_density<S, n, N>(draw);
     auto const Phi = draw_constraint<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
@@ -292,8 +288,7 @@ STATEMENT(claim_7_2_constrained_hamilton,
       "given rate; for $J = 1$ see claim_7_2_incompressibility_fits.");
   // Cubics of cubics, differentiated up to three times: terms grow to some tens and cancel in part.
   double const condition = 100;
-  over_dimensions(ConstrainedDimensions{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(ConstrainedDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& name) {
     auto const L = draw_density<S, n, N>(draw);
     auto const Phi = draw_constraint<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw), w = draw_section<S, n, N>(draw, S(1));

@@ -299,6 +299,7 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
       "that are complete, where the theorem on multipliers asks that the derivative is onto.");
   volume_changes<S, 2, 3>(claim, draw);
   volume_changes<S, 3, 2>(claim, draw);
-  over_dimensions(PlaneAndSpace{},
-                  [&]<class D>(D, std::string const& name) { free_pressures<S, D::n>(claim, draw, name); });
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& name) {
+    free_pressures<S, n>(claim, draw, name);
+  });
 }

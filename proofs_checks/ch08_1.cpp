@@ -161,8 +161,7 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
       "In the sense of section 8.2, which sets it to $\\mathfrak C = \\{\\pi^\\mu = 0\\}$: it belongs to "
       "the multiplier of the constraint. Every jet is sent there, whatever its volume; $J = 1$ is no "
       "relation of $\\mathfrak C$, but comes later, as the field equation of $\\lambda$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
     auto const z = legendre(density, static_cast<Jet<S, n, n + 1> const&>(j));
@@ -176,7 +175,7 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
 
 STATEMENT(claim_8_1_degenerate_form, "the form on the primary constraint manifold is degenerate") {
   claim.holds("$\\partial/\\partial\\lambda$ is in its kernel. Before it is restricted it is not.");
-  over_points(TwoAndThree{}, [&]<class Dims>(Dims, std::string const& model) {
+  over_dimensions(PlaneAndSpace{}, [&]<class Dims>(Dims, std::string const& model) {
     constexpr int n = Dims::n, M = n + 1, D = DualJet<S, n, M>::dimension;
     Matrix<S, D, 1> at = draw.vector<S, Matrix<S, D, 1>>(D);
     auto V = draw_tangents<S, D, n + 2>(draw);
@@ -197,8 +196,7 @@ STATEMENT(claim_8_1_volume_preserving_placement,
       "At each instant and in any metrics: along a motion the volume $J$ has the rate "
       "$J\\,\\mathrm{div}\\,u$, so that it is constant where the divergence vanishes, and the other way "
       "round. $J = 1$ needs a placement that preserves volume at one instant.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const body = draw_metric_of_volume<S, n>(draw), space = draw_metric_of_volume<S, n>(draw);
     auto const any = draw_any_metric<S, n>(draw);
     auto const phi = draw_shears<S, n>(draw, body.chart, space.chart);
@@ -228,8 +226,7 @@ STATEMENT(eq_8_1, "the constraint on the volume") {
   claim.convention(
       "The determinant is that of the spatial block $v^a{}_j$, with as many dimensions of space as of the "
       "body, in charts of one orientation.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using Metric = MetricOfVolume<S, n>;
     VolumeConstraint<Metric, Metric> const constraint{draw_any_metric<S, n>(draw),
                                                       draw_any_metric<S, n>(draw)};
@@ -263,8 +260,7 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
   claim.convention(
       "The sign goes with $L + \\lambda\\Phi$ of (8.3): then $P$ is positive in compression. With $h - "
       "\\langle\\lambda, \\Psi\\rangle$ of chapter 7 it would be $-\\sqrt{\\det G}\\,P$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using Metric = MetricOfVolume<S, n>;
     VolumeConstraint<Metric, Metric> const constraint{draw_any_metric<S, n>(draw),
                                                       draw_any_metric<S, n>(draw)};

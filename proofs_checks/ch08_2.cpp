@@ -51,8 +51,7 @@ STATEMENT(eq_8_3, "the density with the constraint added") {
   claim.convention(
       "The multiplier adds to the density, where chapter 7 subtracts: with (8.2) this makes $P$ the "
       "pressure. $\\mathbb K$ and $\\mathbb P$ are forms, as in (6.3), and contain their $d^{n+1}x$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     auto const phi = draw_section<S, n, n>(draw);
@@ -75,8 +74,7 @@ STATEMENT(eq_8_3, "the density with the constraint added") {
 
 STATEMENT(claim_8_2_multiplier_momentum, "the momentum of the multiplier") {
   claim.holds();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), medium.G);
@@ -94,8 +92,7 @@ STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its t
       "Restricting the target, all momenta $p$ nearby are reached where $\\partial^2L_\\Phi/\\partial "
       "v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay "
       "in its kernel. The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     Jet<S, n, n + 1> j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), medium.G);
@@ -119,8 +116,7 @@ STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its t
 
 STATEMENT(eq_8_4, "the momenta of an incompressible medium") {
   claim.holds();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), medium.G);
@@ -141,8 +137,7 @@ STATEMENT(eq_8_4, "the momenta of an incompressible medium") {
 
 STATEMENT(claim_8_2_affine_momentum, "the affine momentum of an incompressible medium") {
   claim.holds();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), medium.G);
@@ -199,8 +194,7 @@ struct WithSquaredMultiplier {
 
 STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
   claim.holds();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const phi =
         with_pressure(draw_section<S, n, n>(draw), draw_cubic<S, n + 1>(draw), density.constraint.G);
@@ -231,8 +225,7 @@ STATEMENT(eq_8_6, "the field equation of the multiplier") {
       "A slip of the pen: the left side is a number, the same in every chart of the body, because the "
       "multiplier is a density; the coefficient of a form $d^{n+1}x$ would change with the chart. The "
       "equation of $\\lambda$ is $\\Phi(j^1\\phi) = 0$ either way.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     auto const phi = draw_section<S, n, n>(draw);
@@ -274,8 +267,7 @@ STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
   claim.holds(
       "It holds off the constraint too: the Euler-Lagrange derivative is "
       "$-\\sqrt{\\det G}$ times it for every $J$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
     auto const forces = per_volume(density, j);
@@ -292,8 +284,7 @@ STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
 
 STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space is differentiated") {
   claim.holds();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const& constraint = density.constraint;
     Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), constraint.G);
@@ -334,8 +325,7 @@ STATEMENT(claim_8_2_other_cancellations,
       "Besides the metric of space: the derivatives of $\\det v$ and of $v^{-1}$ cancel each other (the "
       "identity of Piola), and those of the root of $\\det G$ in $\\lambda$ cancel those of the root in "
       "$J$. The derivative of $P$ remains.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const& [G, g] = density.constraint;
     auto const extended = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), G);
@@ -381,8 +371,7 @@ STATEMENT(claim_8_2_other_cancellations,
 
 STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
   claim.holds();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const residual = [&](Medium<S, n> const& medium, SecondJet<S, n, n + 1> const& extended,
                               int sign = 1, bool mass_inside = true) {
       auto const j = deformation(extended);

@@ -26,8 +26,7 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
       "No other pressure takes the density in: $d(dP/\\rho) = dP\\wedge d\\rho/\\rho^2$ "
       "vanishes only where $d\\rho\\wedge dP = 0$. Where $P$ is a function of $\\rho$ (and of "
       "time) another pressure does it.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const G = draw_any_metric<S, n>(draw), g = draw_any_metric<S, n>(draw);
     auto const rho = draw_mass<S, n>(draw);
     auto const density = incompressible(Medium<S, n>{G, g, rho, constant_energy<S, n>(S(0))});
@@ -77,8 +76,7 @@ STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
   claim.holds(
       "The fluid is homogeneous and of density 1, as the text sets it just before. The "
       "equation holds off the constraint too.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = ideal_fluid<S, n>(draw_any_metric<S, n>(draw), draw_any_metric<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), fluid.G);
     auto const residual = ideal_fluid_residual(fluid.G, fluid.g, j);
@@ -94,8 +92,7 @@ STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
 
 STATEMENT(eq_8_10, "the constraint where body and space have one metric") {
   claim.holds();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const G = draw_any_metric<S, n>(draw), same = draw_metric_of_volume<S, n>(draw);
     VolumeConstraint const constraint{G, G}, held{same, same};
     Event<S, n> const x = draw_event<S, n>(draw);
@@ -118,8 +115,7 @@ STATEMENT(claim_8_3_spatial_density,
   claim.holds(
       "In space and in time; $\\rho_{\\mathrm{sp}} = \\rho/J$ has the rate "
       "$-\\rho_{\\mathrm{sp}}\\,\\mathrm{div}\\,u$ along any motion.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const body = draw_metric_of_volume<S, n>(draw), space = draw_metric_of_volume<S, n>(draw);
     auto const any = draw_any_metric<S, n>(draw);
     auto const phi = draw_shears<S, n>(draw, body.chart, space.chart);
@@ -156,8 +152,7 @@ STATEMENT(eq_8_11, "the equation with the pressure in space") {
   claim.holds(
       "It uses $J = 1$, not that determinants are 1: off the constraint the "
       "gradient has the factor $J$ of (8.9).");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid =
         ideal_fluid<S, n>(draw_metric_of_volume<S, n>(draw), draw_metric_of_volume<S, n>(draw));
     auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
@@ -200,8 +195,7 @@ STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two
       "A slip of an index: $\\dot\\phi$ is a vector, and its components differentiated as functions would "
       "lose the connection. The density is 1; otherwise $\\rho(x)$ stands before the acceleration.");
   claim.maybe_scan();
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto fluid = draw_barotropic<S, n>(draw);
     auto const varying = fluid.rho;
     fluid.rho = unit_mass<S, n>();
@@ -231,8 +225,7 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
   claim.holds(
       "The momenta and the field equations of the motion know the sum alone; the affine momentum, "
       "an energy, tells the two apart.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_barotropic<S, n>(draw);
     S const c = draw.number<S>() + S(2);
     Fluid<S, n> const pressed{fluid.G, fluid.g, fluid.rho, {pressed_more(fluid.W.w, c)}};
@@ -264,8 +257,7 @@ STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where
   claim.holds(
       "The fluid is homogeneous, as the text sets it. With mass that varies $P_W = "
       "-\\rho\\,W'(1)$ varies with the particle.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const law = draw_fluid<S>(draw);
     auto const G = draw_metric_of_volume<S, n>(draw), g = draw_metric_of_volume<S, n>(draw);
     Fluid<S, n> const homogeneous{G, g, unit_mass<S, n>(), law}, varying{G, g, draw_mass<S, n>(draw), law};
@@ -320,8 +312,7 @@ STATEMENT(eq_8_14, "the equation of the pressure") {
   claim.holds(
       "With $\\mathrm{div}\\,u = 0$ at all times, as the line before has it, and covariant derivatives. On "
       "a curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const g = draw_any_metric<S, n>(draw);
     auto const u = draw_solenoidal<S, n>(draw, g);
     Event<S, n> const at = draw_event<S, n>(draw);
@@ -358,8 +349,7 @@ STATEMENT(eq_8_14, "the equation of the pressure") {
 
 STATEMENT(claim_8_3_euler_equations, "the fluid in the spatial description") {
   claim.holds("$(u\\cdot\\nabla)u$ is covariant, and so is the divergence.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const any = draw_any_metric<S, n>(draw), metric = draw_metric_of_volume<S, n>(draw),
                body = draw_metric_of_volume<S, n>(draw);
     auto const phi = draw_shears<S, n>(draw, body.chart, metric.chart);
@@ -399,8 +389,7 @@ STATEMENT(claim_8_3_two_descriptions_agree,
       "Under the identification that the section makes: body and space are one Riemannian "
       "manifold, mass is 1, and the motion begins at the identity, so that $J = 1$ says that "
       "it stays in $\\mathcal D_\\mu$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const g = draw_metric_of_volume<S, n>(draw);
     auto const phi = draw_shears<S, n>(draw, g.chart, g.chart);
     auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
@@ -443,8 +432,7 @@ STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the bod
       "With the divergence in space. (8.11) is an equation between vectors of space at points of the body: "
       "composed with $\\phi_t^{-1}$, or with $(F^{-1})^k{}_a\\,\\nabla_k$ on the body, both sides give "
       "(8.14) at the place of the particle. Differentiated in $x$ without $F^{-1}$ they give other numbers.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const g = draw_metric_of_volume<S, n>(draw);
     auto const phi = draw_shears<S, n>(draw, draw_chart<S, n>(draw), g.chart);
     VelocityInSpace const u{phi};

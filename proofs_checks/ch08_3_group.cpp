@@ -134,8 +134,7 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
       "Such fields along a wall of any form have such a bracket, and differentiating the adjoint action of "
       "any motion of the group gives minus the bracket of Jacobi and Lie. The volume grows along the flow "
       "of a field by its divergence, and so the flow stays in the group where there is none.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const g = draw_metric_of_volume<S, n>(draw);
     S const t = draw.number<S>() * ratio<S>(1, 2);
     Event<S, n> at = draw_event<S, n>(draw);
@@ -189,8 +188,7 @@ STATEMENT(claim_8_3_tangent_bracket, "the bracket of fields along a boundary") {
   claim.holds(
       "For any two fields along a boundary of any form, with or without divergence. The derivative of one "
       "along the other alone leaves a boundary that is bent.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     Matrix<S, n, 1> const y = draw.vector<S, Matrix<S, n, 1>>(n);
     auto const wall = draw_wall<S, n>(draw, y);
     auto const X = draw_any_along(draw, wall), Y = draw_any_along(draw, wall);
@@ -213,8 +211,7 @@ STATEMENT(claim_8_3_right_invariant_metric, "the metric on volume preserving map
       "\\dot\\eta)\\,\\mu$, twice the kinetic energy of the particles, because $\\eta$ preserves $\\mu$; "
       "translated from the left it is another metric. Integrands are compared for finite maps, integrals "
       "in a box for fields along its walls.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const g = draw_metric_of_volume<S, n>(draw);
     auto const eta = draw_shears<S, n>(draw, g.chart, g.chart);
     Event<S, n> const x = draw_event<S, n>(draw);
@@ -298,8 +295,7 @@ STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms"
       "$\\partial_b(\\beta\\,\\omega^{ab})$, with $\\omega$ its curl and $\\beta$ zero at the "
       "walls, it does the work $\\int\\beta|\\omega|^2$, and where the body closes to a strip, "
       "fields around it find its period.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const g = draw_any_metric<S, n>(draw);
     auto const w = draw_solenoidal<S, n>(draw, g);
     auto const eta = draw_section<S, n, n>(draw);
@@ -339,8 +335,7 @@ STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms"
     }
   });
   // The same as integrals over time and a box with walls and a curved metric of volume 1.
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& dimensions) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& dimensions) {
     std::string const model = "box, " + dimensions;
     auto const g = draw_box_metric<S, n>(draw);
     auto const u = draw_along_walls<S, n, n + 1>(draw);

@@ -17,8 +17,7 @@ STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in component
   claim.holds(
       "$W$ is any function $W(x, G, C)$ of the Green tensor, without symmetry. The divergence is that of "
       "section 6.2 with its index corrected.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const general = draw_medium<S, n>(draw);
     Solid<S, n> const solid{general.G, general.g, general.rho, draw_solid<S, n>(draw)};
     auto const density = incompressible(solid);
@@ -42,8 +41,7 @@ STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in component
 STATEMENT(claim_8_4_elasticity_covariant, "an incompressible solid, as vectors of space") {
   claim.convention(
       "With $J = 1$ in the pressure's term, the index raised by $g$, and $p = P\\circ\\phi_t^{-1}$.");
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     Solid<S, n> const solid{draw_metric_of_volume<S, n>(draw), draw_metric_of_volume<S, n>(draw),
                             draw_mass<S, n>(draw), draw_solid<S, n>(draw)};
     auto const density = incompressible(solid);

@@ -114,9 +114,9 @@ S energy_of(Medium const& medium, Jet<S, n, N> const& j) {
   return -volume<S>(G) * medium.rho(x) * medium.W(x, G, medium.g(j.y), j.gradient());
 }
 /// Whether a body of this kind may have these dimensions.
-template <class D>
+template <int n, int N>
 std::vector<Kind> kinds() {
-  if (D::n == D::N) return {Kind::solid, Kind::fluid, Kind::isentropic};
+  if (n == N) return {Kind::solid, Kind::fluid, Kind::isentropic};
   return {Kind::solid};
 }
 
@@ -204,8 +204,7 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
       "are all symmetries there are: the rate of the Lagrangian is that of the density or the "
       "entropy, times what is not zero.");
   // The energy is of degree 24 in the coordinates after clearing denominators, the field of degree 12.
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto fluid = draw_medium<S, n>(draw, Kind::isentropic);
     auto const j = draw_jet<S, n, n>(draw);
     auto const x = j.particle();
@@ -241,8 +240,7 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
                 S(-volume<S>(fluid.G(x)) * rho * J * J * grown), 10);
   });
   // Finite maps of a flat body with the density 2 + x^1 and, in space, the entropy x^2.
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto flat = draw_medium<S, n>(draw, Kind::isentropic);
     flat.G = flattened(flat.G), flat.G.constant = Matrix<S, n, n>::Identity();
     flat.rho.added = constant_cubic<S, n>(S(0)), flat.rho.added.a[0] = S(1);
@@ -267,8 +265,7 @@ STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries"
   // A cubic of the Green tensor, which is of degree 12 with the denominators of the sphere and the body.
   over_points(
       claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
-      [&]<class D>(D, std::string const& model) {
-        constexpr int n = D::n, N = D::N;
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
         StereographicSphere<S, N> const sphere{ratio<S>(1, 2)};
         auto const j = draw_jet<S, n, N>(draw);
         SphereRotation<S, N> const turning{draw_skew<S, N>(draw), draw.vector<S, Matrix<S, N, 1>>(N)};
@@ -276,7 +273,7 @@ STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries"
         // Roots of det g at the two ends of a finite map have one sign where 1 + |y|^2 and |y|^2 are
         // positive.
         draw_positive(S(j.y.dot(j.y) + 1)), draw_positive(S(j.y.dot(j.y)));
-        for (Kind const kind : kinds<D>()) {
+        for (Kind const kind : kinds<n, N>()) {
           std::string const what = model + (kind == Kind::solid ? ", solid" : ", fluid");
           auto const medium = Continuum{draw_metric<S, n>(draw), sphere, draw_mass<S, n>(draw),
                                         draw_energy_of<S, n, N>(draw, kind)};
@@ -313,8 +310,7 @@ STATEMENT(claim_9_0_euclidean_isometries, "rotations and translations as symmetr
       "the media without a constraint.");
   over_points(
       claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
-      [&]<class D>(D, std::string const& model) {
-        constexpr int n = D::n, N = D::N;
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
         ConstantMetric<S, N> const flat{Matrix<S, N, N>::Identity()};
         auto const off = draw_second_jet<S, n, N>(draw);
         Jet<S, n, N> const& j = off;
@@ -322,7 +318,7 @@ STATEMENT(claim_9_0_euclidean_isometries, "rotations and translations as symmetr
         RigidMotion<S, N> const shear{draw_tangents<S, N, N>(draw), motion.shift};
         FlatMotion<S, N> const finite{draw.element<S>(SO<N>{}).value, draw.vector<S, Matrix<S, N, 1>>(N)},
             stretched{finite.R * S(2), finite.b};
-        for (Kind const kind : kinds<D>()) {
+        for (Kind const kind : kinds<n, N>()) {
           std::string const what = model + (kind == Kind::solid   ? ", solid"
                                             : kind == Kind::fluid ? ", fluid"
                                                                   : ", fluid with entropy");
@@ -369,8 +365,7 @@ STATEMENT(claim_9_0_time_translation, "translation of time as the symmetry that 
       "Fields that are to first order at a point symmetries of all of them have there no part but a "
       "constant one along time, so that fields which are everywhere are multiples of the "
       "translation of time: it is the only one.");
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const j = draw_jet<S, n, N>(draw);
     auto const tau = draw.number<S>();
     for (Kind const kind : {Kind::any, Kind::solid, n == N ? Kind::isentropic : Kind::dust}) {

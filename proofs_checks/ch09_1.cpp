@@ -70,8 +70,8 @@ STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
       "By (8.2) $\\lambda=\\sqrt{\\det G}\\,P$ is a density, and the lift must take it along as one: then "
       "$P$ stays, and the incompressible fluid is symmetric. The printed lift, which leaves $\\lambda$ as "
       "it is, agrees with it only in coordinates in which $\\det G$ is constant.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = n + 1;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int N = n + 1;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_pressed_jet<S, n>(draw);
     auto const eta = draw_relabelling_at<S, n>(fluid.G, j.particle(), draw);
@@ -94,24 +94,24 @@ STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
 STATEMENT(eq_9_2, "prolongation of bundle automorphisms to jets") {
   claim.holds();
   // A cubic of a cubic, of the inverse of a map of second degree.
-  over_points(std::tuple<Dimensions<2, 2>, Dimensions<3, 1>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    auto const any = draw_automorphism<S, n, N>(draw);
-    auto const eta = as_automorphism(any);
-    auto const back = [any](auto const& x) { return any.back(x); };
-    auto const phi = draw_section<S, n, N>(draw);
-    Event<S, n> const x = draw_event<S, n>(draw);
-    auto const j = prolongation(eta, first_jet(phi, x));
-    auto const moved = first_jet(moved_section(eta, back, phi), Event<S, n>(any.base(x)));
-    // The inverse map and the elimination divide by determinants near one.
-    claim.equal("the jet of the moved section", model, j.v, moved.v, 10);
-    claim.equal("and its place", model, j.y, moved.y);
-    claim.equal("over the image of the point", model, j.x, any.base(x));
-    claim.differs("over the point itself", model, x, any.base(x));
-    auto const d = tangent<n, N>(eta, x, phi(x).eval());
-    claim.differs("the tangent map of the base in place of its inverse", model,
-                  ((d.along + d.fibre * first_jet(phi, x).v) * d.base).eval(), moved.v);
-  });
+  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<3, 1>>{},
+                  [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+                    auto const any = draw_automorphism<S, n, N>(draw);
+                    auto const eta = as_automorphism(any);
+                    auto const back = [any](auto const& x) { return any.back(x); };
+                    auto const phi = draw_section<S, n, N>(draw);
+                    Event<S, n> const x = draw_event<S, n>(draw);
+                    auto const j = prolongation(eta, first_jet(phi, x));
+                    auto const moved = first_jet(moved_section(eta, back, phi), Event<S, n>(any.base(x)));
+                    // The inverse map and the elimination divide by determinants near one.
+                    claim.equal("the jet of the moved section", model, j.v, moved.v, 10);
+                    claim.equal("and its place", model, j.y, moved.y);
+                    claim.equal("over the image of the point", model, j.x, any.base(x));
+                    claim.differs("over the point itself", model, x, any.base(x));
+                    auto const d = tangent<n, N>(eta, x, phi(x).eval());
+                    claim.differs("the tangent map of the base in place of its inverse", model,
+                                  ((d.along + d.fibre * first_jet(phi, x).v) * d.base).eval(), moved.v);
+                  });
 }
 
 STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
@@ -119,49 +119,49 @@ STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
       "Prolongation takes compositions to compositions, the identity to itself and inverses to "
       "inverses, and brackets of fields to brackets; where space-time is time alone and stays, it is "
       "the tangent map on velocities.");
-  over_points(std::tuple<Dimensions<1, 2>, Dimensions<3, 1>, Dimensions<2, 2>>{},
-              [&]<class D>(D, std::string const& model) {
-                constexpr int n = D::n, N = D::N;
-                auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw)),
-                           theta = as_automorphism(draw_automorphism<S, n, N>(draw));
-                auto const j = draw_jet<S, n, N>(draw);
-                auto const one_after_the_other = prolongation(theta, prolongation(eta, j));
-                // Two inverses, of tangent maps with determinants near one.
-                claim.equal("theta after eta", model, prolongation(composed(theta, eta), j).v,
-                            one_after_the_other.v, 10);
-                claim.differs("in the other order", model, prolongation(composed(eta, theta), j).v,
-                              one_after_the_other.v);
-                Automorphism const identity{[](auto const& x) { return x; }, FixedFibre<N>{}};
-                claim.equal("the identity", model, prolongation(identity, j).v, j.v);
-                auto const map = draw_map_at<S, n>(j.particle(), draw);
-                auto back = map;
-                back.from = map.to, back.to = map.from, back.slope = inverse_matrix(map.slope);
-                claim.equal("the inverse", model,
-                            prolongation(relabelling<N>(back), prolongation(relabelling<N>(map), j)).v, j.v,
-                            10);
-              });
-  over_points(std::tuple<Dimensions<1, 1>, Dimensions<1, 2>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    auto const xi = draw_field<S, n, N>(draw), zeta = draw_field<S, n, N>(draw);
-    auto const at = coordinates(draw_jet<S, n, N>(draw));
-    auto const left = prolonged<n, N>(bracket(xi, zeta))(at);
-    claim.equal("brackets of fields", model, left, bracket(prolonged<n, N>(xi), prolonged<n, N>(zeta))(at),
-                10);
-    claim.differs("brackets in the other order", model, left,
-                  bracket(prolonged<n, N>(zeta), prolonged<n, N>(xi))(at));
-    // Maps of space that do not see space-time, where time is all there is of it.
-    Jet<S, 0, N> const motion{Event<S, 0>(draw.number<S>()), draw.vector<S, Matrix<S, N, 1>>(N),
-                              draw.vector<S, Matrix<S, N, 1>>(N)};
-    auto const places = draw_section<S, N - 1, N>(draw);
-    Automorphism const of_space{
-        [](auto const& x) { return x; },
-        [places](auto const& point) {
-          return places(Matrix<ScalarOf<decltype(point)>, N, 1>(point.template tail<N>()));
-        }};
-    auto const [place, pushed_velocity] = derivative_along(places, motion.y, Matrix<S, N, 1>(motion.v));
-    claim.equal("mechanics: the tangent map", "n = 0, N = " + std::to_string(N),
-                Matrix<S, N, 1>(prolongation(of_space, motion).v), pushed_velocity);
-  });
+  over_dimensions(std::tuple<Dimensions<1, 2>, Dimensions<3, 1>, Dimensions<2, 2>>{},
+                  [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+                    auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw)),
+                               theta = as_automorphism(draw_automorphism<S, n, N>(draw));
+                    auto const j = draw_jet<S, n, N>(draw);
+                    auto const one_after_the_other = prolongation(theta, prolongation(eta, j));
+                    // Two inverses, of tangent maps with determinants near one.
+                    claim.equal("theta after eta", model, prolongation(composed(theta, eta), j).v,
+                                one_after_the_other.v, 10);
+                    claim.differs("in the other order", model, prolongation(composed(eta, theta), j).v,
+                                  one_after_the_other.v);
+                    Automorphism const identity{[](auto const& x) { return x; }, FixedFibre<N>{}};
+                    claim.equal("the identity", model, prolongation(identity, j).v, j.v);
+                    auto const map = draw_map_at<S, n>(j.particle(), draw);
+                    auto back = map;
+                    back.from = map.to, back.to = map.from, back.slope = inverse_matrix(map.slope);
+                    claim.equal("the inverse", model,
+                                prolongation(relabelling<N>(back), prolongation(relabelling<N>(map), j)).v,
+                                j.v, 10);
+                  });
+  over_dimensions(
+      std::tuple<Dimensions<1, 1>, Dimensions<1, 2>>{},
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+        auto const xi = draw_field<S, n, N>(draw), zeta = draw_field<S, n, N>(draw);
+        auto const at = coordinates(draw_jet<S, n, N>(draw));
+        auto const left = prolonged<n, N>(bracket(xi, zeta))(at);
+        claim.equal("brackets of fields", model, left,
+                    bracket(prolonged<n, N>(xi), prolonged<n, N>(zeta))(at), 10);
+        claim.differs("brackets in the other order", model, left,
+                      bracket(prolonged<n, N>(zeta), prolonged<n, N>(xi))(at));
+        // Maps of space that do not see space-time, where time is all there is of it.
+        Jet<S, 0, N> const motion{Event<S, 0>(draw.number<S>()), draw.vector<S, Matrix<S, N, 1>>(N),
+                                  draw.vector<S, Matrix<S, N, 1>>(N)};
+        auto const places = draw_section<S, N - 1, N>(draw);
+        Automorphism const of_space{
+            [](auto const& x) { return x; },
+            [places](auto const& point) {
+              return places(Matrix<ScalarOf<decltype(point)>, N, 1>(point.template tail<N>()));
+            }};
+        auto const [place, pushed_velocity] = derivative_along(places, motion.y, Matrix<S, N, 1>(motion.v));
+        claim.equal("mechanics: the tangent map", "n = 0, N = " + std::to_string(N),
+                    Matrix<S, N, 1>(prolongation(of_space, motion).v), pushed_velocity);
+      });
 }
 
 STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinates") {
@@ -170,8 +170,8 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
       "or not. With (9.1) put right it holds in coordinates in which $\\det G$ is constant, "
       "for maps that preserve volume.");
   claim.same_slip_as("eq_9_1");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = n + 1;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int N = n + 1;
     auto const j = draw_jet<S, n, N>(draw);
     auto const eta = draw_map_at<S, n>(j.particle(), draw);
     auto const lifted = prolongation(relabelling<N>(eta), j);
@@ -196,8 +196,8 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
       "right, a multiplier that is a density, $-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along "
       "$\\beta_\\mu$, which vanishes for fields of the group where $\\det G$ is constant.");
   claim.same_slip_as("eq_9_1");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = n + 1;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int N = n + 1;
     auto const xi = draw_body_field<S, n>(draw);
     auto const j = draw_jet<S, n, N>(draw);
     auto const lift = jet_at<n, N>(prolonged<n, N>(relabelling_field<N>(xi))(coordinates(j)));
@@ -245,8 +245,8 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
 
 STATEMENT(claim_9_1_prolonged_velocities, "velocity components of the infinitesimal prolongation") {
   claim.holds("A relabelling that changes in time would add $-v^a{}_m\\,\\partial_t\\xi^m$.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = n + 1;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int N = n + 1;
     auto const j = draw_jet<S, n, N>(draw);
     auto const any = draw_field<S, n, N>(draw);
     // The field of the model at its time, and at a time that stands still.
@@ -302,8 +302,7 @@ STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a 
       "by the corner. Invariance up to what happens at the boundary would allow a divergence: a "
       "Galilean boost adds one to the density of a medium in flat space, which is not equivariant, and "
       "its action over a box changes.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_jet<S, n, n>(draw);
     auto const at_particle = draw_relabelling_at<S, n>(fluid.G, j.particle(), draw);
@@ -347,8 +346,7 @@ STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a 
                   action(L, phi, Box<S, 1>{Event<S, 1>::Zero(), corner}, 6));
   }
   // Galileo's boost of a medium in flat space: the density gains a divergence.
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto fluid = draw_polynomial_fluid<S, n>(draw);
     auto const g = fluid.g(Matrix<S, n, 1>(Matrix<S, n, 1>::Zero()));
     auto const b = draw.vector<S, Matrix<S, n, 1>>(n);
@@ -397,8 +395,8 @@ STATEMENT(prop_9_1_1, "equivariance of the two fluid Lagrangians under relabelli
       "map alone, and all of them are drawn.");
   claim.same_slip_as("eq_9_1");
   // Each density is of degree some 24 with its denominators, a field 12.
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = n + 1;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int N = n + 1;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_pressed_jet<S, n>(draw);
     auto const below = deformation(j);
@@ -433,8 +431,7 @@ STATEMENT(claim_9_1_barotropic_equivariance, "equivariance of the barotropic Lag
   claim.holds(
       "For every metric of the body, where volume-preserving means $\\sqrt{\\det "
       "G(\\eta(x))}\\,\\det\\partial\\eta=\\sqrt{\\det G(x)}$.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_jet<S, n, n>(draw);
     auto const at_particle = draw_relabelling_at<S, n>(fluid.G, j.particle(), draw);
@@ -456,8 +453,8 @@ STATEMENT(claim_9_1_incompressible_equivariance,
       "and elsewhere at jets with $J=1$ alone; at all jets with $\\lambda=\\sqrt{\\det G}\\,P$ "
       "transformed as a density, $P$ fixed.");
   claim.same_slip_as("eq_9_1");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = n + 1;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int N = n + 1;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_pressed_jet<S, n>(draw);
     S const scale = fluid(deformation(j));
@@ -494,8 +491,7 @@ STATEMENT(claim_9_1_jacobian_functions, "functions of the Jacobian and the deter
       "are written for any. That $J$ is the same before and after holds in all of them. The degree "
       "is printed $m+1$, as in (6.3).");
   claim.same_slip_as("eq_9_1");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const &G = fluid.G, &g = fluid.g;
     auto const j = draw_jet<S, n, n>(draw);

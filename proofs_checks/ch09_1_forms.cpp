@@ -106,8 +106,8 @@ STATEMENT(eq_9_4, "covariant momentum map and the multisymplectic form") {
       "With $\\Omega=-d\\Theta$; the momentum map is linear in $\\xi$. There is one for relabelling of the "
       "barotropic and of the incompressible fluid, and for isometries and time of a medium of any energy.");
   // Momenta of a fluid, differentiated: some 60 with denominators, times a potential and four vectors.
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, jets = Jet<S, n, n>::dimension;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int jets = Jet<S, n, n>::dimension;
     if (n == 3 && numbers_grow()) return;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const xi = draw_relabelling<S, n>(fluid.G, draw);
@@ -152,8 +152,8 @@ STATEMENT(claim_9_1_cartan_form_invariant, "invariance of the Cartan form under 
   claim.holds(
       "For any density and any field the Lie derivative is the Cartan form of the rate of equivariance, "
       "$\\mathfrak L_{j^1\\xi}\\Theta_L=\\Theta_r$: it vanishes for symmetries, and for them alone.");
-  over_points(Small{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension;
+  over_dimensions(Small{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    constexpr int jets = Jet<S, n, N>::dimension;
     auto const L = draw_density<S, n, N>(draw);
     auto const xi = draw_field<S, n, N>(draw);
     auto const at = coordinates(draw_jet<S, n, N>(draw));
@@ -167,8 +167,8 @@ STATEMENT(claim_9_1_cartan_form_invariant, "invariance of the Cartan form under 
     claim.equal("and dJ less the contraction of Omega", model, by_flow, S(dJ - contracted), 10);
     claim.refutes("invariant under every field", model, by_flow, theta(at, V));
   });
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, jets = Jet<S, n, n>::dimension;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int jets = Jet<S, n, n>::dimension;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const at = coordinates(draw_jet<S, n, n>(draw));
     auto const V = draw_tangents<S, jets, n + 1>(draw);
@@ -195,10 +195,10 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
       "takes $\\Theta_{\\mathcal L}$ to the Cartan form of the pulled-back density: it is preserved "
       "where $\\mathcal L$ is equivariant, and only there. Galileo's boost of a medium in flat space "
       "preserves $\\Omega$ and not $\\Theta$.");
-  over_points(
+  over_dimensions(
       std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<3, 1>>{},
-      [&]<class D>(D, std::string const& model) {
-        constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension, duals = DualJet<S, n, N>::dimension;
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+        constexpr int jets = Jet<S, n, N>::dimension, duals = DualJet<S, n, N>::dimension;
         auto const L = draw_density<S, n, N>(draw);
         auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw));
         auto const j = draw_jet<S, n, N>(draw);
@@ -232,8 +232,8 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
                     coordinates(dual_prolongation(eta, legendre(PulledBackDensity{L, eta}, j))),
                     coordinates(legendre(L, prolongation(eta, j))), 10);
       });
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, jets = Jet<S, n, n>::dimension;
+  over_dimensions(Plane{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int jets = Jet<S, n, n>::dimension;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_jet<S, n, n>(draw);
     auto const at = coordinates(j);
@@ -265,8 +265,10 @@ STATEMENT(eq_9_7, "momentum map from the Cartan form") {
       "Bodies of dimension three are not tried: forms on a jet bundle over four dimensions cost much, and "
       "no coefficient here depends on the dimension.");
   // A symmetry of any kind, straightened: every field without zeros on space-time is one, seen through a map.
-  over_points(std::tuple<Dimensions<1, 1>, Dimensions<1, 2>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension;
+  over_dimensions(std::tuple<Dimensions<1, 1>, Dimensions<1, 2>>{}, [&]<int n, int N>(
+                                                                        Dimensions<n, N>,
+                                                                        std::string const& model) {
+    constexpr int jets = Jet<S, n, N>::dimension;
     StraightenedSymmetry<S, n, N> L{draw_density<S, n, N>(draw), draw_automorphism<S, n, N>(draw)};
     // Of second degree, or the numbers grow too long.
     for (auto& c : L.eta.places) c.e.setZero();
@@ -288,8 +290,8 @@ STATEMENT(eq_9_7, "momentum map from the Cartan form") {
                 S(covariant_momentum_map<n, N>(L, xi)(at, U)),
                 S(contract(prolonged<n, N>(xi), by_legendre)(at, U)), 10);
   });
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, jets = Jet<S, n, n>::dimension;
+  over_dimensions(Plane{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int jets = Jet<S, n, n>::dimension;
     auto const at = coordinates(draw_jet<S, n, n>(draw));
     auto const V = draw_tangents<S, jets, n + 1>(draw);
     auto const solid = Continuum{draw_metric<S, n>(draw), StereographicSphere<S, n>{S(1)},
@@ -303,21 +305,21 @@ STATEMENT(eq_9_7, "momentum map from the Cartan form") {
     auto const [of_dilation, J_of_dilation] = both_sides<n, n>(solid, motion_of_space<n>(dilation), at, V);
     claim.differs("dilation of a solid on a sphere", model, of_dilation, J_of_dilation);
   });
-  over_points(std::tuple<Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
-    auto const L = draw_density<S, n, N>(draw);
-    auto const xi = draw_field<S, n, N>(draw);
-    auto const phi = draw_section<S, n, N>(draw);
-    Event<S, n> const x = draw_event<S, n>(draw);
-    auto const V = draw_tangents<S, n + 1, n>(draw);
-    S const by_forms = pull_back(jet_extension(phi), covariant_momentum_map<n, N>(L, xi))(x, V);
-    auto const j = first_jet(phi, x);
-    claim.equal("pulled back by a section: the Noether current", model, by_forms,
-                S(flux_form([&](auto const&) { return noether_current(L, xi, j); })(x, V)), 10);
-    // Vertical variations alone give p dy ^ d^n x_mu less p v d^{n+1}x.
-    Event<S, n> short_current = noether_current(L, xi, j);
-    short_current -= xi(point_of(j)).template head<n + 1>() * L(j);
-    claim.differs("from the Cartan form of vertical variations", model, by_forms,
-                  S(flux_form([&](auto const&) { return short_current; })(x, V)));
-  });
+  over_dimensions(
+      std::tuple<Dimensions<1, 3>>{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+        auto const L = draw_density<S, n, N>(draw);
+        auto const xi = draw_field<S, n, N>(draw);
+        auto const phi = draw_section<S, n, N>(draw);
+        Event<S, n> const x = draw_event<S, n>(draw);
+        auto const V = draw_tangents<S, n + 1, n>(draw);
+        S const by_forms = pull_back(jet_extension(phi), covariant_momentum_map<n, N>(L, xi))(x, V);
+        auto const j = first_jet(phi, x);
+        claim.equal("pulled back by a section: the Noether current", model, by_forms,
+                    S(flux_form([&](auto const&) { return noether_current(L, xi, j); })(x, V)), 10);
+        // Vertical variations alone give p dy ^ d^n x_mu less p v d^{n+1}x.
+        Event<S, n> short_current = noether_current(L, xi, j);
+        short_current -= xi(point_of(j)).template head<n + 1>() * L(j);
+        claim.differs("from the Cartan form of vertical variations", model, by_forms,
+                      S(flux_form([&](auto const&) { return short_current; })(x, V)));
+      });
 }

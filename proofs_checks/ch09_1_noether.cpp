@@ -66,8 +66,7 @@ auto vertical_along(Xi const& xi, Phi const& phi) {
 
 STATEMENT(eq_9_6, "invariance of the action under a group") {
   claim.convention("The region of integration moves with the map, and the equation holds for every region.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     // In four dimensions the exact rules have many nodes, and rationals grow.
     if (n == 3 && numbers_grow()) return;
     auto fluid = draw_polynomial_fluid<S, n>(draw);
@@ -102,8 +101,7 @@ STATEMENT(claim_9_1_symmetries_of_solutions, "symmetries take solutions to solut
       "solutions go to solutions where $\\eta^*\\mathcal L=\\mathcal L$. Exact motions are moved, and "
       "the generator is a first variation of them. The converse is not claimed: Galileo's boost takes "
       "solutions to solutions as well.");
-  over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(SmallDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const L = draw_density<S, n, N>(draw);
     auto const any = draw_automorphism<S, n, N>(draw);
     auto const eta = as_automorphism(any);
@@ -118,8 +116,8 @@ STATEMENT(claim_9_1_symmetries_of_solutions, "symmetries take solutions to solut
     claim.differs("those of the density that was not pulled back", model, brought_back,
                   euler_lagrange(L, second_jet(phi, x)));
   });
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = n + 1;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    constexpr int N = n + 1;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     fluid.G = draw_stretchable_metric<S, n>(draw);
     fluid.g = flattened(fluid.g);
@@ -227,8 +225,7 @@ STATEMENT(claim_9_1_invariance_integrals, "boundary and volume integrals from in
                   flux(squeezing, motion, 8),
                   size_of(noether_current(fluid, squeezing, first_jet(motion, box.high))));
   }
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_polynomial_fluid<S, n>(draw);
     auto const field = relabelling_field<n>(draw_relabelling<S, n>(fluid.G, draw));
     Event<S, n> const x = draw_event<S, n>(draw);
@@ -285,8 +282,7 @@ STATEMENT(claim_9_1_vertical_variations, "vertical variations and spatial symmet
       "are vertical, the isometries of space; arbitrary ones are nine, with time and the five relabellings. "
       "A vertical field with the same vertical part along a section as a relabelling is no symmetry: its "
       "rate is $-D_\\mu(L\\,\\xi^\\mu)$.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const field = relabelling_field<n>(draw_relabelling<S, n>(fluid.G, draw));
     auto const phi = draw_section<S, n, n>(draw);
@@ -332,17 +328,18 @@ STATEMENT(thm_9_1_1, "covariant Noether theorem") {
       "Off shell, for any density and any field: "
       "$d(j^1\\phi)^*J=\\bigl(r-E_a(\\xi^a-v^a{}_\\mu\\xi^\\mu)\\bigr)\\,d^{n+1}x$ with the rate $r$ of "
       "equivariance.");
-  over_points(std::tuple<Dimensions<1, 3>, Dimensions<2, 1>>{}, [&]<class D>(D, std::string const& model) {
-    auto const L = draw_density<S, D::n, D::N>(draw);
-    auto const xi = draw_field<S, D::n, D::N>(draw);
-    auto const j = draw_second_jet<S, D::n, D::N>(draw);
-    S const divergence = current_divergence(L, xi, j);
-    claim.equal("any density, any field, any section", model, divergence,
-                S(equivariance_rate(L, xi, first(j)) + noether_identity(L, xi, j)), 10);
-    claim.differs("without the rate of equivariance", model, divergence, noether_identity(L, xi, j));
-  });
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(std::tuple<Dimensions<1, 3>, Dimensions<2, 1>>{},
+                  [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+                    auto const L = draw_density<S, n, N>(draw);
+                    auto const xi = draw_field<S, n, N>(draw);
+                    auto const j = draw_second_jet<S, n, N>(draw);
+                    S const divergence = current_divergence(L, xi, j);
+                    claim.equal("any density, any field, any section", model, divergence,
+                                S(equivariance_rate(L, xi, first(j)) + noether_identity(L, xi, j)), 10);
+                    claim.differs("without the rate of equivariance", model, divergence,
+                                  noether_identity(L, xi, j));
+                  });
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const field = relabelling_field<n>(draw_relabelling<S, n>(fluid.G, draw));
     auto const off = draw_second_jet<S, n, n>(draw);
@@ -382,8 +379,7 @@ STATEMENT(eq_9_5, "exterior derivative of the Noether current on solutions") {
   claim.holds(
       "For relabelling it is $\\xi^kF^a{}_kE_a\\,d^{n+1}x$ off shell, for time translation "
       "$\\dot\\phi^aE_a$, for an isometry $k$ of space $-k^aE_a$.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const xi = draw_relabelling<S, n>(fluid.G, draw);
     auto const field = relabelling_field<n>(xi);
@@ -464,8 +460,8 @@ struct FlowingFluid {
 
 STATEMENT(eq_9_8, "relabelling current of a barotropic fluid") {
   claim.holds();
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    FlowingFluid<S, D::n> const flow(draw);
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
+    FlowingFluid<S, n> const flow(draw);
     auto const printed = barotropic_relabelling_current(flow.fluid, flow.field, first(flow.j));
     claim.equal("(9.8) is the current of (9.7), by its components", model, printed, flow.current(), 10);
     auto turned = printed, light = printed;
@@ -477,8 +473,7 @@ STATEMENT(eq_9_8, "relabelling current of a barotropic fluid") {
 
 STATEMENT(claim_9_1_barotropic_current_space, "spatial components of the barotropic relabelling current") {
   claim.holds();
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     FlowingFluid<S, n> const flow(draw);
     S const kinetic = flow.rho * inner(flow.fluid.g(flow.j.y), flow.j.velocity(), flow.j.velocity()) / S(2);
     S const energy = flow.rho * flow.fluid.W.w(flow.J()),
@@ -493,8 +488,7 @@ STATEMENT(claim_9_1_barotropic_current_space, "spatial components of the barotro
 
 STATEMENT(claim_9_1_barotropic_current_time, "time component of the barotropic relabelling current") {
   claim.holds();
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     FlowingFluid<S, n> const flow(draw);
     Matrix<S, n, 1> const pushed_field = flow.j.gradient() * flow.field;
     S const momentum = inner(flow.fluid.g(flow.j.y), flow.j.velocity(), pushed_field) * flow.root;
@@ -516,8 +510,7 @@ STATEMENT(claim_9_1_barotropic_current_differential,
       "G}\\,\\xi^k\\bigl(\\rho\\,g_{ab}(D_g\\dot\\phi/Dt)^b\\phi^a{}_{,k}+J\\,\\partial_kP\\bigr)d^{n+1}x$; "
       "closed at a point for all divergence-free fields it gives back the field equations "
       "there, since $F$ is invertible.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     FlowingFluid<S, n> const flow(draw);
     Matrix<S, n, 1> const push = flow.pressure_slope() * flow.J(), inertia = flow.inertia();
     // Second derivatives of W and of two metrics.
@@ -547,8 +540,7 @@ STATEMENT(eq_9_9, "relabelling current of an incompressible fluid") {
   claim.convention(
       "The constant stored energy is put to zero; another one would add a closed form. It holds off shell "
       "too: $\\lambda(J-1)-\\lambda J=-\\lambda$.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     FlowingFluid<S, n> const flow(draw);
     S const P = flow.extended.y[n] / flow.root;
     auto const body = flow.fluid.G(flow.j.particle());
@@ -584,8 +576,7 @@ STATEMENT(claim_9_1_incompressible_current_differential,
       "The density is missing: the printed form holds for $\\rho=1$. That there is no "
       "$J$ is right, constraint or not.");
   claim.same_slip_as("claim_9_1_barotropic_current_differential");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     FlowingFluid<S, n> const flow(draw);
     auto const push = pressure_gradient(flow.fluid.G, flow.extended);
     auto const inertia = flow.inertia();
@@ -613,8 +604,7 @@ STATEMENT(claim_9_1_constraint_from_current, "constraint and the vanishing of th
   claim.holds(
       "A motion whose volumes change has closed currents for all fields once its "
       "acceleration fits the pressure.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     FlowingFluid<S, n> flow(draw);
     // Let the acceleration be what makes every current closed; the volumes do what they do.
     Matrix<S, n, 1> const excess = flow.inertia() * flow.rho + pressure_gradient(flow.fluid.G, flow.extended);
@@ -631,8 +621,7 @@ STATEMENT(claim_9_1_currents_differ, "the difference of the barotropic and the i
   claim.holds(
       "With the momentum part in common they differ by $(P_\\lambda-\\rho W-P_WJ)\\sqrt{\\det "
       "G}\\,\\xi^k\\,d^nx_k$, the current of the difference of the two Lagrangians.");
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_dimensions(PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const xi = draw_relabelling<S, n>(fluid.G, draw);
     auto const j = draw_pressed_jet<S, n>(draw);

@@ -94,8 +94,7 @@ SecondJet<S, n, n + 1> volume_held(Medium const& medium, SecondJet<S, n, n + 1> 
 
 STATEMENT(claim_9_2_time_invariance, "time translation and the two Lagrangian densities") {
   claim.holds("Mass, metrics and energy are those of the body and do not depend on time.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const j = draw_jet<S, n, n + 1>(draw);
     auto const below = deformation(j);
     auto const tau = draw.number<S>();
@@ -122,8 +121,7 @@ STATEMENT(claim_9_2_time_invariance, "time translation and the two Lagrangian de
 
 STATEMENT(claim_9_2_time_current, "Noether current of time translation") {
   claim.holds("With the energy density of (6.5), which has $\\sqrt{\\det G}$ in it already. For any medium.");
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const medium = draw_medium<S, n, N>(draw, Kind::any);
     auto const j = draw_jet<S, n, N>(draw);
     auto const current = noether_current(medium, TimeTranslation{}, j);
@@ -142,8 +140,7 @@ STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
   claim.holds(
       "Along solutions; off shell the two sides differ by $\\dot\\phi^aE_a$. DIV is $\\frac1{\\sqrt{\\det "
       "G}}\\partial_j(\\sqrt{\\det G}\\;\\cdot^{\\,j})$.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
     auto const off = draw_second_jet<S, n, n>(draw);
     auto const on = of_a_solution(fluid, off);
@@ -171,8 +168,7 @@ STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
 
 STATEMENT(claim_9_2_elastic_energy, "energy continuity of standard elasticity") {
   claim.holds("For any stored energy $W(x, G, g, F)$, along solutions; rods, shells and bodies in space.");
-  over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n, N = D::N;
+  over_points(claim, BodiesInSpace{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
     auto const off = draw_second_jet<S, n, N>(draw);
     for (Kind const kind : {Kind::any, Kind::solid}) {
       auto const medium = draw_medium<S, n, N>(draw, kind);
@@ -196,8 +192,7 @@ STATEMENT(claim_9_2_energy_incompressible, "energy continuity of incompressible 
       "P_a{}^j\\dot\\phi^a$, the pressure of the multiplier takes $P\\,((\\partial\\phi/\\partial "
       "x)^{-1})^j_a\\,\\dot\\phi^a$, and the energy is that of the medium without the constraint. Along "
       "solutions with $J=1$, in metrics whose volume varies along the motion.");
-  over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     for (Kind const kind : {Kind::dust, Kind::solid}) {
       std::string const what = model + (kind == Kind::dust ? ", ideal fluid" : ", solid");
       auto const medium = draw_medium<S, n>(draw, kind);
@@ -232,8 +227,7 @@ STATEMENT(claim_9_2_energy_converse, "consequence of requiring a closed time-tra
       "It is the one equation $\\dot\\phi^aE_a=0$, the energy continuity: it does not "
       "give back the field equations.");
   over_points(claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
-              [&]<class D>(D, std::string const& model) {
-                constexpr int n = D::n, N = D::N;
+              [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
                 auto const medium = draw_medium<S, n, N>(draw, Kind::any);
                 auto j = draw_second_jet<S, n, N>(draw);
                 Matrix<S, N, 1> const E = euler_lagrange(medium, j), v = j.velocity();

@@ -115,8 +115,7 @@ STATEMENT(claim_10_0_form_formula_directions,
   claim.leaves(
       "Other fields than shifts along one coordinate are not tried. Whether the formula has relations for "
       "them that were not known is a question that no computation answers.");
-  over_points<S>(Bodies{}, [&]<class D>(D, std::string const& dimensions) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(Bodies{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& dimensions) {
     auto const any = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw), W = draw_section<S, n, N>(draw, S(1));
     auto const x = draw_event<S, n>(draw);
@@ -168,8 +167,7 @@ STATEMENT(claim_10_0_form_formula_directions,
     }
   });
   // As (6.11), on boxes: uniform strain of a uniform body, and first variations of second degree.
-  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& dimensions) {
-    constexpr int n = D::n, N = D::N;
+  over_dimensions(SmallDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& dimensions) {
     auto const L = draw_uniform_density<S, n, N>(draw);
     auto const phi = draw_section_of_degree<S, n, N>(draw, 1);
     auto const box = draw_box<S, n>(draw);
@@ -195,10 +193,9 @@ STATEMENT(claim_10_0_form_formula_directions,
     }
   });
   // What the columns are for a medium.
-  over_points<S>(
+  over_dimensions(
       std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<3, 3>>{},
-      [&]<class D>(D, std::string const& model) {
-        constexpr int n = D::n, N = D::N;
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
         if (n > 2 && numbers_grow()) return;
         Continuum const medium{draw_metric<S, n>(draw), draw_metric<S, N>(draw), draw_mass<S, n>(draw),
                                draw_solid<S, n>(draw)};

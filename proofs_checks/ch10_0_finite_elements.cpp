@@ -421,8 +421,7 @@ STATEMENT(claim_10_0_betti_reciprocity, "multisymplectic form formula and recipr
       "body, on boxes; shells as well.");
   over_models(
       claim, std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<2, 3>>{},
-      [&]<class D>(D, std::string const& model) {
-        constexpr int n = D::n, N = D::N;
+      [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
         using Place = Matrix<S, n, 1>;
         auto const medium = draw_homogeneous_solid<S, n, N>(draw);
         auto strained = draw_section<S, n, N>(draw);
@@ -502,8 +501,7 @@ STATEMENT(claim_10_0_static_fem,
       "forces come from the stored energy, here linear simplices with one point of evaluation each, an "
       "anisotropic solid in curved metrics and dead loads on the nodes. Test functions that differ "
       "from the shape functions lose it.");
-  over_models(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_models(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     Patch<S, n> const patch(draw, draw_medium<S, n>(draw, Kind::solid));
     auto const q = patch.draw_state(draw);
     using Element = typename Patch<S, n>::Element;
@@ -557,8 +555,7 @@ STATEMENT(claim_10_0_newmark, "finite elements with Newmark time stepping") {
       "shifted positions $z = q - \\beta h^2a$, the positions themselves for $\\beta = 0$; other "
       "$\\gamma$ lose the form. On a patch of an anisotropic solid the form gains from time to time what "
       "the loads bring through the outer nodes.");
-  over_models(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n;
+  over_models(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& name) {
     using Stepping = Newmark<S, n>;
     using Nodal = Matrix<S, n, n + 3>;
     Patch<S, n> const patch(draw, flattened<S, n, n>(draw_medium<S, n>(draw, Kind::solid)));

@@ -300,9 +300,9 @@ STATEMENT(claim_10_0_higher_order, "averaged Euler equations as a higher-order f
       "$p_a{}^{\\mu\\nu}$, and the form formula holds off shell, for vertical variations tried at $n = 1$, "
       "$N = 2$ and $n = 2$, $N = 1$. Instances: the equation of Camassa and Holm, and averaged Euler "
       "equations in the plane and in space with the constraint $J = 1$.");
-  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
-    general_theory<S, D::n, D::N>(claim, draw, model);
-    if (D::n == 1 || !numbers_grow()) form_formula<S, D::n, D::N>(claim, draw, model);
+  over_dimensions(SmallDimensions{}, [&]<int n, int N>(Dimensions<n, N>, std::string const& model) {
+    general_theory<S, n, N>(claim, draw, model);
+    if (n == 1 || !numbers_grow()) form_formula<S, n, N>(claim, draw, model);
   });
   averaged_fluids<S, 1>(claim, draw, "n = 1, N = 1");
   averaged_fluids<S, 2>(claim, draw, "n = 2, N = 2");

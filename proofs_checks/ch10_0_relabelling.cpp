@@ -187,8 +187,7 @@ STATEMENT(claim_10_0_material_to_eulerian, "reduction by relabelling and the spa
       "That each field without divergence is the velocity of some motion is the existence "
       "theorem of ordinary differential equations. The set of motions modulo relabellings "
       "is not shown to be a manifold.");
-  over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using V = Matrix<S, n, 1>;
     auto const g = draw_metric_of_volume<S, n>(draw);
     auto const phi = draw_motion<S, n>(draw, g.chart, g.chart),
@@ -433,8 +432,7 @@ STATEMENT(claim_10_0_compressible_reduction,
       "= -w\\cdot\\nabla s$ the action varies by minus the work of $D(\\partial_tu + \\nabla_uu) + \\nabla "
       "p$, $p = D^2e_D$, which is what the field equations on the body say. For any metrics of body and "
       "space, off the solutions; as integrals in a box with a metric of volume 1.");
-  over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using V = Matrix<S, n, 1>;
     auto const G = draw_any_metric<S, n>(draw), g = draw_any_metric<S, n>(draw);
     EntropyFluid<S, n, AnyMass<S, n>, Cubic<S, n>> const fluid{
@@ -581,8 +579,7 @@ STATEMENT(claim_10_0_compressible_reduction,
     claim.zero("a layered fluid, labels moved along the layers", model, held[0], held[1], condition);
     claim.refutes("labels moved across the layers, the volume kept", model, other[0], other[1]);
   });
-  over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& dimensions) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& dimensions) {
     std::string const model = "box, " + dimensions;
     FluidInBox<S, n> const fluid(draw);
     auto const& rho = fluid.D;
@@ -627,8 +624,7 @@ STATEMENT(claim_10_0_reduced_principle,
   claim.leaves(
       "The bundle is given by its coordinates; that it is the quotient of the extended jet bundle by the "
       "group of relabellings, which has no finite dimension, is not shown.");
-  over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& model) {
     using V = Matrix<S, n, 1>;
     auto const G = draw_any_metric<S, n>(draw), g = draw_any_metric<S, n>(draw);
     auto const fluid = incompressible(ideal_fluid<S, n>(G, g, S(0)));
@@ -700,8 +696,7 @@ STATEMENT(claim_10_0_reduced_principle,
     claim.equal("change of the pressure", model, change, S(q(y) - slope.dot(w(y))), condition);
     claim.differs("change of the pressure at a particle", model, change, S(q(y)));
   });
-  over_points(claim, TwoAndThree{}, [&]<class D>(D, std::string const& dimensions) {
-    constexpr int n = D::n;
+  over_points(claim, PlaneAndSpace{}, [&]<int n>(Dimensions<n, n>, std::string const& dimensions) {
     std::string const model = "box, " + dimensions;
     FluidInBox<S, n> const fluid(draw);
     auto const p = draw_linear<S, n + 1>(draw) * draw_linear<S, n + 1>(draw), q = draw_linear<S, n + 1>(draw);

@@ -274,6 +274,8 @@ void over_points(Claim<S> const& claim, std::tuple<D...>, Visit const& visit) {
   };
   (at(D{}), ...);
 }
+/// The plane alone, for what costs much.
+using Plane = std::tuple<Dimensions<2, 2>>;
 /// Bodies as large as their space, for what needs a Jacobian.
 using PlaneAndSpace = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
 /// Bodies as large as their space and thinner ones, a rod and a shell, for what needs no inverse of F.

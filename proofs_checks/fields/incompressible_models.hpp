@@ -314,11 +314,5 @@ Matrix<S, n, 1> per_volume(L const& density, SecondJet<S, n, M> const& j) {
   Matrix<S, M, 1> const E = euler_lagrange(density, j);
   return -E.template head<n>() / volume<S>(density.constraint.G(j.particle()));
 }
-/// Bodies in the plane; and in space as well, where the dimension counts.
-using Plane = std::tuple<Dimensions<2, 2>>;
-using TwoAndThree = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
-/// One random point in each of the dimensions.
-template <class Dims, class Visit>
-void over_points(Dims dims, Visit const& visit) { over_dimensions(dims, visit); }
 
 }  // namespace actio::checks

@@ -11,12 +11,6 @@
 
 namespace actio::checks {
 
-/// Calls `visit` for each of the dimensions, at one random point.
-template <class Dims, class Visit>
-void over_points(Dims dimensions, Visit const& visit) { over_dimensions(dimensions, visit); }
-/// The plane alone, for what costs much.
-using Plane = std::tuple<Dimensions<2, 2>>;
-
 /// A polynomial that is the same everywhere.
 template <class S, int m>
 Cubic<S, m> constant_cubic(S const& value) {

@@ -11,9 +11,6 @@
 
 namespace actio::checks {
 
-/// Calls `visit(dimensions, name)` at one random point for each of the dimensions.
-template <class S, class All, class Visit>
-void over_points(All const& dimensions, Visit const& visit) { over_dimensions(dimensions, visit); }
 /// Few coordinates in all, for what differentiates many times.
 using SmallDimensions = std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>;
 

@@ -11,9 +11,7 @@ namespace actio::scene {
 inline std::vector<std::vector<double>> rows_of(SceneFile file) {
   Scene scene = Scene::read(std::move(file));
   std::vector<double> table;
-  RunOptions options;
-  options.quiet = true;
-  auto const report = run_in_memory(scene, table, options);
+  auto const report = run_in_memory(scene, table, {.quiet = true});
   BOOST_REQUIRE_MESSAGE((report.ending == Ending::done), report.message);
   auto const length = static_cast<long>(scene.simulation.quantities.row_size()) + 1;
   std::vector<std::vector<double>> out;

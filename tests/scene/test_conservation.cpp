@@ -310,9 +310,7 @@ double most_drift(std::string const& quantity) {
 void check(Featured const& featured, std::set<std::pair<ConservationLaw const*, Feature>>& tried) {
   Scene scene = Scene::read(SceneFile::parse(featured.text, "scene.toml"));
   std::vector<double> table;
-  RunOptions options;
-  options.quiet = true;
-  auto const report = run_in_memory(scene, table, options);
+  auto const report = run_in_memory(scene, table, {.quiet = true});
   BOOST_REQUIRE_MESSAGE((report.ending == Ending::done), report.message << "\n" << featured.text);
   for (auto const& law : conservation_laws()) {
     if (law.system != featured.system || featured.text.find("\"" + law.quantity + "\"") == std::string::npos)
@@ -383,9 +381,7 @@ BOOST_AUTO_TEST_CASE(a_body_at_rest_has_drifts_of_rounding_or_none) {
                                          "1", "0.1"),
                            "scene.toml"));
       std::vector<double> table;
-      RunOptions options;
-      options.quiet = true;
-      for (auto const& entry : run_in_memory(scene, table, options).drift)
+      for (auto const& entry : run_in_memory(scene, table, {.quiet = true}).drift)
         BOOST_TEST(entry.relative <= 1e-13, entry.name << " of " << material << ", " << sides);
     }
 }
@@ -400,9 +396,7 @@ BOOST_AUTO_TEST_CASE(a_top_that_hangs_at_rest_has_drifts_of_rounding) {
           ending("\"energy\", \"casimir\", \"vertical_momentum\"", "50", "0.5"),
       "scene.toml"));
   std::vector<double> table;
-  RunOptions options;
-  options.quiet = true;
-  for (auto const& entry : run_in_memory(scene, table, options).drift)
+  for (auto const& entry : run_in_memory(scene, table, {.quiet = true}).drift)
     BOOST_TEST(entry.relative <= 1e-12, entry.name);
 }
 

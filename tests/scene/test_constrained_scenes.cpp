@@ -183,9 +183,7 @@ BOOST_AUTO_TEST_CASE(a_disc_that_falls_flat_ends_the_run_with_the_angle) {
   Scene scene = Scene::read(SceneFile::parse(disc, "disc.toml"));
   BOOST_TEST(scene.simulation.failure.empty());
   std::vector<double> table;
-  RunOptions options;
-  options.quiet = true;
-  auto const report = run_in_memory(scene, table, options);
+  auto const report = run_in_memory(scene, table, {.quiet = true});
   BOOST_TEST((report.ending == Ending::numerics_failed));
   check_said(report.message, "after t = 0.");
   check_said(report.message, "its row must turn by at most a radian in a step");

@@ -26,9 +26,7 @@ struct End {
 End end_of(std::string const& name, std::vector<std::string> const& overrides) {
   Scene scene = Scene::read(SceneFile::read(ACTIO_DATA "/scenes/" + name + ".toml", overrides));
   std::vector<double> table;
-  RunOptions options;
-  options.quiet = true;
-  auto const report = run_in_memory(scene, table, options);
+  auto const report = run_in_memory(scene, table, {.quiet = true});
   BOOST_REQUIRE_MESSAGE((report.ending == Ending::done), report.message);
   return {scene.simulation.snapshots->coordinates(), scene.simulation.snapshots->fields()};
 }

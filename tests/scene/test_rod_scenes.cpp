@@ -35,9 +35,7 @@ struct Rows {
 Rows rows_in(SceneFile file) {
   Scene scene = Scene::read(std::move(file));
   Rows out{scene.simulation.quantities.columns(), {}, scene.simulation.remarks, {}, {}};
-  RunOptions options;
-  options.quiet = true;
-  auto const report = run_in_memory(scene, out.table, options);
+  auto const report = run_in_memory(scene, out.table, {.quiet = true});
   BOOST_REQUIRE_MESSAGE((report.ending == Ending::done), report.message);
   if (scene.simulation.snapshots)
     out.reference = scene.simulation.snapshots->coordinates(),

@@ -57,9 +57,8 @@ Scene counting(Counter::Stumble how = Counter::Stumble::never, long at = 0,
 
 RunReport run(
     Scene scene, Folder const& folder, bool resume, std::function<bool()> stop = [] { return false; }) {
-  RunOptions options;
-  options.quiet = true, options.checkpoint_interval = 0.01, options.stop = std::move(stop);
-  return run_scene(scene, folder.path, resume, options);
+  return run_scene(scene, folder.path, resume,
+                   {.quiet = true, .checkpoint_interval = 0.01, .stop = std::move(stop)});
 }
 
 long rows_of(std::string const& table) { return std::count(table.begin(), table.end(), '\n') - 1; }

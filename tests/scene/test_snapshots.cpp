@@ -81,9 +81,8 @@ Scene counting(std::string const& run, std::string const& output, std::map<long,
 
 RunReport run(
     Scene scene, Folder const& folder, bool resume, std::function<bool()> stop = [] { return false; }) {
-  RunOptions options;
-  options.quiet = true, options.checkpoint_interval = 1e6, options.stop = std::move(stop);
-  return run_scene(scene, folder.path, resume, options);
+  return run_scene(scene, folder.path, resume,
+                   {.quiet = true, .checkpoint_interval = 1e6, .stop = std::move(stop)});
 }
 
 /// Of all files of the run but what tells the time of day.
