@@ -2,6 +2,7 @@
 # What tests of runs on ranks begin with: . on_ranks.sh SECONDS ACTIO ACTIO_MPI MPIRUN. In an empty folder, which
 # is removed at the end, `ranks N ...` is actio-mpi on N ranks, for so many seconds at most.
 set -euo pipefail
+# shellcheck disable=SC2034  # the scripts that source this use them
 limit=$1 actio=$2 actio_mpi=$3 mpirun=$4
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

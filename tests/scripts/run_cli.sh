@@ -44,8 +44,7 @@ fi
 
 # The scripts are sound where there is a tool to say so.
 if command -v shellcheck >/dev/null; then
-  (cd "$root" && shellcheck -x run) || failures=$((failures + 1))
-  shellcheck "$root/.ci/run" "$root"/cmake/*.sh "$root"/cmake/tools/*.sh "$root"/tests/scripts/*.sh || failures=$((failures + 1))
+  (cd "$root" && shellcheck -x run .ci/run cmake/*.sh cmake/tools/*.sh tests/scripts/*.sh) || failures=$((failures + 1))
 fi
 ((failures == 0)) && echo "./run answers as it should"
 exit $((failures > 0))
