@@ -101,25 +101,21 @@ std::vector<Curve> all_curves(Benchmark const& program, Witnesses const& exact) 
   auto const fixed = [&](Method const& m, double first, double ratio, double longest) {
     curves.push_back(with_fixed_steps(task, duration, m, exact, first, ratio, longest, patience));
   };
-  curves.push_back({"exact, each time by one evaluation",
-                    [](double) {
+  curves.push_back({{"exact, each time by one evaluation", {}}, [](double) {
                       States states;
                       for (int k = 0; k < looks; ++k)
                         states[k] = peers::seven(peers::free_body(task).at(duration * (k + 1) / looks));
                       return states;
-                    },
-                    {}});
+                    }});
   curves.back().runs.push_back(run(curves.back(), looks, exact, patience));
   curves.back().runs.back().seconds /= looks;
   // The closed form that textbooks have, set up and evaluated anew for each time as well.
-  curves.push_back({peers::elliptic_functions().name,
-                    [](double) {
+  curves.push_back({{peers::elliptic_functions().name, {}}, [](double) {
                       States states;
                       for (int k = 0; k < looks; ++k)
                         states[k] = peers::EllipticBody(task).at(duration * (k + 1) / looks);
                       return states;
-                    },
-                    {}});
+                    }});
   curves.back().runs.push_back(run(curves.back(), looks, exact, patience));
   curves.back().runs.back().seconds /= looks;
   fixed(peers::exact_half_turns(), 1000, 1.5, 1e-3);
