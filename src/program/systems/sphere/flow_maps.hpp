@@ -14,7 +14,8 @@ namespace actio::scene {
 struct FlowMaps {
   /// Values on a grid.
   struct Values {
-    int rows, columns;           ///< of the grid
+    int rows;                    ///< of the grid
+    int columns;                 ///< of each of them
     std::vector<double> values;  ///< row by row, as `book::flat_map` and `book::SphereField` have them
   };
   bool flat;                                              ///< a square; otherwise the whole sphere
